@@ -1,0 +1,203 @@
+//! Discrete gradients by reverse accumulation.
+//!
+//! The walk is that of reverse-mode differentiation; the local factor of a node is its divided difference in place of
+//! its derivative. Because the secant identity holds at every node, Δnode = Σ factor·Δchild, it holds for the whole:
+//! ∇̄Φ(a, b)·(b − a) = Φ(b) − Φ(a). Because every factor is symmetric in a and b, so is ∇̄Φ.
+
+use crate::expression::{Binary, Condition, Expr, Graph, Node, Substitution, Symbol, Unary};
+
+use super::divided_difference::{abs_secant, divided_difference, of_power};
+use super::piecewise;
+
+/// The two ends of a step: what the coordinates become at each.
+pub struct TwoPoints {
+    /// The coordinates that the potential is written in.
+    pub coordinates: Vec<Symbol>,
+    /// Their names at the one end.
+    pub a: Vec<Symbol>,
+    /// Their names at the other.
+    pub b: Vec<Symbol>,
+    at_a: Substitution,
+    at_b: Substitution,
+}
+
+impl TwoPoints {
+    /// Replaces coordinate i by aᵢ at the one end, by bᵢ at the other.
+    pub fn new(graph: &mut Graph, coordinates: &[Symbol], a: &[Symbol], b: &[Symbol]) -> Self {
+        let mut end = |names: &[Symbol]| {
+            let pairs: Vec<_> = coordinates.iter().zip(names).map(|(&q, &name)| (q, graph.symbol(name))).collect();
+            Substitution::new(graph, pairs)
+        };
+        let (at_a, at_b) = (end(a), end(b));
+        Self { coordinates: coordinates.to_vec(), a: a.to_vec(), b: b.to_vec(), at_a, at_b }
+    }
+
+    /// The values of an expression at the two ends.
+    pub fn values(&mut self, graph: &mut Graph, e: Expr) -> (Expr, Expr) {
+        (self.at_a.apply(graph, e), self.at_b.apply(graph, e))
+    }
+
+    /// The mean of the two values.
+    pub(super) fn mean(&mut self, graph: &mut Graph, e: Expr) -> Expr {
+        let (a, b) = self.values(graph, e);
+        graph.mean(a, b)
+    }
+
+    /// A condition at the two ends.
+    pub(super) fn conditions(&mut self, graph: &mut Graph, condition: &Condition) -> (Condition, Condition) {
+        (
+            condition.map(&mut |e| self.at_a.apply(graph, e)),
+            condition.map(&mut |e| self.at_b.apply(graph, e)),
+        )
+    }
+}
+
+/// ∇̄e(a, b), one component for each coordinate.
+pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Vec<Expr> {
+    let depends = graph.dependence(&ends.coordinates);
+    let order = graph.reachable(&[e]);
+    let mut arriving: Vec<Vec<Expr>> = vec![Vec::new(); depends.len()];
+    let one = graph.one();
+    arriving[e.index()].push(one);
+    let mut found = vec![graph.zero(); ends.coordinates.len()];
+    for &node in order.iter().rev() {
+        if !depends[node.index()] {
+            continue;
+        }
+        let summands = std::mem::take(&mut arriving[node.index()]);
+        let adjoint = graph.add(&summands);
+        if graph.is_zero(adjoint) {
+            continue;
+        }
+        if let Node::Symbol(symbol) = graph.node(node) {
+            if let Some(i) = ends.coordinates.iter().position(|s| s == symbol) {
+                found[i] = adjoint;
+            }
+            continue;
+        }
+        let shares = match graph.node(node).clone() {
+            Node::Select(condition, yes, no) => piecewise::secants(graph, &condition, yes, no, ends),
+            _ => secants(graph, node, ends, &|c: Expr| depends[c.index()]),
+        };
+        for (child, secant) in shares {
+            let share = graph.mul(&[adjoint, secant]);
+            arriving[child.index()].push(share);
+        }
+    }
+    found
+}
+
+/// The moving children of a node, each with its factor in Δnode = Σ factor·Δchild.
+fn secants(
+    graph: &mut Graph,
+    node: Expr,
+    ends: &mut TwoPoints,
+    moves: &dyn Fn(Expr) -> bool,
+) -> Vec<(Expr, Expr)> {
+    match graph.node(node).clone() {
+        Node::Number(_) | Node::Symbol(_) | Node::Select(..) => Vec::new(),
+        Node::Sum { terms, .. } => {
+            let moving = terms.iter().filter(|(_, t)| moves(*t));
+            moving.map(|&(c, t)| (t, graph.number(c.value()))).collect()
+        }
+        Node::Product { coefficient, factors } => {
+            let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| moves(f));
+            let fixed = graph.product_of(coefficient, fixed);
+            of_product(graph, fixed, &moving, ends)
+        }
+        Node::Unary(f, u) => {
+            let (a, b) = ends.values(graph, u);
+            vec![(u, divided_difference(graph, f, a, b))]
+        }
+        Node::Binary(f, u, w) => {
+            let both = of_binary(graph, f, u, w, ends, moves);
+            both.into_iter().filter(|(c, _)| moves(*c)).collect()
+        }
+    }
+}
+
+/// u·w: mean(w) toward u, mean(u) toward w; longer products factor by factor.
+fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut TwoPoints) -> Vec<(Expr, Expr)> {
+    let mut found = vec![];
+    let mut outside = fixed;
+    for (i, &(f, n)) in moving.iter().enumerate() {
+        let (a, b) = ends.values(graph, f);
+        let secant = of_power(graph, a, b, n);
+        let rest: Vec<_> = moving[i + 1..].iter().map(|&(f, n)| graph.powi(f, n)).collect();
+        let rest = graph.mul(&rest);
+        let mean_of_rest = ends.mean(graph, rest);
+        found.push((f, graph.mul(&[outside, secant, mean_of_rest])));
+        let power = graph.powi(f, n);
+        let mean = ends.mean(graph, power);
+        outside = graph.mul(&[outside, mean]);
+    }
+    found
+}
+
+fn of_binary(
+    graph: &mut Graph,
+    f: Binary,
+    u: Expr,
+    w: Expr,
+    ends: &mut TwoPoints,
+    moves: &dyn Fn(Expr) -> bool,
+) -> Vec<(Expr, Expr)> {
+    let ((ua, ub), (wa, wb)) = (ends.values(graph, u), ends.values(graph, w));
+    match f {
+        Binary::Powf => of_powf(graph, (u, ua, ub), (w, wa, wb), moves(w)),
+        Binary::Atan2 => {
+            // With the point (w, u): Δangle = K (mean(w) Δu − mean(u) Δw), K = angle/sin-like cross product.
+            let products = [graph.mul(&[wa, ub]), graph.mul(&[ua, wb]), graph.mul(&[wa, wb]), graph.mul(&[ua, ub])];
+            let cross = graph.sub(products[0], products[1]);
+            let dot = graph.add(&products[2..]);
+            let t = graph.div(cross, dot);
+            let cardinal = graph.unary(Unary::Atanc, t);
+            let acute = graph.div(cardinal, dot);
+            let angle = graph.binary(Binary::Atan2, cross, dot);
+            let obtuse = graph.div(angle, cross);
+            let zero = graph.zero();
+            let k = graph.select(Condition::less(zero, dot), acute, obtuse);
+            let (mean_u, mean_w) = (graph.mean(ua, ub), graph.mean(wa, wb));
+            let toward_w = graph.mul(&[mean_u, k]);
+            vec![(u, graph.mul(&[mean_w, k])), (w, graph.neg(toward_w))]
+        }
+        Binary::Min | Binary::Max => {
+            // max = (u + w)/2 + |u − w|/2, and min with a minus.
+            let (gap_a, gap_b) = (graph.sub(ua, wa), graph.sub(ub, wb));
+            let secant = abs_secant(graph, gap_a, gap_b);
+            let one = graph.one();
+            let (more, less) = (graph.add(&[one, secant]), graph.sub(one, secant));
+            let (more, less) = (graph.scale(0.5, more), graph.scale(0.5, less));
+            if f == Binary::Max { vec![(u, more), (w, less)] } else { vec![(u, less), (w, more)] }
+        }
+    }
+}
+
+/// u^w = exp(w ln u).
+fn of_powf(
+    graph: &mut Graph,
+    (u, ua, ub): (Expr, Expr, Expr),
+    (w, wa, wb): (Expr, Expr, Expr),
+    exponent_moves: bool,
+) -> Vec<(Expr, Expr)> {
+    let (ln_a, ln_b) = (graph.unary(Unary::Ln, ua), graph.unary(Unary::Ln, ub));
+    let (power_a, power_b) = (graph.mul(&[wa, ln_a]), graph.mul(&[wb, ln_b]));
+    let exp = divided_difference(graph, Unary::Exp, power_a, power_b);
+    let ln = divided_difference(graph, Unary::Ln, ua, ub);
+    let (mean_w, mean_ln) = (graph.mean(wa, wb), graph.mean(ln_a, ln_b));
+    let closed = graph.mul(&[exp, mean_w, ln]);
+    if exponent_moves {
+        return vec![(u, closed), (w, graph.mul(&[exp, mean_ln]))];
+    }
+    // At u = 0 the logarithm is not finite but the power may be.
+    let (one, zero) = (graph.one(), graph.zero());
+    let lowered = graph.sub(wa, one);
+    let power = graph.binary(Binary::Powf, ua, lowered);
+    let limit = graph.mul(&[wa, power]);
+    let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
+    let (rise, run) = (graph.sub(value_b, value_a), graph.sub(ub, ua));
+    let quotient = graph.div(rise, run);
+    let at_zero = graph.select(Condition::equal(ua, ub), limit, quotient);
+    let product = graph.mul(&[ua, ub]);
+    vec![(u, graph.select(Condition::less(zero, product), closed, at_zero))]
+}

@@ -1,0 +1,222 @@
+//! Divided differences f[a, b] = (f(b) − f(a))/(b − a), written so that they have no 0/0.
+//!
+//! With m = (a + b)/2 and δ = (b − a)/2:
+//!
+//! | f | f\[a, b\] | origin |
+//! |---|---|---|
+//! | uⁿ | by squaring and multiplying; −1/(a b) for 1/u | (u w)[a, b] = mean(w) u[a, b] + mean(u) w[a, b] |
+//! | √u, ∛u | 1/(√a + √b), 1/(∛a² + ∛a∛b + ∛b²) | difference of squares, of cubes |
+//! | eᵘ | e^m sinhc δ | e^b − e^a = 2 e^m sinh δ |
+//! | ln u | atanhc(δ/m)/m | ln(b/a) = 2 artanh(δ/m) |
+//! | sin u, cos u | cos m sinc δ, −sin m sinc δ | sum to product |
+//! | tan u | sinc(2δ)/(cos a cos b) | |
+//! | sinh, cosh, tanh | cosh m sinhc δ, sinh m sinhc δ, sinhc(2δ)/(cosh a cosh b) | |
+//! | asin u | 2 atanc(t)/(cₐ + c_b), t = (b − a)/(cₐ + c_b), c = √(1 − u²) | half angle of the difference |
+//! | atan u | atanc(t)/(1 + ab), t = (b − a)/(1 + ab) | difference of angles |
+//! | asinh u | 2 atanhc(t)/(rₐ + r_b), t = (b − a)/(rₐ + r_b), r = √(1 + u²); acosh with √(u² − 1) | |
+//! | atanh u | atanhc(t)/(1 − ab), t = (b − a)/(1 − ab) | |
+//! | \|u\| | (a + b)/(\|a\| + \|b\|), 0 at 0 | |
+//!
+//! artanh and, far from the diagonal, arctan lose digits when a and b are far apart; there the plain quotient does not
+//! cancel and takes over.
+
+use crate::expression::{Condition, Expr, Graph, Unary};
+
+use super::derivative::{leg, logarithm, slope};
+
+/// f[a, b], symmetric in a and b, equal to f′(a) at a = b.
+pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
+    use Unary::*;
+    match f {
+        Sqrt => {
+            let roots = [g.unary(Sqrt, a), g.unary(Sqrt, b)];
+            let sum = g.add(&roots);
+            g.recip(sum)
+        }
+        Cbrt => {
+            let (a, b) = (g.unary(Cbrt, a), g.unary(Cbrt, b));
+            let terms = [g.square(a), g.mul(&[a, b]), g.square(b)];
+            let sum = g.add(&terms);
+            g.recip(sum)
+        }
+        Exp | ExpM1 => {
+            let (m, delta) = midpoint_and_half_gap(g, a, b);
+            let factors = [g.unary(Exp, m), g.unary(Sinhc, delta)];
+            g.mul(&factors)
+        }
+        Exp2 => {
+            let ln_2 = logarithm(g, 2.0);
+            let (m, delta) = midpoint_and_half_gap(g, a, b);
+            let scaled = g.mul(&[ln_2, delta]);
+            let factors = [ln_2, g.unary(Exp2, m), g.unary(Sinhc, scaled)];
+            g.mul(&factors)
+        }
+        Ln | Log2 | Log10 => {
+            let quotient = plain_quotient(g, Ln, a, b);
+            let sum = g.add(&[a, b]);
+            let near = half_artanh(g, a, b, sum, quotient);
+            match f {
+                Ln => near,
+                _ => {
+                    let ln_base = logarithm(g, if f == Log2 { 2.0 } else { 10.0 });
+                    g.div(near, ln_base)
+                }
+            }
+        }
+        Ln1p => {
+            let quotient = plain_quotient(g, Ln1p, a, b);
+            let two = g.number(2.0);
+            let sum = g.add(&[two, a, b]);
+            half_artanh(g, a, b, sum, quotient)
+        }
+        Sin | Cos => {
+            let (m, delta) = midpoint_and_half_gap(g, a, b);
+            let turned = g.unary(if f == Sin { Cos } else { Sin }, m);
+            let cardinal = g.unary(Sinc, delta);
+            let product = g.mul(&[turned, cardinal]);
+            if f == Sin { product } else { g.neg(product) }
+        }
+        Tan => {
+            let gap = g.sub(b, a);
+            let (cos_a, cos_b, cardinal) = (g.unary(Cos, a), g.unary(Cos, b), g.unary(Sinc, gap));
+            let below = g.mul(&[cos_a, cos_b]);
+            g.div(cardinal, below)
+        }
+        Sinh | Cosh => {
+            let (m, delta) = midpoint_and_half_gap(g, a, b);
+            let factors = [g.unary(if f == Sinh { Cosh } else { Sinh }, m), g.unary(Sinhc, delta)];
+            g.mul(&factors)
+        }
+        Tanh => {
+            let gap = g.sub(b, a);
+            let (cosh_a, cosh_b, cardinal) = (g.unary(Cosh, a), g.unary(Cosh, b), g.unary(Sinhc, gap));
+            let below = g.mul(&[cosh_a, cosh_b]);
+            let closed = g.div(cardinal, below);
+            // Far apart sinh and cosh overflow where their quotient does not.
+            let one = g.one();
+            let quotient = plain_quotient(g, Tanh, a, b);
+            unless_far(g, a, b, one, closed, quotient)
+        }
+        Asin | Acos => {
+            let legs = [leg(g, a), leg(g, b)];
+            let sum = g.add(&legs);
+            let gap = g.sub(b, a);
+            let t = g.div(gap, sum);
+            let cardinal = g.unary(Atanc, t);
+            let quotient = g.div(cardinal, sum);
+            g.scale(if f == Asin { 2.0 } else { -2.0 }, quotient)
+        }
+        Atan => {
+            let (one, product) = (g.one(), g.mul(&[a, b]));
+            let below = g.add(&[one, product]);
+            let gap = g.sub(b, a);
+            let t = g.div(gap, below);
+            let cardinal = g.unary(Atanc, t);
+            let closed = g.div(cardinal, below);
+            // Beyond ab = −1 the difference of the angles exceeds a right angle.
+            let quotient = plain_quotient(g, Atan, a, b);
+            let bound = g.number(-0.5);
+            g.select(Condition::less(bound, product), closed, quotient)
+        }
+        Asinh | Acosh => {
+            let mut radius = |u: Expr| {
+                let (one, square) = (g.one(), g.square(u));
+                let sum = if f == Asinh { g.add(&[one, square]) } else { g.sub(square, one) };
+                g.unary(Sqrt, sum)
+            };
+            let radii = [radius(a), radius(b)];
+            let sum = g.add(&radii);
+            let quotient = plain_quotient(g, f, a, b);
+            half_artanh(g, a, b, sum, quotient)
+        }
+        Atanh => {
+            let (one, product) = (g.one(), g.mul(&[a, b]));
+            let below = g.sub(one, product);
+            let gap = g.sub(b, a);
+            let t = g.div(gap, below);
+            let cardinal = g.unary(Atanhc, t);
+            let closed = g.div(cardinal, below);
+            let half = g.scale(0.5, below);
+            let quotient = plain_quotient(g, Atanh, a, b);
+            unless_far(g, a, b, half, closed, quotient)
+        }
+        Abs => abs_secant(g, a, b),
+        Signum => {
+            let (zero, sign_a, sign_b) = (g.zero(), g.unary(Signum, a), g.unary(Signum, b));
+            let quotient = plain_quotient(g, Signum, a, b);
+            g.select(Condition::equal(sign_a, sign_b), zero, quotient)
+        }
+        // The engine's own primitives never stand in a potential.
+        Sinc | SincSlope | Sinhc | SinhcSlope | Atanc | AtancSlope | Atanhc | AtanhcSlope => {
+            let (limit, quotient) = (slope(g, f, a), plain_quotient(g, f, a, b));
+            g.select(Condition::equal(a, b), limit, quotient)
+        }
+    }
+}
+
+/// (uⁿ)[a, b]: a + b for the square; even powers as squares, odd ones by the product rule, negative ones by
+/// (1/u)[a, b] = −1/(a b).
+pub(super) fn of_power(g: &mut Graph, a: Expr, b: Expr, n: i32) -> Expr {
+    match n {
+        i32::MIN..0 => {
+            let difference = of_power(g, a, b, -n);
+            let (below_a, below_b) = (g.powi(a, n), g.powi(b, n));
+            let product = g.mul(&[difference, below_a, below_b]);
+            g.neg(product)
+        }
+        0 => g.zero(),
+        1 => g.one(),
+        _ if n % 2 == 0 => {
+            let (half_a, half_b) = (g.powi(a, n / 2), g.powi(b, n / 2));
+            let sum = g.add(&[half_a, half_b]);
+            let difference = of_power(g, a, b, n / 2);
+            g.mul(&[sum, difference])
+        }
+        _ => {
+            let (even_a, even_b) = (g.powi(a, n - 1), g.powi(b, n - 1));
+            let (mean_even, mean) = (g.mean(even_a, even_b), g.mean(a, b));
+            let difference = of_power(g, a, b, n - 1);
+            let product = g.mul(&[mean, difference]);
+            g.add(&[mean_even, product])
+        }
+    }
+}
+
+/// (a + b)/(|a| + |b|), 0 at 0: the divided difference of |u|, exactly ±1 on one side of 0.
+pub(super) fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
+    let magnitudes = [g.unary(Unary::Abs, a), g.unary(Unary::Abs, b)];
+    let below = g.add(&magnitudes);
+    let sum = g.add(&[a, b]);
+    let (zero, quotient) = (g.zero(), g.div(sum, below));
+    g.select(Condition::equal(below, zero), zero, quotient)
+}
+
+/// (f(b) − f(a))/(b − a).
+pub(super) fn plain_quotient(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
+    let (value_a, value_b) = (g.unary(f, a), g.unary(f, b));
+    let (rise, run) = (g.sub(value_b, value_a), g.sub(b, a));
+    g.div(rise, run)
+}
+
+fn midpoint_and_half_gap(g: &mut Graph, a: Expr, b: Expr) -> (Expr, Expr) {
+    let gap = g.sub(b, a);
+    (g.mean(a, b), g.scale(0.5, gap))
+}
+
+/// 2 atanhc((b − a)/s)/s while |b − a| ≤ s/2.
+fn half_artanh(g: &mut Graph, a: Expr, b: Expr, s: Expr, quotient: Expr) -> Expr {
+    let gap = g.sub(b, a);
+    let t = g.div(gap, s);
+    let cardinal = g.unary(Unary::Atanhc, t);
+    let closed = g.div(cardinal, s);
+    let closed = g.scale(2.0, closed);
+    let half = g.scale(0.5, s);
+    unless_far(g, a, b, half, closed, quotient)
+}
+
+/// `closed` while |b − a| ≤ bound, the plain quotient beyond.
+fn unless_far(g: &mut Graph, a: Expr, b: Expr, bound: Expr, closed: Expr, quotient: Expr) -> Expr {
+    let gap = g.sub(b, a);
+    let distance = g.unary(Unary::Abs, gap);
+    g.select(Condition::less_or_equal(distance, bound), closed, quotient)
+}

@@ -1,0 +1,10 @@
+//! Derivatives and their discrete counterparts.
+
+mod derivative;
+mod discrete_gradient;
+mod divided_difference;
+mod piecewise;
+
+pub use derivative::{derivative, gradient, hessian, jacobian};
+pub use discrete_gradient::{TwoPoints, discrete_gradient};
+pub use divided_difference::divided_difference;

@@ -1,0 +1,122 @@
+//! Conditions of piecewise expressions.
+
+use super::{Expr, Graph};
+
+/// How two values are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Relation {
+    /// left < right
+    Less,
+    /// left ≤ right
+    LessOrEqual,
+    /// left = right
+    Equal,
+}
+
+/// A condition on values of expressions.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Condition {
+    /// A comparison of two expressions.
+    Compare(Relation, Expr, Expr),
+    /// The opposite.
+    Not(Box<Condition>),
+    /// Both.
+    And(Box<Condition>, Box<Condition>),
+    /// At least one.
+    Or(Box<Condition>, Box<Condition>),
+}
+
+impl Condition {
+    /// left < right
+    pub fn less(left: Expr, right: Expr) -> Self {
+        Self::Compare(Relation::Less, left, right)
+    }
+
+    /// left ≤ right
+    pub fn less_or_equal(left: Expr, right: Expr) -> Self {
+        Self::Compare(Relation::LessOrEqual, left, right)
+    }
+
+    /// left = right
+    pub fn equal(left: Expr, right: Expr) -> Self {
+        Self::Compare(Relation::Equal, left, right)
+    }
+
+    /// Both conditions.
+    pub fn and(self, other: Self) -> Self {
+        Self::And(Box::new(self), Box::new(other))
+    }
+
+    /// At least one of the conditions.
+    pub fn or(self, other: Self) -> Self {
+        Self::Or(Box::new(self), Box::new(other))
+    }
+
+    /// The opposite condition.
+    pub fn negated(self) -> Self {
+        match self {
+            Self::Not(inner) => *inner,
+            other => Self::Not(Box::new(other)),
+        }
+    }
+
+    /// The expressions compared.
+    pub fn operands(&self) -> Vec<Expr> {
+        match self {
+            Self::Compare(_, left, right) => vec![*left, *right],
+            Self::Not(inner) => inner.operands(),
+            Self::And(one, two) | Self::Or(one, two) => {
+                let mut operands = one.operands();
+                operands.extend(two.operands());
+                operands
+            }
+        }
+    }
+
+    /// The same condition on other expressions.
+    pub fn map(&self, f: &mut impl FnMut(Expr) -> Expr) -> Self {
+        match self {
+            Self::Compare(relation, left, right) => Self::Compare(*relation, f(*left), f(*right)),
+            Self::Not(inner) => Self::Not(Box::new(inner.map(f))),
+            Self::And(one, two) => Self::And(Box::new(one.map(f)), Box::new(two.map(f))),
+            Self::Or(one, two) => Self::Or(Box::new(one.map(f)), Box::new(two.map(f))),
+        }
+    }
+
+    /// Whether it holds, given the values of the expressions.
+    pub fn holds(&self, value: &impl Fn(Expr) -> f64) -> bool {
+        match self {
+            Self::Compare(Relation::Less, left, right) => value(*left) < value(*right),
+            Self::Compare(Relation::LessOrEqual, left, right) => value(*left) <= value(*right),
+            Self::Compare(Relation::Equal, left, right) => value(*left) == value(*right),
+            Self::Not(inner) => !inner.holds(value),
+            Self::And(one, two) => one.holds(value) && two.holds(value),
+            Self::Or(one, two) => one.holds(value) || two.holds(value),
+        }
+    }
+
+    /// Its truth where both sides are numbers.
+    pub(super) fn decided(&self, graph: &Graph) -> Option<bool> {
+        match self {
+            Self::Compare(relation, left, right) => {
+                let (left, right) = (graph.as_number(*left)?, graph.as_number(*right)?);
+                Some(match relation {
+                    Relation::Less => left < right,
+                    Relation::LessOrEqual => left <= right,
+                    Relation::Equal => left == right,
+                })
+            }
+            Self::Not(inner) => inner.decided(graph).map(|truth| !truth),
+            Self::And(one, two) => match (one.decided(graph), two.decided(graph)) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (Some(true), Some(true)) => Some(true),
+                _ => None,
+            },
+            Self::Or(one, two) => match (one.decided(graph), two.decided(graph)) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (Some(false), Some(false)) => Some(false),
+                _ => None,
+            },
+        }
+    }
+}

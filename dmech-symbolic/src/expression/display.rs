@@ -1,0 +1,220 @@
+//! Expressions in readable mathematics: −gm/√(x² + y²).
+
+use std::fmt::{self, Formatter};
+
+use super::{Binary, Condition, Expr, Graph, Node, Relation, Unary};
+
+/// Shows an expression.
+#[derive(Clone, Copy, Debug)]
+pub struct Display<'a> {
+    graph: &'a Graph,
+    root: Expr,
+}
+
+/// How tightly the surroundings bind.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Binding {
+    Sum,
+    Product,
+    Power,
+}
+
+impl<'a> Display<'a> {
+    pub(super) fn new(graph: &'a Graph, root: Expr) -> Self {
+        Self { graph, root }
+    }
+
+    fn write(self, f: &mut Formatter<'_>, e: Expr, within: Binding) -> fmt::Result {
+        match self.graph.node(e) {
+            Node::Number(n) => self.write_number(f, n.value(), within),
+            Node::Symbol(s) => f.write_str(self.graph.name(*s)),
+            Node::Sum { constant, terms } => {
+                let parenthesised = within > Binding::Sum;
+                if parenthesised {
+                    f.write_str("(")?;
+                }
+                // A difference reads better with its positive term first.
+                let mut order: Vec<_> = terms.iter().collect();
+                order.sort_by_key(|(c, t)| (c.value() < 0.0 || self.graph.leads_with_minus(*t)) as u8);
+                for (i, &&(c, t)) in order.iter().enumerate() {
+                    self.write_term(f, c.value(), t, i == 0)?;
+                }
+                if constant.value() != 0.0 {
+                    f.write_str(if constant.value() < 0.0 { " − " } else { " + " })?;
+                    self.write_number(f, constant.value().abs(), Binding::Sum)?;
+                }
+                if parenthesised {
+                    f.write_str(")")?;
+                }
+                Ok(())
+            }
+            Node::Product { coefficient, .. } => {
+                let negative = coefficient.value() < 0.0;
+                let parenthesised = within > Binding::Product || (negative && within > Binding::Sum);
+                if parenthesised {
+                    f.write_str("(")?;
+                }
+                if negative {
+                    f.write_str("−")?;
+                }
+                self.write_product(f, coefficient.value().abs(), e)?;
+                if parenthesised {
+                    f.write_str(")")?;
+                }
+                Ok(())
+            }
+            Node::Unary(function, u) => self.write_unary(f, *function, *u, within),
+            Node::Binary(Binary::Powf, u, p) => {
+                self.write(f, *u, Binding::Power)?;
+                f.write_str("^")?;
+                self.write(f, *p, Binding::Power)
+            }
+            Node::Binary(function, u, w) => {
+                write!(f, "{}(", function.method())?;
+                self.write(f, *u, Binding::Sum)?;
+                f.write_str(", ")?;
+                self.write(f, *w, Binding::Sum)?;
+                f.write_str(")")
+            }
+            Node::Select(condition, yes, no) => {
+                f.write_str("{")?;
+                self.write(f, *yes, Binding::Sum)?;
+                f.write_str(" if ")?;
+                self.write_condition(f, condition)?;
+                f.write_str(", else ")?;
+                self.write(f, *no, Binding::Sum)?;
+                f.write_str("}")
+            }
+        }
+    }
+
+    fn write_number(self, f: &mut Formatter<'_>, x: f64, within: Binding) -> fmt::Result {
+        match (x < 0.0 && within > Binding::Sum, x < 0.0) {
+            (true, _) => write!(f, "(−{})", -x),
+            (false, true) => write!(f, "−{}", -x),
+            (false, false) => write!(f, "{x}"),
+        }
+    }
+
+    fn write_term(self, f: &mut Formatter<'_>, c: f64, t: Expr, first: bool) -> fmt::Result {
+        let (own, _) = self.graph.factors(t);
+        let negative = (c < 0.0) != (own.value() < 0.0);
+        f.write_str(match (first, negative) {
+            (true, true) => "−",
+            (true, false) => "",
+            (false, true) => " − ",
+            (false, false) => " + ",
+        })?;
+        self.write_product(f, c.abs() * own.value().abs(), t)
+    }
+
+    /// |c| times the factors of e, negative powers below a stroke.
+    fn write_product(self, f: &mut Formatter<'_>, c: f64, e: Expr) -> fmt::Result {
+        let (_, factors) = self.graph.factors(e);
+        let numbers = |above: bool| factors.iter().filter(move |(_, n)| (*n > 0) == above);
+        let above = numbers(true).count();
+        let mut dot = false;
+        if c != 1.0 || above == 0 {
+            self.write_number(f, c, Binding::Product)?;
+            dot = true;
+        }
+        for &(factor, n) in numbers(true) {
+            if std::mem::replace(&mut dot, true) {
+                f.write_str("·")?;
+            }
+            self.write_power(f, factor, n, above + usize::from(c != 1.0) > 1)?;
+        }
+        let below = numbers(false).count();
+        if below > 0 {
+            f.write_str(if below > 1 { "/(" } else { "/" })?;
+            for (i, &(factor, n)) in numbers(false).enumerate() {
+                if i > 0 {
+                    f.write_str("·")?;
+                }
+                self.write_power(f, factor, -n, true)?;
+            }
+            if below > 1 {
+                f.write_str(")")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_power(self, f: &mut Formatter<'_>, base: Expr, n: i32, in_product: bool) -> fmt::Result {
+        if n == 1 {
+            return self.write(f, base, if in_product { Binding::Product } else { Binding::Sum });
+        }
+        self.write(f, base, Binding::Power)?;
+        for digit in n.to_string().chars() {
+            let raised = match digit {
+                '1' => '¹',
+                '2' => '²',
+                '3' => '³',
+                '-' => '⁻',
+                '0' => '⁰',
+                digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
+            };
+            write!(f, "{raised}")?;
+        }
+        Ok(())
+    }
+
+    fn write_unary(self, f: &mut Formatter<'_>, function: Unary, u: Expr, within: Binding) -> fmt::Result {
+        match function {
+            Unary::Abs => {
+                f.write_str("|")?;
+                self.write(f, u, Binding::Sum)?;
+                f.write_str("|")
+            }
+            Unary::Sqrt | Unary::Cbrt => {
+                let parenthesised = within == Binding::Power;
+                f.write_str(if parenthesised { "(" } else { "" })?;
+                f.write_str(if function == Unary::Sqrt { "√" } else { "∛" })?;
+                self.write(f, u, Binding::Power)?;
+                f.write_str(if parenthesised { ")" } else { "" })
+            }
+            Unary::Exp => {
+                f.write_str("exp(")?;
+                self.write(f, u, Binding::Sum)?;
+                f.write_str(")")
+            }
+            _ => {
+                write!(f, "{}(", function.method())?;
+                self.write(f, u, Binding::Sum)?;
+                f.write_str(")")
+            }
+        }
+    }
+
+    fn write_condition(self, f: &mut Formatter<'_>, condition: &Condition) -> fmt::Result {
+        match condition {
+            Condition::Compare(relation, left, right) => {
+                self.write(f, *left, Binding::Sum)?;
+                f.write_str(match relation {
+                    Relation::Less => " < ",
+                    Relation::LessOrEqual => " ≤ ",
+                    Relation::Equal => " = ",
+                })?;
+                self.write(f, *right, Binding::Sum)
+            }
+            Condition::Not(inner) => {
+                f.write_str("not (")?;
+                self.write_condition(f, inner)?;
+                f.write_str(")")
+            }
+            Condition::And(one, two) | Condition::Or(one, two) => {
+                f.write_str("(")?;
+                self.write_condition(f, one)?;
+                f.write_str(if matches!(condition, Condition::And(..)) { " and " } else { " or " })?;
+                self.write_condition(f, two)?;
+                f.write_str(")")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Display<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        self.write(f, self.root, Binding::Sum)
+    }
+}

@@ -1,0 +1,221 @@
+//! The store of expressions.
+
+use std::collections::HashMap;
+
+use super::{Binary, Condition, Display, Number, Unary};
+
+/// An expression: an index into its [`Graph`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Expr(pub(crate) u32);
+
+/// A variable: an index into the table of names of its [`Graph`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Symbol(pub(crate) u32);
+
+impl Expr {
+    /// Its position in the store; children come before parents.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What a symbol stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Something that moves: a component of a position, an increment.
+    Coordinate,
+    /// Something that does not change along a step: a parameter of the law, a mass, a step size.
+    Parameter,
+}
+
+/// One node in normal form.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A number.
+    Number(Number),
+    /// A variable.
+    Symbol(Symbol),
+    /// constant + Σ cᵢ tᵢ, terms sorted; no term is a number or a sum; cᵢ ≠ 0.
+    Sum {
+        /// The constant term.
+        constant: Number,
+        /// The other terms with their coefficients.
+        terms: Box<[(Number, Expr)]>,
+    },
+    /// c Π fᵢ^nᵢ, factors sorted; no factor is a product; nᵢ ≠ 0; c ≠ 0.
+    Product {
+        /// The numerical coefficient.
+        coefficient: Number,
+        /// The factors with their integer exponents.
+        factors: Box<[(Expr, i32)]>,
+    },
+    /// A function of one argument.
+    Unary(Unary, Expr),
+    /// A function of two arguments.
+    Binary(Binary, Expr, Expr),
+    /// The first expression where the condition holds, the second elsewhere.
+    Select(Condition, Expr, Expr),
+}
+
+/// A store of hash-consed expressions and the names of their variables.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    index: HashMap<Node, Expr>,
+    symbols: Vec<(String, Role)>,
+}
+
+impl Graph {
+    /// An empty store.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A new variable that moves.
+    pub fn coordinate(&mut self, name: &str) -> Symbol {
+        self.new_symbol(name, Role::Coordinate)
+    }
+
+    /// A new variable that is constant along a step.
+    pub fn parameter(&mut self, name: &str) -> Symbol {
+        self.new_symbol(name, Role::Parameter)
+    }
+
+    fn new_symbol(&mut self, name: &str, role: Role) -> Symbol {
+        self.symbols.push((name.to_owned(), role));
+        Symbol(u32::try_from(self.symbols.len() - 1).expect("fewer than 2³² symbols"))
+    }
+
+    /// The name of a variable.
+    pub fn name(&self, symbol: Symbol) -> &str {
+        &self.symbols[symbol.0 as usize].0
+    }
+
+    /// What a variable stands for.
+    pub fn role(&self, symbol: Symbol) -> Role {
+        self.symbols[symbol.0 as usize].1
+    }
+
+    /// The node behind an expression.
+    pub fn node(&self, e: Expr) -> &Node {
+        &self.nodes[e.index()]
+    }
+
+    /// How many expressions there are.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    pub(super) fn intern(&mut self, node: Node) -> Expr {
+        if let Some(&found) = self.index.get(&node) {
+            return found;
+        }
+        let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
+        self.nodes.push(node.clone());
+        self.index.insert(node, e);
+        e
+    }
+
+    /// The number x.
+    pub fn number(&mut self, x: f64) -> Expr {
+        self.intern(Node::Number(Number::new(x)))
+    }
+
+    /// 0.
+    pub fn zero(&mut self) -> Expr {
+        self.number(0.0)
+    }
+
+    /// 1.
+    pub fn one(&mut self) -> Expr {
+        self.number(1.0)
+    }
+
+    /// The value of a variable.
+    pub fn symbol(&mut self, symbol: Symbol) -> Expr {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// The first expression where the condition holds, the second elsewhere.
+    ///
+    /// Rules, on all of the domain: a condition between numbers is decided; equal branches need none.
+    pub fn select(&mut self, condition: Condition, yes: Expr, no: Expr) -> Expr {
+        match condition.decided(self) {
+            Some(true) => yes,
+            Some(false) => no,
+            None if yes == no => yes,
+            None => match condition {
+                Condition::Not(inner) => self.intern(Node::Select(*inner, no, yes)),
+                condition => self.intern(Node::Select(condition, yes, no)),
+            },
+        }
+    }
+
+    /// The number, if the expression is one.
+    pub fn as_number(&self, e: Expr) -> Option<f64> {
+        match self.node(e) {
+            Node::Number(n) => Some(n.value()),
+            _ => None,
+        }
+    }
+
+    /// Whether the expression is the number 0.
+    pub fn is_zero(&self, e: Expr) -> bool {
+        self.as_number(e) == Some(0.0)
+    }
+
+    /// The expressions that this one is made of.
+    pub fn children(&self, e: Expr) -> Vec<Expr> {
+        match self.node(e) {
+            Node::Number(_) | Node::Symbol(_) => Vec::new(),
+            Node::Sum { terms, .. } => terms.iter().map(|&(_, t)| t).collect(),
+            Node::Product { factors, .. } => factors.iter().map(|&(f, _)| f).collect(),
+            Node::Unary(_, u) => vec![*u],
+            Node::Binary(_, u, w) => vec![*u, *w],
+            Node::Select(condition, yes, no) => {
+                let mut children = condition.operands();
+                children.extend([*yes, *no]);
+                children
+            }
+        }
+    }
+
+    /// All expressions that the given ones are made of, themselves included, children before parents.
+    pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
+        let mut seen = vec![false; self.nodes.len()];
+        let mut stack: Vec<Expr> = roots.to_vec();
+        while let Some(e) = stack.pop() {
+            if !std::mem::replace(&mut seen[e.index()], true) {
+                stack.extend(self.children(e));
+            }
+        }
+        (0..self.nodes.len()).filter(|&i| seen[i]).map(|i| Expr(i as u32)).collect()
+    }
+
+    /// For every expression, whether it contains one of the symbols.
+    pub fn dependence(&self, symbols: &[Symbol]) -> Vec<bool> {
+        let mut depends = vec![false; self.nodes.len()];
+        for i in 0..self.nodes.len() {
+            depends[i] = match &self.nodes[i] {
+                Node::Symbol(s) => symbols.contains(s),
+                _ => self.children(Expr(i as u32)).iter().any(|c| depends[c.index()]),
+            };
+        }
+        depends
+    }
+
+    /// Whether the expression contains one of the symbols.
+    pub fn depends_on(&self, e: Expr, symbols: &[Symbol]) -> bool {
+        self.reachable(&[e]).iter().any(|&n| matches!(self.node(n), Node::Symbol(s) if symbols.contains(s)))
+    }
+
+    /// The expression in readable mathematics.
+    pub fn display(&self, e: Expr) -> Display<'_> {
+        Display::new(self, e)
+    }
+}

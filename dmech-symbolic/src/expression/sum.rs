@@ -1,0 +1,96 @@
+//! Sums in normal form.
+//!
+//! | rule | domain |
+//! |---|---|
+//! | (a + b) + c = a + b + c, sorted | all |
+//! | −(a + b) = −a − b inside a sum | all |
+//! | c t + d t = (c + d) t where c + d is exact | all |
+//! | 0 + a = a; 0·t = 0 | t finite |
+
+use super::{Expr, Graph, Node, Number};
+
+impl Graph {
+    /// The sum of expressions; 0 if there are none.
+    pub fn add(&mut self, summands: &[Expr]) -> Expr {
+        let weighted: Vec<_> = summands.iter().map(|&e| (Number::ONE, e)).collect();
+        self.linear_combination(&weighted)
+    }
+
+    /// left − right.
+    pub fn sub(&mut self, left: Expr, right: Expr) -> Expr {
+        self.linear_combination(&[(Number::ONE, left), (Number::ONE.negated(), right)])
+    }
+
+    /// −e.
+    pub fn neg(&mut self, e: Expr) -> Expr {
+        self.scale(-1.0, e)
+    }
+
+    /// (left + right)/2.
+    pub fn mean(&mut self, left: Expr, right: Expr) -> Expr {
+        let sum = self.add(&[left, right]);
+        self.scale(0.5, sum)
+    }
+
+    /// Σ cᵢ eᵢ.
+    pub(crate) fn linear_combination(&mut self, summands: &[(Number, Expr)]) -> Expr {
+        let mut constants = vec![];
+        let mut terms: Vec<(Number, Expr)> = vec![];
+        for &(c, e) in summands {
+            self.flatten_into(c, e, &mut constants, &mut terms);
+        }
+        terms.sort_by_key(|&(_, t)| t);
+        let mut merged: Vec<(Number, Expr)> = vec![];
+        for (c, t) in terms {
+            // The same term may stand twice where its coefficients have no exact sum.
+            let partner = merged.iter_mut().rev().take_while(|m| m.1 == t).find_map(|m| Some((m.0.exact_sum(c)?, m)));
+            match partner {
+                Some((sum, slot)) => slot.0 = sum,
+                None => merged.push((c, t)),
+            }
+        }
+        merged.retain(|&(c, _)| c != Number::ZERO);
+        let mut constant = Number::ZERO;
+        for c in constants {
+            match constant.exact_sum(c) {
+                Some(sum) => constant = sum,
+                None => {
+                    let number = self.intern(Node::Number(c));
+                    merged.push((Number::ONE, number));
+                }
+            }
+        }
+        match (&merged[..], constant) {
+            ([], constant) => self.intern(Node::Number(constant)),
+            (&[(c, t)], Number::ZERO) => self.scale(c.value(), t),
+            _ => self.intern(Node::Sum { constant, terms: merged.into() }),
+        }
+    }
+
+    fn flatten_into(&mut self, c: Number, e: Expr, constants: &mut Vec<Number>, terms: &mut Vec<(Number, Expr)>) {
+        let unit = c == Number::ONE || c == Number::ONE.negated();
+        match self.node(e).clone() {
+            Node::Number(n) => match c.exact_product(n) {
+                Some(product) => constants.push(product),
+                None => terms.push((c, e)),
+            },
+            Node::Sum { constant, terms: inner } if unit => {
+                constants.push(if c == Number::ONE { constant } else { constant.negated() });
+                terms.extend(inner.iter().map(|&(d, t)| (if c == Number::ONE { d } else { d.negated() }, t)));
+            }
+            Node::Product { coefficient, factors } if coefficient != Number::ONE => match c.exact_product(coefficient) {
+                Some(product) => {
+                    let bare = self.product_of(Number::ONE, factors.to_vec());
+                    match self.node(bare) {
+                        Node::Sum { .. } if product == Number::ONE || product == Number::ONE.negated() => {
+                            self.flatten_into(product, bare, constants, terms);
+                        }
+                        _ => terms.push((product, bare)),
+                    }
+                }
+                None => terms.push((c, e)),
+            },
+            _ => terms.push((c, e)),
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! The programs that schemes need of a potential, made for its structure.
+
+use crate::calculus::{self, TwoPoints};
+use crate::expression::{Expr, Graph, Substitution, Symbol};
+use crate::linear;
+use crate::program::Program;
+use crate::structure::Structure;
+
+/// The variables that programs read besides the parameters of the law.
+#[derive(Clone, Debug)]
+pub struct Variables {
+    /// Position.
+    pub q: Vec<Symbol>,
+    /// Velocity.
+    pub v: Vec<Symbol>,
+    /// The coefficient of a kick, h/m.
+    pub c: Symbol,
+    /// The ends of a step.
+    pub a: Vec<Symbol>,
+    /// The other end.
+    pub b: Vec<Symbol>,
+    /// The increment q′ − q.
+    pub delta: Vec<Symbol>,
+    /// The right-hand side of the increment's equation.
+    pub rhs: Vec<Symbol>,
+    /// The coefficient of the unknown force.
+    pub g: Symbol,
+    /// Squared distances from the centre: of a position, of the two ends.
+    pub s: Symbol,
+    /// |a|².
+    pub s_a: Symbol,
+    /// |b|².
+    pub s_b: Symbol,
+}
+
+/// How an implicit step is solved.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: δ, G + J δ.
+    Linear(Program),
+    /// Newton's method in all coordinates. Outputs of one correction: δ, G + J δ.
+    Newton(Program),
+    /// One scalar unknown. Outputs: the coefficient of the force and its first two derivatives.
+    Central(Program),
+}
+
+/// Everything generated for one potential.
+#[derive(Clone, Debug)]
+pub struct Kernels {
+    /// Expressions, for display and tests.
+    pub formulas: Formulas,
+    /// What was detected.
+    pub structure: Structure,
+    /// Φ(q).
+    pub potential: Program,
+    /// ∇Φ(q).
+    pub gradient: Program,
+    /// The Hessian, row by row.
+    pub hessian: Program,
+    /// v − c ∇Φ(q).
+    pub kick: Program,
+    /// ∇̄Φ(a, b), symmetric to the bit.
+    pub discrete_gradient: Program,
+    /// ∂∇̄Φ/∂b, row by row.
+    pub discrete_gradient_jacobian: Program,
+    /// The trapezoidal step.
+    pub implicit: Step,
+    /// The energy-exact steps.
+    pub discrete: Step,
+}
+
+/// The formulas behind the programs.
+#[derive(Clone, Debug)]
+pub struct Formulas {
+    /// Φ(q).
+    pub potential: Expr,
+    /// ∇Φ(q).
+    pub gradient: Vec<Expr>,
+    /// ∂²Φ/∂q∂q.
+    pub hessian: Vec<Vec<Expr>>,
+    /// ∇̄Φ(a, b).
+    pub discrete_gradient: Vec<Expr>,
+    /// ∂∇̄Φ/∂b.
+    pub discrete_gradient_jacobian: Vec<Vec<Expr>>,
+}
+
+impl Variables {
+    /// Variables for D coordinates: x, y, z up to three, q0, q1, … above.
+    pub fn new(graph: &mut Graph, dimension: usize) -> Self {
+        let letter = |i: usize| ["x", "y", "z"][i].to_owned();
+        let coordinate_name = |i: usize| if dimension <= 3 { letter(i) } else { format!("q{i}") };
+        let end_name = |end: &str, i: usize| if dimension <= 3 { letter(i) + end } else { format!("{end}{i}") };
+        let mut list = |name: &dyn Fn(usize) -> String| -> Vec<Symbol> {
+            (0..dimension).map(|i| graph.coordinate(&name(i))).collect()
+        };
+        let q = list(&coordinate_name);
+        let v = list(&|i| if dimension <= 3 { format!("v{}", letter(i)) } else { format!("v{i}") });
+        let (a, b) = (list(&|i| end_name("a", i)), list(&|i| end_name("b", i)));
+        let (delta, rhs) = (list(&|i| format!("delta{i}")), list(&|i| format!("rhs{i}")));
+        let [s, s_a, s_b] = ["s", "sa", "sb"].map(|name| graph.coordinate(name));
+        let [c, g] = ["c", "g"].map(|name| graph.parameter(name));
+        Self { q, v, c, a, b, delta, rhs, g, s, s_a, s_b }
+    }
+}
+
+impl Kernels {
+    /// Derives everything from Φ, written in `variables.q`.
+    pub fn new(graph: &mut Graph, phi: Expr, variables: &Variables) -> Self {
+        let gradient = calculus::gradient(graph, phi, &variables.q);
+        let hessian = calculus::hessian(graph, phi, &variables.q);
+        let structure = Structure::of(graph, phi, &hessian, &variables.q);
+        let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
+        let discrete_gradient = calculus::discrete_gradient(graph, phi, &mut ends);
+        let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
+        let formulas =
+            Formulas { potential: phi, gradient, hessian, discrete_gradient, discrete_gradient_jacobian };
+        let implicit = implicit_step(graph, &formulas, &structure, variables);
+        let discrete = discrete_step(graph, &formulas, &structure, variables);
+        let kick = kick(graph, &formulas.gradient, variables);
+        let exchange = exchange(graph, variables);
+        Self {
+            potential: Program::schedule(graph, &[phi]),
+            gradient: Program::schedule(graph, &formulas.gradient),
+            hessian: Program::schedule(graph, &formulas.hessian.concat()),
+            kick,
+            discrete_gradient: Program::schedule_symmetric(graph, &formulas.discrete_gradient, exchange),
+            discrete_gradient_jacobian: Program::schedule(graph, &formulas.discrete_gradient_jacobian.concat()),
+            implicit,
+            discrete,
+            formulas,
+            structure,
+        }
+    }
+}
+
+/// a ↔ b.
+pub fn exchange(graph: &mut Graph, variables: &Variables) -> Substitution {
+    let mut pairs = vec![];
+    for (&a, &b) in variables.a.iter().zip(&variables.b) {
+        pairs.push((a, graph.symbol(b)));
+        pairs.push((b, graph.symbol(a)));
+    }
+    Substitution::new(graph, pairs)
+}
+
+fn kick(graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> Program {
+    let c = graph.symbol(variables.c);
+    let kicked: Vec<_> = variables
+        .v
+        .iter()
+        .zip(gradient)
+        .map(|(&v, &slope)| {
+            let (v, kick) = (graph.symbol(v), graph.mul(&[c, slope]));
+            graph.sub(v, kick)
+        })
+        .collect();
+    Program::schedule(graph, &kicked)
+}
+
+fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, variables: &Variables) -> Step {
+    if let (false, Some(central)) = (structure.constant_hessian, &structure.central) {
+        let coefficient = central.coefficient(graph);
+        return Step::Central(with_two_derivatives(graph, coefficient, central.s, variables.s));
+    }
+    let at_b: Vec<_> = variables.b.iter().map(|&b| graph.symbol(b)).collect();
+    let mut moved = Substitution::new(graph, variables.q.iter().copied().zip(at_b));
+    let force: Vec<_> = formulas.gradient.iter().map(|&e| moved.apply(graph, e)).collect();
+    let jacobian: Vec<Vec<_>> =
+        formulas.hessian.iter().map(|row| row.iter().map(|&e| moved.apply(graph, e)).collect()).collect();
+    let program = correction(graph, &force, &jacobian, true, variables);
+    if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
+}
+
+fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, variables: &Variables) -> Step {
+    if let (false, Some(central)) = (structure.constant_hessian, &structure.central) {
+        let coefficient = central.discrete_coefficient(graph, variables.s_a, variables.s_b);
+        return Step::Central(with_two_derivatives(graph, coefficient, variables.s_b, variables.s_b));
+    }
+    let symmetric = structure.constant_hessian;
+    let program =
+        correction(graph, &formulas.discrete_gradient, &formulas.discrete_gradient_jacobian, symmetric, variables);
+    if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
+}
+
+/// f, f′, f″ with respect to one symbol, which is then called by another name.
+fn with_two_derivatives(graph: &mut Graph, f: Expr, symbol: Symbol, name: Symbol) -> Program {
+    let first = calculus::derivative(graph, f, symbol);
+    let second = calculus::derivative(graph, first, symbol);
+    let new_name = graph.symbol(name);
+    let mut renamed = Substitution::new(graph, [(symbol, new_name)]);
+    let outputs = [f, first, second].map(|e| renamed.apply(graph, e));
+    Program::schedule(graph, &outputs)
+}
+
+/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it, G + J δ.
+fn correction(
+    graph: &mut Graph,
+    force: &[Expr],
+    jacobian: &[Vec<Expr>],
+    symmetric: bool,
+    variables: &Variables,
+) -> Program {
+    let n = force.len();
+    let g = graph.symbol(variables.g);
+    let one = graph.one();
+    let matrix: Vec<Vec<_>> = (0..n)
+        .map(|i| {
+            (0..n)
+                .map(|j| {
+                    let scaled = graph.mul(&[g, jacobian[i][j]]);
+                    if i == j { graph.add(&[one, scaled]) } else { scaled }
+                })
+                .collect()
+        })
+        .collect();
+    let residual: Vec<_> = (0..n)
+        .map(|i| {
+            let (rhs, delta) = (graph.symbol(variables.rhs[i]), graph.symbol(variables.delta[i]));
+            let pull = graph.mul(&[g, force[i]]);
+            let difference = graph.sub(rhs, pull);
+            graph.sub(difference, delta)
+        })
+        .collect();
+    let delta = linear::solve(graph, &matrix, &residual, symmetric);
+    let updated: Vec<_> = (0..n)
+        .map(|i| {
+            let mut terms = vec![force[i]];
+            terms.extend((0..n).map(|j| graph.mul(&[jacobian[i][j], delta[j]])));
+            graph.add(&terms)
+        })
+        .collect();
+    Program::schedule(graph, &[delta, updated].concat())
+}
+

@@ -1,0 +1,523 @@
+//! From expressions to operations.
+
+use std::collections::{BTreeMap, HashMap};
+
+use crate::expression::{Expr, Graph, Node, Number, Substitution};
+
+use super::atom::{Atom, AtomKind, Atoms, Denominators, ProductKey};
+use super::sharing::{self, Exchange};
+use super::{Operation, Program, Test, Value, latency, naming};
+
+/// Sums longer than this are added in parts, so that their additions do not all wait for one another.
+const LONGEST_CHAIN: usize = 8;
+
+pub(super) fn schedule(graph: &mut Graph, outputs: &[Expr], exchange: Option<Substitution>) -> Program {
+    let order = graph.reachable(outputs);
+    let mut mirror = Mirror { images: HashMap::new(), atoms: HashMap::new() };
+    if let Some(mut exchange) = exchange {
+        for &e in &order {
+            let image = exchange.apply(graph, e);
+            mirror.images.insert(e, image);
+        }
+    }
+    let ready = latency::ready(graph, &graph.reachable(&(0..graph.len()).map(|i| Expr(i as u32)).collect::<Vec<_>>()));
+    let mut lowering = Lowering {
+        graph,
+        ready,
+        mirror,
+        atoms: Atoms::new(),
+        products: BTreeMap::new(),
+        uses: BTreeMap::new(),
+        shared_pairs: vec![],
+        operations: vec![],
+        index: HashMap::new(),
+        of_expr: HashMap::new(),
+        single_inverse: HashMap::new(),
+    };
+    lowering.collect_products(&order, outputs);
+    let outputs: Vec<_> = outputs.iter().map(|&e| lowering.value(e)).collect();
+    let mut program = Program { operations: lowering.operations, names: vec![], outputs };
+    remove_unused(&mut program);
+    program.names = naming::names(graph, &program);
+    program
+}
+
+/// The exchange of the two ends, on expressions and atoms.
+struct Mirror {
+    images: HashMap<Expr, Expr>,
+    atoms: HashMap<Atom, Atom>,
+}
+
+impl Mirror {
+    fn of_expr(&self, e: Expr) -> Expr {
+        self.images.get(&e).copied().unwrap_or(e)
+    }
+}
+
+struct MirrorWithReady<'a> {
+    mirror: &'a mut Mirror,
+    ready: &'a [u32],
+}
+
+impl Exchange for MirrorWithReady<'_> {
+    fn image(&mut self, atoms: &mut Atoms, atom: Atom) -> Atom {
+        if self.mirror.images.is_empty() {
+            return atom;
+        }
+        if let Some(&image) = self.mirror.atoms.get(&atom) {
+            return image;
+        }
+        let kind = match atoms.kind(atom).clone() {
+            AtomKind::Base(e) => AtomKind::Base(self.mirror.of_expr(e)),
+            AtomKind::Number(n) => AtomKind::Number(n),
+            AtomKind::Power(e, n) => AtomKind::Power(self.mirror.of_expr(e), n),
+            AtomKind::Inverse(e, n) => AtomKind::Inverse(self.mirror.of_expr(e), n),
+            AtomKind::Denominator(below) => {
+                let mut below: Vec<_> = below.iter().map(|&(e, n)| (self.mirror.of_expr(e), n)).collect();
+                below.sort_unstable();
+                AtomKind::Denominator(below)
+            }
+            AtomKind::Pair(one, two) => {
+                let (one, two) = (self.image(atoms, one), self.image(atoms, two));
+                AtomKind::Pair(one.min(two), one.max(two))
+            }
+        };
+        let image = atoms.intern(kind, self.ready);
+        self.mirror.atoms.insert(atom, image);
+        self.mirror.atoms.insert(image, atom);
+        image
+    }
+}
+
+struct Lowering<'g> {
+    graph: &'g mut Graph,
+    ready: Vec<u32>,
+    mirror: Mirror,
+    atoms: Atoms,
+    products: BTreeMap<ProductKey, Vec<Atom>>,
+    uses: BTreeMap<ProductKey, usize>,
+    shared_pairs: Vec<(Atom, Atom)>,
+    operations: Vec<Operation>,
+    index: HashMap<Operation, Value>,
+    of_expr: HashMap<Expr, Value>,
+    single_inverse: HashMap<Expr, bool>,
+}
+
+/// One summand on its way into a sum.
+struct Summand {
+    negative: bool,
+    ready: u32,
+    key: u32,
+    what: What,
+}
+
+enum What {
+    Value(Value),
+    /// A product of two values that nothing else needs.
+    Product(Value, Value),
+}
+
+impl Lowering<'_> {
+    /// |c|·t as a product, if it is one.
+    fn product_key(&self, c: Number, t: Expr) -> Option<(bool, ProductKey)> {
+        let (own, factors) = self.graph.factors(t);
+        // Normal form keeps the coefficient outside of terms; a term of its own has coefficient 1.
+        let value = if own == Number::ONE { c.value() } else { own.value() };
+        let is_product = matches!(self.graph.node(t), Node::Product { .. });
+        (is_product || value.abs() != 1.0).then(|| (value < 0.0, (Number::new(value.abs()), factors)))
+    }
+
+    fn collect_products(&mut self, order: &[Expr], outputs: &[Expr]) {
+        let mut uses: BTreeMap<ProductKey, usize> = BTreeMap::new();
+        let mut count = |lowering: &Self, c: Number, e: Expr| {
+            if let Some((_, key)) = lowering.product_key(c, e) {
+                *uses.entry(key).or_insert(0) += 1;
+            }
+        };
+        for &e in order {
+            match self.graph.node(e) {
+                Node::Sum { terms, .. } => terms.iter().for_each(|&(c, t)| count(self, c, t)),
+                Node::Product { factors, .. } => factors.iter().for_each(|&(f, _)| count(self, Number::ONE, f)),
+                _ => self.graph.children(e).iter().for_each(|&c| count(self, Number::ONE, c)),
+            }
+        }
+        outputs.iter().for_each(|&e| count(self, Number::ONE, e));
+        self.uses = uses;
+        let denominators = Denominators::of(self.graph, self.uses.keys());
+        let mut lists: Vec<Vec<Atom>> = vec![];
+        for key in self.uses.keys() {
+            for &(f, _) in &key.1 {
+                let base = match self.graph.node(f) {
+                    Node::Unary(crate::expression::Unary::Sqrt, s) => *s,
+                    _ => f,
+                };
+                for base in [base, f] {
+                    self.single_inverse.insert(base, denominators.single_exponent(base));
+                }
+            }
+            lists.push(self.atoms.of_product(self.graph, key, &denominators, &self.ready));
+        }
+        let mut exchange = MirrorWithReady { mirror: &mut self.mirror, ready: &self.ready };
+        for list in &mut lists {
+            sharing::group_images(list, &mut self.atoms, &mut exchange, &self.ready);
+        }
+        sharing::share(&mut lists, &mut self.atoms, &mut exchange, &self.ready);
+        self.products = self.uses.keys().cloned().zip(lists).collect();
+        self.shared_pairs = self
+            .atoms
+            .kinds
+            .iter()
+            .filter_map(|kind| match kind {
+                AtomKind::Pair(one, two) => Some((*one, *two)),
+                _ => None,
+            })
+            .collect();
+    }
+
+    fn push(&mut self, operation: Operation) -> Value {
+        if let Some(&value) = self.index.get(&operation) {
+            return value;
+        }
+        let value = Value(self.operations.len() as u32);
+        self.operations.push(operation.clone());
+        self.index.insert(operation, value);
+        value
+    }
+
+    fn number(&mut self, x: f64) -> Value {
+        self.push(Operation::Number(Number::new(x)))
+    }
+
+    fn mul(&mut self, u: Value, w: Value) -> Value {
+        self.push(Operation::Mul(u, w))
+    }
+
+    /// The value of an expression.
+    fn value(&mut self, e: Expr) -> Value {
+        if let Some(&value) = self.of_expr.get(&e) {
+            return value;
+        }
+        let value = match self.graph.node(e).clone() {
+            Node::Number(n) => self.push(Operation::Number(n)),
+            Node::Symbol(s) => self.push(Operation::Symbol(s)),
+            Node::Sum { constant, terms } => self.sum(constant, &terms),
+            Node::Product { coefficient, .. } => {
+                let magnitude = self.product(Number::ONE, e);
+                if coefficient.value() < 0.0 { self.push(Operation::Neg(magnitude)) } else { magnitude }
+            }
+            Node::Unary(f, u) => {
+                let u = self.value(u);
+                self.push(Operation::Unary(f, u))
+            }
+            Node::Binary(f, u, w) => {
+                let (u, w) = (self.value(u), self.value(w));
+                self.push(Operation::Binary(f, u, w))
+            }
+            Node::Select(condition, yes, no) => {
+                let test = Test::of(&condition, &mut |c| self.value(c));
+                let (yes, no) = (self.value(yes), self.value(no));
+                self.push(Operation::Select(test, yes, no))
+            }
+        };
+        self.of_expr.insert(e, value);
+        value
+    }
+
+    /// |c|·|coefficient of t|·t's factors.
+    fn product(&mut self, c: Number, t: Expr) -> Value {
+        let Some((_, key)) = self.product_key(c, t) else { return self.value(t) };
+        match self.last_factors(&key) {
+            What::Value(value) => value,
+            What::Product(one, two) => self.mul(one, two),
+        }
+    }
+
+    /// The last multiplication of a product, still to be done: earliest factors first.
+    fn last_factors(&mut self, key: &ProductKey) -> What {
+        let atoms = self.products[key].clone();
+        let mut heap: Vec<(u32, u32, Atom)> = atoms.iter().map(|&a| (self.atom_ready(a), self.atom_key(a), a)).collect();
+        while heap.len() > 2 {
+            heap.sort_unstable_by(|x, y| y.cmp(x));
+            let (one, two) = (heap.pop().expect("more than two"), heap.pop().expect("more than two"));
+            let pair = AtomKind::Pair(one.2.min(two.2), one.2.max(two.2));
+            let pair = self.atoms.intern(pair, &self.ready);
+            heap.push((self.atom_ready(pair), self.atom_key(pair), pair));
+        }
+        heap.sort_unstable();
+        match heap[..] {
+            [] => What::Value(self.number(1.0)),
+            [(_, _, only)] => What::Value(self.atom(only)),
+            [(early, _, one), (late, _, two), ..] => {
+                let quotient = self.quotient(one, early, two).or_else(|| self.quotient(two, late, one));
+                match quotient {
+                    Some(value) => What::Value(value),
+                    None => What::Product(self.atom(one), self.atom(two)),
+                }
+            }
+        }
+    }
+
+    /// numerator·(1/x) as numerator/x, where 1/x is needed here only and the numerator does not come late.
+    fn quotient(&mut self, numerator: Atom, numerator_ready: u32, inverse: Atom) -> Option<Value> {
+        let in_products: usize = self.products.values().map(|list| usize::from(list.contains(&inverse))).sum();
+        let in_pairs = self.pairs_with(inverse);
+        if in_products + in_pairs != 1 || numerator_ready + latency::DIV > self.atom_ready(inverse) {
+            return None;
+        }
+        let below = self.below(inverse)?;
+        let numerator = self.atom(numerator);
+        Some(self.push(Operation::Div(numerator, below)))
+    }
+
+    /// How many shared pairs the atom is part of.
+    fn pairs_with(&self, atom: Atom) -> usize {
+        self.shared_pairs.iter().filter(|(one, two)| *one == atom || *two == atom).count()
+    }
+
+    /// x where the atom is 1/x.
+    fn below(&mut self, atom: Atom) -> Option<Value> {
+        match self.atoms.kind(atom).clone() {
+            AtomKind::Inverse(base, n) if self.single_inverse[&base] => Some(self.power(base, n)),
+            AtomKind::Inverse(base, 1) => Some(self.value(base)),
+            AtomKind::Denominator(below) => Some(self.denominator(&below)),
+            _ => None,
+        }
+    }
+
+    fn atom_ready(&self, atom: Atom) -> u32 {
+        self.atoms.ready[atom.0 as usize]
+    }
+
+    /// An order of atoms that does not depend on which end is called a.
+    fn atom_key(&mut self, atom: Atom) -> u32 {
+        let mut exchange = MirrorWithReady { mirror: &mut self.mirror, ready: &self.ready };
+        atom.0.min(exchange.image(&mut self.atoms, atom).0)
+    }
+
+    fn atom(&mut self, atom: Atom) -> Value {
+        match self.atoms.kind(atom).clone() {
+            AtomKind::Base(e) => self.value(e),
+            AtomKind::Number(n) => self.push(Operation::Number(n)),
+            AtomKind::Power(e, n) => self.power(e, n),
+            AtomKind::Inverse(base, n) => {
+                if self.single_inverse[&base] {
+                    let power = self.power(base, n);
+                    self.push(Operation::Recip(power))
+                } else {
+                    let base = self.value(base);
+                    let inverse = self.push(Operation::Recip(base));
+                    self.power_of_value(inverse, n)
+                }
+            }
+            AtomKind::Denominator(below) => {
+                let below = self.denominator(&below);
+                self.push(Operation::Recip(below))
+            }
+            AtomKind::Pair(one, two) => {
+                let (ready_one, ready_two) = (self.atom_ready(one), self.atom_ready(two));
+                let quotient = self.quotient(one, ready_one, two).or_else(|| self.quotient(two, ready_two, one));
+                quotient.unwrap_or_else(|| {
+                    let (one, two) = (self.atom(one), self.atom(two));
+                    self.mul(one, two)
+                })
+            }
+        }
+    }
+
+    /// Π baseᵢ^nᵢ, each factor with its image first, the rest as they become ready.
+    fn denominator(&mut self, below: &[(Expr, i32)]) -> Value {
+        let mut rest = below.to_vec();
+        let mut grouped: Vec<(u32, u32, Value)> = vec![];
+        while let Some((f, n)) = rest.pop() {
+            let image = self.mirror.of_expr(f);
+            let key = f.0.min(image.0);
+            let ready = latency::power(self.ready[f.index()], n);
+            let mut value = self.power(f, n);
+            if image != f
+                && let Some(i) = rest.iter().position(|&other| other == (image, n))
+            {
+                rest.remove(i);
+                let twin = self.power(image, n);
+                value = self.mul(value.min(twin), value.max(twin));
+            }
+            grouped.push((ready, key, value));
+        }
+        grouped.sort_unstable();
+        let values: Vec<_> = grouped.into_iter().map(|(_, _, value)| value).collect();
+        values.into_iter().reduce(|product, value| self.mul(product, value)).unwrap_or_else(|| self.number(1.0))
+    }
+
+    fn power(&mut self, base: Expr, n: i32) -> Value {
+        let base = self.value(base);
+        self.power_of_value(base, n)
+    }
+
+    fn power_of_value(&mut self, base: Value, n: i32) -> Value {
+        match n {
+            ..=1 => base,
+            _ if n % 2 == 0 => {
+                let half = self.power_of_value(base, n / 2);
+                self.mul(half, half)
+            }
+            _ => {
+                let even = self.power_of_value(base, n - 1);
+                self.mul(even, base)
+            }
+        }
+    }
+
+    fn sum(&mut self, constant: Number, terms: &[(Number, Expr)]) -> Value {
+        let mut summands = self.summands(terms);
+        if constant != Number::ZERO {
+            let value = self.number(constant.value().abs());
+            summands.push(Summand { negative: constant.value() < 0.0, ready: 0, key: 0, what: What::Value(value) });
+        }
+        summands.sort_by_key(|s| (s.ready, s.key));
+        // A positive summand first, so that no negation is needed where one can be had.
+        if let Some(first) = summands.iter().position(|s| !s.negative) {
+            let first = summands.remove(first);
+            summands.insert(0, first);
+        }
+        if summands.len() <= LONGEST_CHAIN {
+            let (negative, value) = self.chain(summands);
+            return if negative { self.push(Operation::Neg(value)) } else { value };
+        }
+        let mut parts: Vec<(bool, Value)> = vec![];
+        while !summands.is_empty() {
+            let rest = summands.split_off(summands.len().min(LONGEST_CHAIN));
+            parts.push(self.chain(std::mem::replace(&mut summands, rest)));
+        }
+        let parts = parts.into_iter().enumerate().map(|(i, (negative, value))| Summand {
+            negative,
+            ready: 0,
+            key: i as u32,
+            what: What::Value(value),
+        });
+        let (negative, value) = self.chain(parts.collect());
+        if negative { self.push(Operation::Neg(value)) } else { value }
+    }
+
+    /// The terms, each added to its image first.
+    fn summands(&mut self, terms: &[(Number, Expr)]) -> Vec<Summand> {
+        let mut rest = terms.to_vec();
+        rest.reverse();
+        let mut summands = vec![];
+        while let Some((c, t)) = rest.pop() {
+            let image = self.mirror.of_expr(t);
+            let key = t.0.min(image.0);
+            let (negative, magnitude) = (self.is_negative(c, t), c);
+            let twin = (image != t)
+                .then(|| rest.iter().position(|&(d, other)| other == image && d.value().abs() == c.value().abs()))
+                .flatten();
+            if let Some(i) = twin {
+                let (d, other) = rest.remove(i);
+                let (value, twin) = (self.product(magnitude, t), self.product(d, other));
+                let same_sign = negative == self.is_negative(d, other);
+                let (operation, negative) = match (same_sign, negative) {
+                    (true, sign) => (Operation::Add(value.min(twin), value.max(twin)), sign),
+                    (false, false) => (Operation::Sub(value, twin), false),
+                    (false, true) => (Operation::Sub(twin, value), false),
+                };
+                let value = self.push(operation);
+                let ready = self.ready[t.index()] + latency::ADD;
+                summands.push(Summand { negative, ready, key, what: What::Value(value) });
+                continue;
+            }
+            let what = self.summand(magnitude, t);
+            summands.push(Summand { negative, ready: self.ready[t.index()], key, what });
+        }
+        summands
+    }
+
+    fn is_negative(&self, c: Number, t: Expr) -> bool {
+        self.product_key(c, t).map_or(c.value() < 0.0, |(negative, _)| negative)
+    }
+
+    /// A product that is needed nowhere else is left to be fused with the addition.
+    fn summand(&mut self, c: Number, t: Expr) -> What {
+        match self.product_key(c, t) {
+            Some((_, key)) if self.uses[&key] == 1 && !self.of_expr.contains_key(&t) => self.last_factors(&key),
+            Some(_) => What::Value(self.product(c, t)),
+            None => What::Value(self.value(t)),
+        }
+    }
+
+    /// Adds the summands one after the other; the sign is that of the first.
+    fn chain(&mut self, summands: Vec<Summand>) -> (bool, Value) {
+        let mut summands = summands.into_iter();
+        let first = summands.next().expect("a sum has summands");
+        let sign = first.negative;
+        let mut total = match first.what {
+            What::Value(value) => value,
+            What::Product(one, two) => self.mul(one, two),
+        };
+        for summand in summands {
+            let same = summand.negative == sign;
+            total = self.push(match summand.what {
+                What::Value(value) if same => Operation::Add(total, value),
+                What::Value(value) => Operation::Sub(total, value),
+                What::Product(one, two) if same => Operation::MulAdd(one, two, total),
+                What::Product(one, two) => Operation::NegMulAdd(one, two, total),
+            });
+        }
+        (sign, total)
+    }
+}
+
+/// Drops operations that no result needs; order is kept.
+fn remove_unused(program: &mut Program) {
+    let mut needed = vec![false; program.operations.len()];
+    for output in &program.outputs {
+        needed[output.index()] = true;
+    }
+    for i in (0..needed.len()).rev() {
+        if needed[i] {
+            for operand in program.operations[i].operands() {
+                needed[operand.index()] = true;
+            }
+        }
+    }
+    let mut renumbered = vec![Value(0); needed.len()];
+    let mut kept = vec![];
+    for (i, operation) in program.operations.drain(..).enumerate() {
+        if needed[i] {
+            renumbered[i] = Value(kept.len() as u32);
+            kept.push(operation.renamed(&|value| renumbered[value.index()]));
+        }
+    }
+    program.operations = kept;
+    for output in &mut program.outputs {
+        *output = renumbered[output.index()];
+    }
+}
+
+impl Operation {
+    fn renamed(self, f: &impl Fn(Value) -> Value) -> Self {
+        match self {
+            Self::Number(_) | Self::Symbol(_) => self,
+            Self::Neg(u) => Self::Neg(f(u)),
+            Self::Recip(u) => Self::Recip(f(u)),
+            Self::Unary(function, u) => Self::Unary(function, f(u)),
+            Self::Add(u, w) => Self::Add(f(u), f(w)),
+            Self::Sub(u, w) => Self::Sub(f(u), f(w)),
+            Self::Mul(u, w) => Self::Mul(f(u), f(w)),
+            Self::Div(u, w) => Self::Div(f(u), f(w)),
+            Self::Binary(function, u, w) => Self::Binary(function, f(u), f(w)),
+            Self::MulAdd(u, w, x) => Self::MulAdd(f(u), f(w), f(x)),
+            Self::NegMulAdd(u, w, x) => Self::NegMulAdd(f(u), f(w), f(x)),
+            Self::MulSub(u, w, x) => Self::MulSub(f(u), f(w), f(x)),
+            Self::Select(test, yes, no) => Self::Select(test.renamed(f), f(yes), f(no)),
+        }
+    }
+}
+
+impl Test {
+    fn renamed(self, f: &impl Fn(Value) -> Value) -> Self {
+        match self {
+            Self::Compare(relation, left, right) => Self::Compare(relation, f(left), f(right)),
+            Self::Not(inner) => Self::Not(Box::new(inner.renamed(f))),
+            Self::And(one, two) => Self::And(Box::new(one.renamed(f)), Box::new(two.renamed(f))),
+            Self::Or(one, two) => Self::Or(Box::new(one.renamed(f)), Box::new(two.renamed(f))),
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Straight-line programs: what generated code is printed from.
+//!
+//! [`Program::schedule`] turns n-ary expressions into binary operations: shared factors of products are found, powers
+//! of one base share one root and one division, operands are taken in the order in which they become ready, and
+//! products that are added become fused multiply-adds. A program that must be symmetric to the bit in two points is
+//! scheduled so that exchanging them exchanges operands of commutative operations only.
+
+mod atom;
+mod interpret;
+mod latency;
+mod lower;
+mod naming;
+mod sharing;
+
+use crate::expression::{Binary, Condition, Expr, Graph, Number, Relation, Substitution, Symbol, Unary};
+
+/// A value of a program: an index into its list of operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Value(pub(crate) u32);
+
+impl Value {
+    /// Its position in the list.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A condition on values.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Test {
+    Compare(Relation, Value, Value),
+    Not(Box<Test>),
+    And(Box<Test>, Box<Test>),
+    Or(Box<Test>, Box<Test>),
+}
+
+/// One operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Operation {
+    Number(Number),
+    Symbol(Symbol),
+    Neg(Value),
+    Add(Value, Value),
+    Sub(Value, Value),
+    Mul(Value, Value),
+    Div(Value, Value),
+    Recip(Value),
+    /// first·second + third
+    MulAdd(Value, Value, Value),
+    /// third − first·second
+    NegMulAdd(Value, Value, Value),
+    /// first·second − third
+    MulSub(Value, Value, Value),
+    Unary(Unary, Value),
+    Binary(Binary, Value, Value),
+    Select(Test, Value, Value),
+}
+
+/// A list of operations, each on earlier values, and which values are the results.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The operations in order.
+    pub operations: Vec<Operation>,
+    /// A name for each value that a formula would name (r2, inv_r3, sin_x); unique, none for the others.
+    pub names: Vec<Option<String>>,
+    /// The results.
+    pub outputs: Vec<Value>,
+}
+
+/// How many operations of each kind a program has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub struct Cost {
+    pub additions: usize,
+    pub multiplications: usize,
+    pub fused: usize,
+    pub divisions: usize,
+    pub roots: usize,
+    pub functions: usize,
+    pub choices: usize,
+}
+
+impl Program {
+    /// Schedules the evaluation of expressions.
+    pub fn schedule(graph: &mut Graph, outputs: &[Expr]) -> Self {
+        lower::schedule(graph, outputs, None)
+    }
+
+    /// The same, symmetric to the bit under the exchange of symbols that the substitution makes (a ↔ b). The outputs
+    /// must be symmetric as expressions.
+    pub fn schedule_symmetric(graph: &mut Graph, outputs: &[Expr], exchange: Substitution) -> Self {
+        lower::schedule(graph, outputs, Some(exchange))
+    }
+
+    /// The operation behind a value.
+    pub fn operation(&self, value: Value) -> &Operation {
+        &self.operations[value.index()]
+    }
+
+    /// How often each value is used, as an operand or as a result.
+    pub fn uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.operations.len()];
+        for operation in &self.operations {
+            for operand in operation.operands() {
+                uses[operand.index()] += 1;
+            }
+        }
+        for output in &self.outputs {
+            uses[output.index()] += 1;
+        }
+        uses
+    }
+
+    /// The symbols that the program reads.
+    pub fn symbols(&self) -> Vec<Symbol> {
+        self.operations
+            .iter()
+            .filter_map(|operation| match operation {
+                Operation::Symbol(s) => Some(*s),
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// What it costs.
+    pub fn cost(&self) -> Cost {
+        let mut cost = Cost::default();
+        for operation in &self.operations {
+            match operation {
+                Operation::Number(_) | Operation::Symbol(_) | Operation::Neg(_) => {}
+                Operation::Add(..) | Operation::Sub(..) => cost.additions += 1,
+                Operation::Mul(..) => cost.multiplications += 1,
+                Operation::MulAdd(..) | Operation::NegMulAdd(..) | Operation::MulSub(..) => cost.fused += 1,
+                Operation::Div(..) | Operation::Recip(_) => cost.divisions += 1,
+                Operation::Unary(Unary::Sqrt, _) => cost.roots += 1,
+                Operation::Unary(..) | Operation::Binary(..) => cost.functions += 1,
+                Operation::Select(..) => cost.choices += 1,
+            }
+        }
+        cost
+    }
+}
+
+impl Operation {
+    /// The values it reads.
+    pub fn operands(&self) -> Vec<Value> {
+        match self {
+            Self::Number(_) | Self::Symbol(_) => vec![],
+            Self::Neg(u) | Self::Recip(u) | Self::Unary(_, u) => vec![*u],
+            Self::Add(u, w) | Self::Sub(u, w) | Self::Mul(u, w) | Self::Div(u, w) | Self::Binary(_, u, w) => {
+                vec![*u, *w]
+            }
+            Self::MulAdd(u, w, x) | Self::NegMulAdd(u, w, x) | Self::MulSub(u, w, x) => vec![*u, *w, *x],
+            Self::Select(test, yes, no) => {
+                let mut operands = test.operands();
+                operands.extend([*yes, *no]);
+                operands
+            }
+        }
+    }
+}
+
+impl Test {
+    /// The values compared.
+    pub fn operands(&self) -> Vec<Value> {
+        match self {
+            Self::Compare(_, left, right) => vec![*left, *right],
+            Self::Not(inner) => inner.operands(),
+            Self::And(one, two) | Self::Or(one, two) => {
+                let mut operands = one.operands();
+                operands.extend(two.operands());
+                operands
+            }
+        }
+    }
+
+    fn of(condition: &Condition, value: &mut impl FnMut(Expr) -> Value) -> Self {
+        match condition {
+            Condition::Compare(relation, left, right) => Self::Compare(*relation, value(*left), value(*right)),
+            Condition::Not(inner) => Self::Not(Box::new(Self::of(inner, value))),
+            Condition::And(one, two) => Self::And(Box::new(Self::of(one, value)), Box::new(Self::of(two, value))),
+            Condition::Or(one, two) => Self::Or(Box::new(Self::of(one, value)), Box::new(Self::of(two, value))),
+        }
+    }
+}
+
+impl std::fmt::Display for Cost {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let parts = [
+            (self.additions, "additions"),
+            (self.multiplications, "multiplications"),
+            (self.fused, "fused multiply-adds"),
+            (self.divisions, "divisions"),
+            (self.roots, "roots"),
+            (self.functions, "functions"),
+            (self.choices, "choices"),
+        ];
+        let shown: Vec<_> = parts.iter().filter(|(n, _)| *n > 0).map(|(n, name)| format!("{n} {name}")).collect();
+        f.write_str(&shown.join(", "))
+    }
+}

@@ -1,0 +1,107 @@
+//! What a potential is beside being smooth; the cost of a step follows from it.
+
+use crate::calculus;
+use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Structure {
+    /// The Hessian does not depend on the coordinates: implicit steps are linear.
+    pub constant_hessian: bool,
+    /// The Hessian is diagonal: the coordinates do not interact.
+    pub diagonal_hessian: bool,
+    /// Φ is a function of s = |q|² alone, for at least two coordinates.
+    pub central: Option<Central>,
+}
+
+/// Φ as a function of the squared distance from the origin.
+#[derive(Clone, Copy, Debug)]
+pub struct Central {
+    /// Φ(s).
+    pub potential: Expr,
+    /// s.
+    pub s: Symbol,
+}
+
+impl Structure {
+    /// Looks at Φ and its Hessian in the given coordinates.
+    pub fn of(graph: &mut Graph, phi: Expr, hessian: &[Vec<Expr>], coordinates: &[Symbol]) -> Self {
+        let moves = graph.dependence(coordinates);
+        let constant_hessian = hessian.iter().flatten().all(|e| !moves[e.index()]);
+        let diagonal_hessian = (0..coordinates.len())
+            .all(|i| (0..coordinates.len()).all(|j| i == j || graph.is_zero(hessian[i][j])));
+        let central = if coordinates.len() > 1 { central(graph, phi, coordinates) } else { None };
+        Self { constant_hessian, diagonal_hessian, central }
+    }
+}
+
+impl Central {
+    /// c(s) = 2 Φ′(s), so that ∇Φ = c q.
+    pub fn coefficient(&self, graph: &mut Graph) -> Expr {
+        let slope = calculus::derivative(graph, self.potential, self.s);
+        graph.scale(2.0, slope)
+    }
+
+    /// C(sₐ, s_b) = Φ[sₐ, s_b], so that ∇̄Φ = C·(a + b).
+    pub fn discrete_coefficient(&self, graph: &mut Graph, s_a: Symbol, s_b: Symbol) -> Expr {
+        let mut ends = calculus::TwoPoints::new(graph, &[self.s], &[s_a], &[s_b]);
+        calculus::discrete_gradient(graph, self.potential, &mut ends)[0]
+    }
+}
+
+/// Replaces Σ qᵢ² by s wherever it stands in a sum; central if no coordinate is left.
+fn central(graph: &mut Graph, phi: Expr, coordinates: &[Symbol]) -> Option<Central> {
+    let s = graph.coordinate("s");
+    let squared_distance = graph.symbol(s);
+    let squares: Vec<_> = coordinates
+        .iter()
+        .map(|&q| {
+            let q = graph.symbol(q);
+            graph.square(q)
+        })
+        .collect();
+    // The distance may first appear after an inner sum has been replaced: repeat until nothing changes.
+    let mut current = phi;
+    loop {
+        let pairs: Vec<_> = graph
+            .reachable(&[current])
+            .into_iter()
+            .filter_map(|e| Some((e, with_distance(graph, e, &squares, squared_distance)?)))
+            .collect();
+        if pairs.is_empty() {
+            break;
+        }
+        let next = Substitution::of_expressions(pairs).apply(graph, current);
+        if next == current {
+            break;
+        }
+        current = next;
+    }
+    (graph.depends_on(current, &[s]) && !graph.depends_on(current, coordinates))
+        .then_some(Central { potential: current, s })
+}
+
+/// A sum Σ f qᵢ² + rest as f s + rest, where all coordinates have the same cofactor f.
+fn with_distance(graph: &mut Graph, e: Expr, squares: &[Expr], s: Expr) -> Option<Expr> {
+    let Node::Sum { constant, terms } = graph.node(e).clone() else { return None };
+    let mut rest: Vec<(Number, Expr)> = terms.to_vec();
+    let mut cofactor: Option<(Number, Expr)> = None;
+    for &square in squares {
+        let (base, _) = graph.factors(square).1[0];
+        let found = rest.iter().enumerate().find_map(|(k, &(c, t))| {
+            let (own, mut factors) = graph.factors(t);
+            let i = factors.iter().position(|&(f, n)| f == base && n == 2)?;
+            factors.remove(i);
+            let others = graph.product_of(own, factors);
+            cofactor.is_none_or(|known| known == (c, others)).then_some((k, c, others))
+        });
+        let (k, c, others) = found?;
+        cofactor = Some((c, others));
+        rest.remove(k);
+    }
+    let (c, others) = cofactor?;
+    let distance = graph.mul(&[others, s]);
+    rest.push((c, distance));
+    rest.push((constant, graph.one()));
+    Some(graph.linear_combination(&rest))
+}

@@ -1,0 +1,28 @@
+//! The scalar of dmech: the trait [`Real`] for `f64`, `f32` and what may come (SIMD lanes, double-double),
+//! and [`Compensated`] sums for steps that must not drift.
+//!
+//! ```
+//! use dmech_scalar::Real;
+//!
+//! // The slope of ln between 1 − δ and 1 + δ is artanh(δ)/δ: no 0/0, however small δ is.
+//! fn mean_slope_of_ln<R: Real>(delta: R) -> R {
+//!     delta.atanhc()
+//! }
+//! assert_eq!(mean_slope_of_ln(0.0), 1.0);
+//! assert_eq!(mean_slope_of_ln(1e-200), 1.0);
+//! assert!((mean_slope_of_ln(0.5_f64) - 3.0_f64.ln()).abs() < 1e-15);
+//! ```
+#![forbid(unsafe_code)]
+
+mod atanc;
+mod atanhc;
+mod compensated;
+mod cube;
+mod polynomial;
+mod primitive;
+mod real;
+mod sinc;
+mod sinhc;
+
+pub use compensated::{Compensated, CompensatedVector, two_sum};
+pub use real::{Mask, Real};

@@ -1,0 +1,153 @@
+//! The scalar that laws and schemes are generic over.
+
+use core::fmt::{Debug, Display};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// The outcome of a comparison: `bool` for one number, one bit per lane for several.
+pub trait Mask: Copy + Debug {
+    /// True if the comparison holds in every lane.
+    fn all(self) -> bool;
+    /// True if the comparison holds in some lane.
+    fn any(self) -> bool;
+    /// Lane-wise conjunction.
+    fn and(self, other: Self) -> Self;
+    /// Lane-wise disjunction.
+    fn or(self, other: Self) -> Self;
+    /// Lane-wise negation.
+    fn not(self) -> Self;
+}
+
+/// A real number, or several side by side.
+///
+/// Generated kernels and schemes are generic over this trait. It has no `PartialOrd`: comparisons
+/// give a [`Mask`] and choices go through [`Real::select`], so that SIMD lanes fit as well as `f64`,
+/// `f32` and double-double numbers.
+///
+/// The cardinal functions `sinc`, `sinhc`, `atanc`, `atanhc` are f(x)/x for f = sin, sinh, atan, atanh,
+/// continued to 1 at 0, and each has a *slope* g′(x)/x, which is even and regular too. Divided differences
+/// are written with them because they have no 0/0. An implementation keeps them within 4 units in the last
+/// place (ulp) for every argument; only `sinc_slope`, which changes sign wherever tan x = x, is beyond |x| = 4
+/// held to 4 ulp of the larger of its two terms.
+pub trait Real:
+    Copy
+    + Debug
+    + Display
+    + Default
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// What a comparison gives.
+    type Mask: Mask;
+
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// Distance from 1 to the next larger number.
+    const EPSILON: Self;
+
+    /// The nearest number of this type.
+    fn from_f64(x: f64) -> Self;
+    /// The nearest `f64` (for several lanes: the first).
+    fn to_f64(self) -> f64;
+
+    /// self < other.
+    fn less(self, other: Self) -> Self::Mask;
+    /// self ≤ other.
+    fn less_or_equal(self, other: Self) -> Self::Mask;
+    /// self = other.
+    fn equal(self, other: Self) -> Self::Mask;
+    /// Neither infinite nor NaN.
+    fn finite(self) -> Self::Mask;
+    /// `yes()` where the mask holds, `no()` elsewhere. A single number evaluates one branch only.
+    fn select(mask: Self::Mask, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self;
+
+    /// self·b + c, rounded once where the target has the instruction, twice elsewhere
+    /// (never a slow call into a library).
+    fn mul_add(self, b: Self, c: Self) -> Self;
+    /// 1/self.
+    fn recip(self) -> Self;
+    /// |self|.
+    fn abs(self) -> Self;
+    /// ±1, with the sign of self (also of a signed zero).
+    fn signum(self) -> Self;
+    /// The smaller.
+    fn min(self, other: Self) -> Self;
+    /// The larger.
+    fn max(self, other: Self) -> Self;
+    /// selfⁿ.
+    fn powi(self, n: i32) -> Self;
+    /// selfᵖ.
+    fn powf(self, p: Self) -> Self;
+    /// √self.
+    fn sqrt(self) -> Self;
+    /// ∛self.
+    fn cbrt(self) -> Self;
+    /// e^self.
+    fn exp(self) -> Self;
+    /// 2^self.
+    fn exp2(self) -> Self;
+    /// e^self − 1.
+    fn exp_m1(self) -> Self;
+    /// ln self.
+    fn ln(self) -> Self;
+    /// ln (1 + self).
+    fn ln_1p(self) -> Self;
+    /// log₂ self.
+    fn log2(self) -> Self;
+    /// log₁₀ self.
+    fn log10(self) -> Self;
+    /// sin self.
+    fn sin(self) -> Self;
+    /// cos self.
+    fn cos(self) -> Self;
+    /// tan self.
+    fn tan(self) -> Self;
+    /// arcsin self.
+    fn asin(self) -> Self;
+    /// arccos self.
+    fn acos(self) -> Self;
+    /// arctan self.
+    fn atan(self) -> Self;
+    /// The angle of the point (x, self).
+    fn atan2(self, x: Self) -> Self;
+    /// sinh self.
+    fn sinh(self) -> Self;
+    /// cosh self.
+    fn cosh(self) -> Self;
+    /// tanh self.
+    fn tanh(self) -> Self;
+    /// arsinh self.
+    fn asinh(self) -> Self;
+    /// arcosh self.
+    fn acosh(self) -> Self;
+    /// artanh self.
+    fn atanh(self) -> Self;
+
+    /// sin(x)/x.
+    fn sinc(self) -> Self;
+    /// sinc′(x)/x = (cos x − sinc x)/x²; −1/3 at 0.
+    fn sinc_slope(self) -> Self;
+    /// sinh(x)/x.
+    fn sinhc(self) -> Self;
+    /// sinhc′(x)/x = (cosh x − sinhc x)/x²; 1/3 at 0.
+    fn sinhc_slope(self) -> Self;
+    /// arctan(x)/x.
+    fn atanc(self) -> Self;
+    /// atanc′(x)/x = (1/(1 + x²) − atanc x)/x²; −2/3 at 0.
+    fn atanc_slope(self) -> Self;
+    /// artanh(x)/x for |x| < 1; ∞ at ±1, NaN beyond.
+    fn atanhc(self) -> Self;
+    /// atanhc′(x)/x = (1/(1 − x²) − atanhc x)/x²; 2/3 at 0.
+    fn atanhc_slope(self) -> Self;
+}

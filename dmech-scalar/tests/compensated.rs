@@ -1,0 +1,130 @@
+//! `two_sum` is exact; compensated sums keep the bound that they state, where plain sums drift.
+
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
+use dmech_scalar::{Compensated, CompensatedVector, two_sum};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+use std::cell::Cell;
+
+type Big = FBig<HalfEven, 2>;
+
+/// The very value of x; sums and products of such numbers are exact.
+fn exact(x: f64) -> Big {
+    Big::try_from(x).expect("a finite number").with_precision(0).value()
+}
+
+/// m·2ᵉ with e in a range narrow enough for the two numbers of a pair to overlap often.
+fn overlapping() -> impl Strategy<Value = f64> + Clone {
+    (-(1i64 << 53)..(1i64 << 53), -70..70).prop_map(|(m, e)| m as f64 * 2f64.powi(e))
+}
+
+fn anything() -> impl Strategy<Value = f64> + Clone {
+    use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
+    POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO
+}
+
+fn assert_exact_for(numbers: impl Strategy<Value = f64> + Clone, needed: u32) {
+    let rounded = Cell::new(0);
+    let mut runner = TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(20_000) });
+    runner
+        .run(&(numbers.clone(), numbers), |(a, b)| {
+            prop_assume!((a + b).is_finite());
+            let (sum, error) = two_sum(a, b);
+            prop_assert_eq!(sum, a + b);
+            prop_assert!(exact(sum) + exact(error) == exact(a) + exact(b), "{:e} + {:e}", a, b);
+            prop_assert_eq!(two_sum(b, a), (sum, error));
+            rounded.set(rounded.get() + u32::from(error != 0.0 && error.abs() != a.abs().min(b.abs())));
+            Ok(())
+        })
+        .expect("two_sum is exact");
+    println!("{} sums were rounded in the middle of both", rounded.get());
+    assert!(rounded.get() >= needed, "only {} sums had something to compensate", rounded.get());
+}
+
+#[test]
+fn two_sum_is_exact_where_the_digits_overlap() {
+    assert_exact_for(overlapping(), 5000);
+}
+
+#[test]
+fn two_sum_is_exact_over_the_whole_range() {
+    assert_exact_for(anything(), 100);
+}
+
+#[test]
+fn two_sum_is_exact_in_single_precision() {
+    let rounded = Cell::new(0);
+    let mut runner = TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(20_000) });
+    runner
+        .run(&(overlapping(), overlapping()), |(a, b)| {
+            let (a, b) = ((a * 2f64.powi(-53)) as f32, (b * 2f64.powi(-53)) as f32);
+            let (sum, error) = two_sum(a, b);
+            prop_assert_eq!(sum, a + b);
+            let (a, b) = (exact(a.into()), exact(b.into()));
+            prop_assert!(exact(sum.into()) + exact(error.into()) == a + b);
+            rounded.set(rounded.get() + u32::from(error != 0.0));
+            Ok(())
+        })
+        .expect("two_sum is exact");
+    assert!(rounded.get() > 5000);
+}
+
+/// The bound of the documentation, for increments of any sign and of sizes from 1e-9 to 1e3.
+#[test]
+fn a_compensated_sum_keeps_its_bound() {
+    let increments = prop::collection::vec((-1.0..1.0, -9.0..3.0), 1..400);
+    let (plain_was_worse, checked) = (Cell::new(0), Cell::new(0));
+    let mut runner = TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(500) });
+    runner
+        .run(&(-1e3..1e3, increments), |(start, increments)| {
+            let (mut sum, mut plain, mut total) = (Compensated::new(start), start, exact(start));
+            let (mut length, mut largest, n) = (0.0, f64::abs(start), increments.len() as f64);
+            for (m, e) in increments {
+                let dx = m * f64::powf(10.0, e);
+                sum.add(dx);
+                plain += dx;
+                total += exact(dx);
+                length += dx.abs();
+                largest = largest.max(sum.value().abs());
+            }
+            let error = |s: Big| (s - &total).to_f64().value().abs();
+            let bound = f64::EPSILON * (length / 2.0 + n * f64::EPSILON * largest / 4.0);
+            prop_assert!(error(exact(sum.hi) + exact(sum.lo)) <= bound);
+            prop_assert_eq!(sum.hi + sum.lo, sum.hi);
+            checked.set(checked.get() + 1);
+            plain_was_worse.set(plain_was_worse.get() + u32::from(error(exact(plain)) > bound));
+            Ok(())
+        })
+        .expect("the bound holds");
+    println!("plain addition exceeds the bound in {} of {}", plain_was_worse.get(), checked.get());
+    assert_eq!(checked.get(), 500);
+    assert!(plain_was_worse.get() > 100, "{}", plain_was_worse.get());
+}
+
+/// A million steps of a circle, component by component: no drift, where plain addition loses tens of ulps.
+#[test]
+fn a_million_small_steps_do_not_drift() {
+    let n = 1_000_000;
+    let start = [3.7, -1.9];
+    let mut q = CompensatedVector::new(start);
+    let mut single = [Compensated::new(start[0]), Compensated::new(start[1])];
+    let mut plain = start;
+    let mut total = start.map(exact);
+    for k in 0..n {
+        let angle = 0.0137 * k as f64;
+        let dq = [1e-4 + 1e-3 * angle.cos(), -2e-4 + 1e-3 * angle.sin()];
+        q.add(dq);
+        for i in 0..2 {
+            single[i].add(dq[i]);
+            plain[i] += dq[i];
+            total[i] += exact(dq[i]);
+        }
+    }
+    for i in 0..2 {
+        let ulps = |x: f64| (exact(x) - &total[i]).to_f64().value().abs() / (x.abs().next_up() - x.abs());
+        println!("component {i}: compensated {:.2} ulp, plain {:.1} ulp", ulps(q.value()[i]), ulps(plain[i]));
+        assert!(ulps(q.value()[i]) <= 1.0 && ulps(plain[i]) > 20.0);
+        assert_eq!((q.hi[i], q.lo[i]), (single[i].hi, single[i].lo));
+    }
+}

@@ -150,8 +150,9 @@ pub(super) fn slope(g: &mut Graph, f: Unary, u: Expr) -> Expr {
         Sinh => g.unary(Cosh, u),
         Cosh => g.unary(Sinh, u),
         Tanh => {
-            let square = g.square(value);
-            g.sub(one, square)
+            // Not 1 − tanh²: it loses all digits where tanh is nearly 1.
+            let cosh = g.unary(Cosh, u);
+            g.powi(cosh, -2)
         }
         Asinh => {
             let square = g.square(u);

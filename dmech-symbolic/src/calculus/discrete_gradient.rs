@@ -6,7 +6,7 @@
 
 use crate::expression::{Binary, Condition, Expr, Graph, Node, Substitution, Symbol, Unary};
 
-use super::divided_difference::{abs_secant, divided_difference, of_power};
+use super::divided_difference::{abs_secant, divided_difference, of_logarithm, of_power};
 use super::piecewise;
 
 /// The two ends of a step: what the coordinates become at each.
@@ -146,17 +146,22 @@ fn of_binary(
     match f {
         Binary::Powf => of_powf(graph, (u, ua, ub), (w, wa, wb), moves(w)),
         Binary::Atan2 => {
-            // With the point (w, u): Δangle = K (mean(w) Δu − mean(u) Δw), K = angle/sin-like cross product.
+            // With the point (w, u): Δangle = K (mean(w) Δu − mean(u) Δw), K = Δangle/cross. Below 45° the angle between the
+            // two points serves; above it, and where the segment crosses the cut, the difference of their angles, which
+            // does not cancel there.
             let products = [graph.mul(&[wa, ub]), graph.mul(&[ua, wb]), graph.mul(&[wa, wb]), graph.mul(&[ua, ub])];
             let cross = graph.sub(products[0], products[1]);
             let dot = graph.add(&products[2..]);
             let t = graph.div(cross, dot);
             let cardinal = graph.unary(Unary::Atanc, t);
             let acute = graph.div(cardinal, dot);
-            let angle = graph.binary(Binary::Atan2, cross, dot);
-            let obtuse = graph.div(angle, cross);
-            let zero = graph.zero();
-            let k = graph.select(Condition::less(zero, dot), acute, obtuse);
+            let angles = [graph.binary(f, ua, wa), graph.binary(f, ub, wb)];
+            let turn = graph.sub(angles[1], angles[0]);
+            let other = graph.div(turn, cross);
+            let (width, swing) = (graph.unary(Unary::Abs, cross), graph.unary(Unary::Abs, turn));
+            let half_turn = graph.number(std::f64::consts::PI);
+            let near = Condition::less_or_equal(width, dot).and(Condition::less_or_equal(swing, half_turn));
+            let k = graph.select(near, acute, other);
             let (mean_u, mean_w) = (graph.mean(ua, ub), graph.mean(wa, wb));
             let toward_w = graph.mul(&[mean_u, k]);
             vec![(u, graph.mul(&[mean_w, k])), (w, graph.neg(toward_w))]
@@ -173,31 +178,42 @@ fn of_binary(
     }
 }
 
-/// u^w = exp(w ln u).
+/// u^w = exp(w ln u): with δ = (w_b ln u_b − w_a ln u_a)/2 the factor of exp is √(u_a^w_a u_b^w_b) sinhc δ. The powers
+/// are taken as powers, because exp(w ln u) would be |w ln u| times less accurate.
 fn of_powf(
     graph: &mut Graph,
     (u, ua, ub): (Expr, Expr, Expr),
     (w, wa, wb): (Expr, Expr, Expr),
     exponent_moves: bool,
 ) -> Vec<(Expr, Expr)> {
-    let (ln_a, ln_b) = (graph.unary(Unary::Ln, ua), graph.unary(Unary::Ln, ub));
-    let (power_a, power_b) = (graph.mul(&[wa, ln_a]), graph.mul(&[wb, ln_b]));
-    let exp = divided_difference(graph, Unary::Exp, power_a, power_b);
-    let ln = divided_difference(graph, Unary::Ln, ua, ub);
-    let (mean_w, mean_ln) = (graph.mean(wa, wb), graph.mean(ln_a, ln_b));
-    let closed = graph.mul(&[exp, mean_w, ln]);
+    let ln = of_logarithm(graph, ua, ub);
     if exponent_moves {
-        return vec![(u, closed), (w, graph.mul(&[exp, mean_ln]))];
+        let (ln_a, ln_b) = (graph.unary(Unary::Ln, ua), graph.unary(Unary::Ln, ub));
+        let (half_a, half_b) = (graph.scale(0.5, wa), graph.scale(0.5, wb));
+        let (log_a, log_b) = (graph.mul(&[half_a, ln_a]), graph.mul(&[half_b, ln_b]));
+        let delta = graph.sub(log_b, log_a);
+        let roots = [graph.binary(Binary::Powf, ua, half_a), graph.binary(Binary::Powf, ub, half_b)];
+        let cardinal = graph.unary(Unary::Sinhc, delta);
+        let exp = graph.mul(&[roots[0], roots[1], cardinal]);
+        let (mean_w, mean_ln) = (graph.mean(wa, wb), graph.mean(ln_a, ln_b));
+        return vec![(u, graph.mul(&[exp, mean_w, ln])), (w, graph.mul(&[exp, mean_ln]))];
     }
-    // At u = 0 the logarithm is not finite but the power may be.
-    let (one, zero) = (graph.one(), graph.zero());
+    let gap = graph.sub(ub, ua);
+    let log_ratio = graph.mul(&[wa, ln, gap]);
+    let delta = graph.scale(0.5, log_ratio);
+    let roots = [graph.unary(Unary::Sqrt, ua), graph.unary(Unary::Sqrt, ub)];
+    let middle = graph.mul(&roots);
+    let (power, cardinal) = (graph.binary(Binary::Powf, middle, wa), graph.unary(Unary::Sinhc, delta));
+    let closed = graph.mul(&[power, wa, ln, cardinal]);
+    // Far apart the powers do not cancel; and at u = 0 the logarithm is not finite but the power may be.
+    let one = graph.one();
     let lowered = graph.sub(wa, one);
     let power = graph.binary(Binary::Powf, ua, lowered);
     let limit = graph.mul(&[wa, power]);
     let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
-    let (rise, run) = (graph.sub(value_b, value_a), graph.sub(ub, ua));
-    let quotient = graph.div(rise, run);
-    let at_zero = graph.select(Condition::equal(ua, ub), limit, quotient);
-    let product = graph.mul(&[ua, ub]);
-    vec![(u, graph.select(Condition::less(zero, product), closed, at_zero))]
+    let rise = graph.sub(value_b, value_a);
+    let quotient = graph.div(rise, gap);
+    let far = graph.select(Condition::equal(ua, ub), limit, quotient);
+    let size = graph.unary(Unary::Abs, delta);
+    vec![(u, graph.select(Condition::less_or_equal(size, one), closed, far))]
 }

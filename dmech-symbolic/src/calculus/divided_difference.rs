@@ -17,8 +17,10 @@
 //! | atanh u | atanhc(t)/(1 − ab), t = (b − a)/(1 − ab) | |
 //! | \|u\| | (a + b)/(\|a\| + \|b\|), 0 at 0 | |
 //!
-//! artanh and, far from the diagonal, arctan lose digits when a and b are far apart; there the plain quotient does not
-//! cancel and takes over.
+//! artanh loses digits near 1, that is when a and b are far apart. There artanh t = arsinh(t/√(1 − t²)) takes over in the
+//! logarithms and inverse hyperbolic functions, with t/√(1 − t²) in closed form: (b − a)/(2√a√b) for ln. The difference of the
+//! logarithms themselves would cancel, ln 1e22 and ln 4e22 are nearly equal. In atan (beyond a right angle) and atanh
+//! the plain quotient serves.
 
 use crate::expression::{Condition, Expr, Graph, Unary};
 
@@ -52,22 +54,24 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
             g.mul(&factors)
         }
         Ln | Log2 | Log10 => {
-            let quotient = plain_quotient(g, Ln, a, b);
-            let sum = g.add(&[a, b]);
-            let near = half_artanh(g, a, b, sum, quotient);
+            let natural = of_logarithm(g, a, b);
             match f {
-                Ln => near,
+                Ln => natural,
                 _ => {
                     let ln_base = logarithm(g, if f == Log2 { 2.0 } else { 10.0 });
-                    g.div(near, ln_base)
+                    g.div(natural, ln_base)
                 }
             }
         }
         Ln1p => {
-            let quotient = plain_quotient(g, Ln1p, a, b);
-            let two = g.number(2.0);
-            let sum = g.add(&[two, a, b]);
-            half_artanh(g, a, b, sum, quotient)
+            let one = g.one();
+            let (above_a, above_b) = (g.add(&[one, a]), g.add(&[one, b]));
+            let sum = g.add(&[above_a, above_b]);
+            let roots = [g.unary(Sqrt, above_a), g.unary(Sqrt, above_b)];
+            let mean = g.mul(&roots);
+            let width = g.scale(2.0, mean);
+            let far = half_arsinh(g, a, b, width);
+            half_artanh(g, a, b, sum, far)
         }
         Sin | Cos => {
             let (m, delta) = midpoint_and_half_gap(g, a, b);
@@ -92,10 +96,10 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
             let (cosh_a, cosh_b, cardinal) = (g.unary(Cosh, a), g.unary(Cosh, b), g.unary(Sinhc, gap));
             let below = g.mul(&[cosh_a, cosh_b]);
             let closed = g.div(cardinal, below);
-            // Far apart sinh and cosh overflow where their quotient does not.
-            let one = g.one();
+            // Far apart sinh and cosh overflow (in binary32 beyond 88) where their quotient does not.
+            let bound = g.number(64.0);
             let quotient = plain_quotient(g, Tanh, a, b);
-            unless_far(g, a, b, one, closed, quotient)
+            unless_far(g, a, b, bound, closed, quotient)
         }
         Asin | Acos => {
             let legs = [leg(g, a), leg(g, b)];
@@ -126,8 +130,18 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
             };
             let radii = [radius(a), radius(b)];
             let sum = g.add(&radii);
-            let quotient = plain_quotient(g, f, a, b);
-            half_artanh(g, a, b, sum, quotient)
+            let (product, product_of_radii) = (g.mul(&[a, b]), g.mul(&radii));
+            let unit = g.number(if f == Asinh { 1.0 } else { -1.0 });
+            let square = g.add(&[unit, product, product_of_radii]);
+            let twice = g.scale(2.0, square);
+            let width = g.unary(Sqrt, twice);
+            let mut far = half_arsinh(g, a, b, width);
+            if f == Asinh {
+                // On both sides of 0 the width cancels, and the plain quotient does not.
+                let (zero, quotient) = (g.zero(), plain_quotient(g, f, a, b));
+                far = g.select(Condition::less(zero, product), far, quotient);
+            }
+            half_artanh(g, a, b, sum, far)
         }
         Atanh => {
             let (one, product) = (g.one(), g.mul(&[a, b]));
@@ -182,13 +196,16 @@ pub(super) fn of_power(g: &mut Graph, a: Expr, b: Expr, n: i32) -> Expr {
     }
 }
 
-/// (a + b)/(|a| + |b|), 0 at 0: the divided difference of |u|, exactly ±1 on one side of 0.
+/// (a + b)/(|a| + |b|), 0 at 0: the divided difference of |u|. On one side of 0 it is ±1, and chosen rather than divided,
+/// because a + b is flattened where a and b are sums and may round otherwise than |a| + |b|.
 pub(super) fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
     let magnitudes = [g.unary(Unary::Abs, a), g.unary(Unary::Abs, b)];
     let below = g.add(&magnitudes);
     let sum = g.add(&[a, b]);
     let (zero, quotient) = (g.zero(), g.div(sum, below));
-    g.select(Condition::equal(below, zero), zero, quotient)
+    let across = g.select(Condition::equal(below, zero), zero, quotient);
+    let (product, sign) = (g.mul(&[a, b]), g.unary(Unary::Signum, a));
+    g.select(Condition::less(zero, product), sign, across)
 }
 
 /// (f(b) − f(a))/(b − a).
@@ -203,15 +220,35 @@ fn midpoint_and_half_gap(g: &mut Graph, a: Expr, b: Expr) -> (Expr, Expr) {
     (g.mean(a, b), g.scale(0.5, gap))
 }
 
+/// ln[a, b].
+pub(super) fn of_logarithm(g: &mut Graph, a: Expr, b: Expr) -> Expr {
+    let sum = g.add(&[a, b]);
+    let roots = [g.unary(Unary::Sqrt, a), g.unary(Unary::Sqrt, b)];
+    let mean = g.mul(&roots);
+    let width = g.scale(2.0, mean);
+    let far = half_arsinh(g, a, b, width);
+    half_artanh(g, a, b, sum, far)
+}
+
+/// 2 arsinh((b − a)/w)/(b − a), w = √(s² − (b − a)²): the same as `half_artanh`, without its loss of digits near 1 but
+/// with a 0/0.
+fn half_arsinh(g: &mut Graph, a: Expr, b: Expr, w: Expr) -> Expr {
+    let gap = g.sub(b, a);
+    let ratio = g.div(gap, w);
+    let half = g.unary(Unary::Asinh, ratio);
+    let quotient = g.div(half, gap);
+    g.scale(2.0, quotient)
+}
+
 /// 2 atanhc((b − a)/s)/s while |b − a| ≤ s/2.
-fn half_artanh(g: &mut Graph, a: Expr, b: Expr, s: Expr, quotient: Expr) -> Expr {
+fn half_artanh(g: &mut Graph, a: Expr, b: Expr, s: Expr, far: Expr) -> Expr {
     let gap = g.sub(b, a);
     let t = g.div(gap, s);
     let cardinal = g.unary(Unary::Atanhc, t);
     let closed = g.div(cardinal, s);
     let closed = g.scale(2.0, closed);
     let half = g.scale(0.5, s);
-    unless_far(g, a, b, half, closed, quotient)
+    unless_far(g, a, b, half, closed, far)
 }
 
 /// `closed` while |b − a| ≤ bound, the plain quotient beyond.

@@ -112,7 +112,7 @@ impl<'a> Display<'a> {
     fn write_product(self, f: &mut Formatter<'_>, c: f64, e: Expr) -> fmt::Result {
         let (_, factors) = self.graph.factors(e);
         let numbers = |above: bool| factors.iter().filter(move |(_, n)| (*n > 0) == above);
-        let above = numbers(true).count();
+        let (above, below) = (numbers(true).count(), numbers(false).count());
         let mut dot = false;
         if c != 1.0 || above == 0 {
             self.write_number(f, c, Binding::Product)?;
@@ -122,9 +122,8 @@ impl<'a> Display<'a> {
             if std::mem::replace(&mut dot, true) {
                 f.write_str("·")?;
             }
-            self.write_power(f, factor, n, above + usize::from(c != 1.0) > 1)?;
+            self.write_power(f, factor, n, above + below + usize::from(c != 1.0) > 1)?;
         }
-        let below = numbers(false).count();
         if below > 0 {
             f.write_str(if below > 1 { "/(" } else { "/" })?;
             for (i, &(factor, n)) in numbers(false).enumerate() {

@@ -21,6 +21,11 @@ impl Number {
         f64::from_bits(self.0)
     }
 
+    /// Whether it is ±2ᵏ, so that products with it are exact.
+    pub fn is_power_of_two(self) -> bool {
+        self.value().is_normal() && self.0 << 12 == 0
+    }
+
     /// −self.
     pub fn negated(self) -> Self {
         Self::new(-self.value())

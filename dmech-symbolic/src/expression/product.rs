@@ -47,7 +47,7 @@ impl Graph {
 
     /// c Π fᵢ^nᵢ in normal form.
     pub(crate) fn product_of(&mut self, coefficient: Number, factors: Vec<(Expr, i32)>) -> Expr {
-        let mut product = Gathering { coefficient, factors: vec![] };
+        let mut product = Gathering { numbers: vec![coefficient], factors: vec![] };
         for (f, n) in factors {
             product.take(self, f, n);
         }
@@ -55,9 +55,12 @@ impl Graph {
     }
 }
 
+/// Powers of numbers up to this one are folded number by number where the whole is not exact.
+const LONGEST_POWER: i32 = 16;
+
 /// A product on its way to normal form.
 struct Gathering {
-    coefficient: Number,
+    numbers: Vec<Number>,
     factors: Vec<(Expr, i32)>,
 }
 
@@ -68,13 +71,11 @@ impl Gathering {
             return;
         }
         match graph.node(f).clone() {
-            Node::Number(c) => {
-                let folded = c.exact_power(n).and_then(|power| self.coefficient.exact_product(power));
-                match folded {
-                    Some(product) => self.coefficient = product,
-                    None => self.raise(f, n),
-                }
-            }
+            Node::Number(c) => match c.exact_power(n) {
+                Some(power) => self.numbers.push(power),
+                None if (2..=LONGEST_POWER).contains(&n) => self.numbers.extend((0..n).map(|_| c)),
+                None => self.raise(f, n),
+            },
             Node::Product { coefficient, factors } => {
                 if coefficient != Number::ONE {
                     let number = graph.intern(Node::Number(coefficient));
@@ -91,7 +92,7 @@ impl Gathering {
                 };
                 let turned = graph.intern(turned);
                 if n % 2 != 0 {
-                    self.coefficient = self.coefficient.negated();
+                    self.numbers.push(Number::ONE.negated());
                 }
                 self.raise(turned, n);
             }
@@ -109,14 +110,14 @@ impl Gathering {
     }
 
     fn normal_form(mut self, graph: &mut Graph) -> Expr {
-        if self.coefficient == Number::ZERO {
+        self.merge_roots(graph);
+        let coefficient = self.fold_numbers(graph);
+        if coefficient == Number::ZERO {
             return graph.zero();
         }
-        self.merge_roots(graph);
-        self.divide_by_numbers(graph);
         self.factors.retain(|&(_, n)| n != 0);
         self.factors.sort_unstable();
-        match (&self.factors[..], self.coefficient) {
+        match (&self.factors[..], coefficient) {
             ([], c) => graph.intern(Node::Number(c)),
             (&[(f, 1)], Number::ONE) => f,
             // −(a − b) is stored as the sum b − a, so that a lone difference has one form.
@@ -131,14 +132,46 @@ impl Gathering {
         }
     }
 
+    /// The product of the numbers where it is exact. Where it is not, the numbers become factors, all but powers of two:
+    /// so the outcome depends neither on their order nor on what has been multiplied before.
+    fn fold_numbers(&mut self, graph: &mut Graph) -> Number {
+        let mut numbers = std::mem::take(&mut self.numbers);
+        if numbers.contains(&Number::ZERO) {
+            return Number::ZERO;
+        }
+        let negative = numbers.iter().filter(|c| c.value() < 0.0).count() % 2 == 1;
+        numbers.iter_mut().filter(|c| c.value() < 0.0).for_each(|c| *c = c.negated());
+        numbers.sort_unstable();
+        self.divide_by_numbers(graph, &mut numbers);
+        let mut coefficient = match numbers.iter().try_fold(Number::ONE, |product, &c| product.exact_product(c)) {
+            Some(product) => {
+                let mut product = [product];
+                self.divide_by_numbers(graph, &mut product);
+                product[0]
+            }
+            None => {
+                let (powers, others): (Vec<_>, Vec<_>) = numbers.into_iter().partition(|c| c.is_power_of_two());
+                for c in others {
+                    let number = graph.intern(Node::Number(c));
+                    self.raise(number, 1);
+                }
+                Number::new(powers.into_iter().map(Number::value).product())
+            }
+        };
+        if negative {
+            coefficient = coefficient.negated();
+        }
+        coefficient
+    }
+
     /// 3 x/3 = x, where the quotient of the numbers is exact.
-    fn divide_by_numbers(&mut self, graph: &Graph) {
+    fn divide_by_numbers(&mut self, graph: &Graph, numbers: &mut [Number]) {
         for (f, n) in &mut self.factors {
+            let Node::Number(divisor) = graph.node(*f) else { continue };
             while *n < 0
-                && let Node::Number(divisor) = graph.node(*f)
-                && let Some(quotient) = self.coefficient.exact_quotient(*divisor)
+                && let Some((quotient, c)) = numbers.iter_mut().find_map(|c| Some((c.exact_quotient(*divisor)?, c)))
             {
-                self.coefficient = quotient;
+                *c = quotient;
                 *n += 1;
             }
         }

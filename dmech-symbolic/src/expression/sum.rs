@@ -34,11 +34,15 @@ impl Graph {
 
     /// Σ cᵢ eᵢ.
     pub(crate) fn linear_combination(&mut self, summands: &[(Number, Expr)]) -> Expr {
-        let mut constants = vec![];
+        let mut constants: Vec<Number> = vec![];
         let mut terms: Vec<(Number, Expr)> = vec![];
         for &(c, e) in summands {
             self.flatten_into(c, e, &mut constants, &mut terms);
         }
+        // All or none, so that the outcome does not depend on what has been added before.
+        constants.sort_unstable();
+        let exact = constants.iter().try_fold(Number::ZERO, |sum, &c| sum.exact_sum(c));
+        let constant = exact.unwrap_or(Number::ZERO);
         terms.sort_by_key(|&(_, t)| t);
         let mut merged: Vec<(Number, Expr)> = vec![];
         for (c, t) in terms {
@@ -49,17 +53,14 @@ impl Graph {
                 None => merged.push((c, t)),
             }
         }
-        merged.retain(|&(c, _)| c != Number::ZERO);
-        let mut constant = Number::ZERO;
-        for c in constants {
-            match constant.exact_sum(c) {
-                Some(sum) => constant = sum,
-                None => {
-                    let number = self.intern(Node::Number(c));
-                    merged.push((Number::ONE, number));
-                }
+        if exact.is_none() {
+            for c in constants.into_iter().filter(|&c| c != Number::ZERO) {
+                let sign = if c.value() < 0.0 { Number::ONE.negated() } else { Number::ONE };
+                merged.push((sign, self.number(c.value().abs())));
             }
+            merged.sort_by_key(|&(_, t)| t);
         }
+        merged.retain(|&(c, _)| c != Number::ZERO);
         match (&merged[..], constant) {
             ([], constant) => self.intern(Node::Number(constant)),
             (&[(c, t)], Number::ZERO) => self.scale(c.value(), t),
@@ -78,18 +79,23 @@ impl Graph {
                 constants.push(if c == Number::ONE { constant } else { constant.negated() });
                 terms.extend(inner.iter().map(|&(d, t)| (if c == Number::ONE { d } else { d.negated() }, t)));
             }
-            Node::Product { coefficient, factors } if coefficient != Number::ONE => match c.exact_product(coefficient) {
-                Some(product) => {
-                    let bare = self.product_of(Number::ONE, factors.to_vec());
-                    match self.node(bare) {
-                        Node::Sum { .. } if product == Number::ONE || product == Number::ONE.negated() => {
-                            self.flatten_into(product, bare, constants, terms);
-                        }
-                        _ => terms.push((product, bare)),
+            Node::Product { coefficient, factors } if coefficient != Number::ONE => {
+                let (c, bare) = match c.exact_product(coefficient) {
+                    Some(product) => (product, self.product_of(Number::ONE, factors.to_vec())),
+                    None => {
+                        // The numbers become factors, and the coefficient a power of two.
+                        let whole = self.product_of(c, vec![(e, 1)]);
+                        let (c, factors) = self.factors(whole);
+                        (c, self.product_of(Number::ONE, factors))
                     }
+                };
+                match self.node(bare) {
+                    Node::Sum { .. } if c == Number::ONE || c == Number::ONE.negated() => {
+                        self.flatten_into(c, bare, constants, terms);
+                    }
+                    _ => terms.push((c, bare)),
                 }
-                None => terms.push((c, e)),
-            },
+            }
             _ => terms.push((c, e)),
         }
     }

@@ -94,6 +94,11 @@ impl Program {
         lower::schedule(graph, outputs, Some(exchange))
     }
 
+    /// All values in order.
+    pub fn values(&self) -> impl Iterator<Item = Value> + use<> {
+        (0..self.operations.len()).map(|i| Value(i as u32))
+    }
+
     /// The operation behind a value.
     pub fn operation(&self, value: Value) -> &Operation {
         &self.operations[value.index()]
@@ -189,15 +194,17 @@ impl Test {
 impl std::fmt::Display for Cost {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let parts = [
-            (self.additions, "additions"),
-            (self.multiplications, "multiplications"),
-            (self.fused, "fused multiply-adds"),
-            (self.divisions, "divisions"),
-            (self.roots, "roots"),
-            (self.functions, "functions"),
-            (self.choices, "choices"),
+            (self.additions, "addition"),
+            (self.multiplications, "multiplication"),
+            (self.fused, "fused multiply-add"),
+            (self.divisions, "division"),
+            (self.roots, "root"),
+            (self.functions, "function"),
+            (self.choices, "choice"),
         ];
-        let shown: Vec<_> = parts.iter().filter(|(n, _)| *n > 0).map(|(n, name)| format!("{n} {name}")).collect();
-        f.write_str(&shown.join(", "))
+        let plural = |n: usize| if n == 1 { "" } else { "s" };
+        let shown: Vec<_> =
+            parts.iter().filter(|(n, _)| *n > 0).map(|&(n, name)| format!("{n} {name}{}", plural(n))).collect();
+        f.write_str(if shown.is_empty() { "nothing".to_owned() } else { shown.join(", ") }.as_str())
     }
 }

@@ -1,0 +1,118 @@
+//! Generated steps against hand-written loops, in one run.
+//!
+//! `cargo bench --bench schemes` prints nanoseconds per step: the best of many short runs, taken in turn, so that all
+//! share the machine's good and bad moments; ratios are what counts. With `RUSTFLAGS="-C target-cpu=native"` both sides
+//! use fused multiply-adds.
+//!
+//! `cargo bench --bench schemes -- --only NAME STEPS` runs one loop once, for counting instructions:
+//! see `benches/instructions`.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use dmech::prelude::*;
+use dmech::{Error, Stepper};
+
+mod twins;
+
+#[derive(Clone, Copy, Debug)]
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let [x, y] = q;
+        -self.gm / (x * x + y * y).sqrt()
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Pendulum {
+    k: f64,
+}
+
+#[dmech::law]
+impl Pendulum {
+    #[potential]
+    fn energy(&self, q: [f64; 1]) -> f64 {
+        -self.k * q[0].cos()
+    }
+}
+
+/// A loop of some steps that ends in a number, so that nothing is optimised away.
+type Loop = Box<dyn FnMut(u64) -> f64>;
+
+#[inline(never)]
+fn advance<L: Law<D>, S: Scheme<L, D>, const D: usize>(stepper: &mut Stepper<L, S, D>, steps: u64) -> Result<(), Error> {
+    stepper.advance(steps)
+}
+
+fn generated<L, S, const D: usize>(law: L, start: State<D>, dt: f64, scheme: S) -> Loop
+where
+    L: Law<D> + Copy + 'static,
+    S: Scheme<L, D> + Copy + 'static,
+    S::Memory: 'static,
+{
+    let simulation = Simulation::new(black_box(law), black_box(start)).scheme(scheme).dt(black_box(dt));
+    let mut stepper = simulation.stepper().expect("the bench starts from good input");
+    Box::new(move |steps| {
+        advance(&mut stepper, steps).expect("the orbit is resolved");
+        stepper.q()[0]
+    })
+}
+
+fn loops() -> Vec<(&'static str, &'static str, Loop)> {
+    let (sun, dt) = (Kepler { gm: 1.0 }, 1e-3);
+    let planet = State::new([0.5, 0.0], [0.0, 1.63]);
+    let (pendulum, bob) = (Pendulum { k: 1.3 }, State::new([0.8], [0.0]));
+    vec![
+        ("kepler", "twin: leap-frog, √s·(1/s²)", twins::kepler_leapfrog(1.0, planet, dt)),
+        ("kepler", "Leapfrog", generated(sun, planet, dt, Leapfrog)),
+        ("kepler", "twin: leap-frog, 1/(s√s)", twins::kepler_leapfrog_naive(1.0, planet, dt)),
+        ("kepler", "Explicit", generated(sun, planet, dt, Explicit)),
+        ("kepler", "twin: trapezoid, Newton", twins::kepler_trapezoid(1.0, planet, dt)),
+        ("kepler", "Implicit", generated(sun, planet, dt, Implicit)),
+        ("kepler", "DiscreteGradient", generated(sun, planet, dt, DiscreteGradient)),
+        ("kepler", "Kanatani", generated(sun, planet, dt, Kanatani)),
+        ("pendulum", "twin: leap-frog", twins::pendulum_leapfrog(1.3, bob, dt)),
+        ("pendulum", "Leapfrog", generated(pendulum, bob, dt, Leapfrog)),
+        ("pendulum", "Implicit", generated(pendulum, bob, dt, Implicit)),
+        ("pendulum", "DiscreteGradient", generated(pendulum, bob, dt, DiscreteGradient)),
+    ]
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let mut loops = loops();
+    if let Some(i) = arguments.iter().position(|a| a == "--only") {
+        let (name, steps) = (&arguments[i + 1], arguments[i + 2].parse().expect("a number of steps"));
+        let (law, scheme) = name.split_once('/').expect("LAW/SCHEME");
+        let (_, _, run) = loops.iter_mut().find(|l| l.0 == law && l.1 == scheme).expect("a known loop");
+        black_box(run(steps));
+        return;
+    }
+    const STEPS: u64 = 20_000;
+    let mut best = vec![f64::INFINITY; loops.len()];
+    for _ in 0..100 {
+        for ((_, _, run), best) in loops.iter_mut().zip(&mut best) {
+            let clock = Instant::now();
+            black_box(run(black_box(STEPS)));
+            *best = best.min(clock.elapsed().as_nanos() as f64 / STEPS as f64);
+        }
+    }
+    println!("\n{:<10} {:<28} {:>9} {:>9} {:>12}", "law", "loop", "ns/step", "× twin", "× leap-frog");
+    let mut law = "";
+    let (mut twin, mut leapfrog) = (f64::NAN, f64::NAN);
+    for ((of, name, _), ns) in loops.iter().zip(best) {
+        if *of != law {
+            (law, twin, leapfrog) = (of, ns, f64::NAN);
+        }
+        if *name == "Leapfrog" {
+            leapfrog = ns;
+        }
+        println!("{of:<10} {name:<28} {ns:>9.2} {:>9.3} {:>12.3}", ns / twin, ns / leapfrog);
+    }
+}

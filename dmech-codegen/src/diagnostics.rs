@@ -1,0 +1,47 @@
+//! Every sentence that a user can be told, in two catalogues: about the [`law`] as a whole, about the [`body`] of its
+//! potential. Each points at the smallest piece of the user's own text and says what to write instead.
+
+pub(crate) mod body;
+pub(crate) mod law;
+
+use quote::ToTokens;
+use syn::Error;
+
+/// The text of a piece of code, on one line and not too long.
+fn text(tokens: &impl ToTokens) -> String {
+    const LONGEST: usize = 40;
+    let text = tidy(&tokens.to_token_stream().to_string());
+    if text.chars().count() <= LONGEST { text } else { text.chars().take(LONGEST - 1).chain(['…']).collect() }
+}
+
+/// Token streams print with a space between any two tokens; people write fewer.
+fn tidy(spaced: &str) -> String {
+    let mut text = spaced.split_whitespace().collect::<Vec<_>>().join(" ");
+    for (wide, narrow) in [
+        (" . ", "."),
+        (" ;", ";"),
+        (" ,", ","),
+        (" :: ", "::"),
+        (":: ", "::"),
+        (" (", "("),
+        ("( ", "("),
+        (" )", ")"),
+        ("[ ", "["),
+        (" ]", "]"),
+        (" < ", "<"),
+        (" >", ">"),
+        (" !", "!"),
+        ("& ", "&"),
+    ] {
+        text = text.replace(wide, narrow);
+    }
+    // An index stands close to its array.
+    for before in (b'a'..=b'z').chain(b'A'..=b'Z').chain(b'0'..=b'9').chain(*b"_])").map(char::from) {
+        text = text.replace(&format!("{before} ["), &format!("{before}["));
+    }
+    text
+}
+
+fn at(tokens: &impl ToTokens, message: impl std::fmt::Display) -> Error {
+    Error::new_spanned(tokens, message)
+}

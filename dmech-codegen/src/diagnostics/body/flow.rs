@@ -1,0 +1,124 @@
+//! Branches, loops, statements, and code that is no formula.
+
+use quote::ToTokens;
+use syn::{Error, Ident, Macro};
+
+use crate::diagnostics::{at, text};
+use crate::lower::Excess;
+
+pub(crate) fn no_result(name: &Ident) -> Error {
+    at(name, "the potential must end with its value; leave away the `;` behind the last expression")
+}
+
+/// What is said where nothing better is known.
+pub(crate) fn not_understood(name: &Ident) -> Error {
+    at(name, "this potential cannot be read; write its value as one formula")
+}
+
+pub(crate) fn early_return(e: &impl ToTokens) -> Error {
+    at(e, "`return` can only be the last statement; for a choice write `if … { a } else { b }`")
+}
+
+pub(crate) fn open_loop(token: &impl ToTokens) -> Error {
+    at(
+        token,
+        "how often this loop turns must be known when the macro runs; write `for i in 0..n` with a literal or a constant of \
+         this block",
+    )
+}
+
+pub(crate) fn jump(token: &impl ToTokens, keyword: &str) -> Error {
+    at(token, format!("a loop always runs to its end, without `{keyword}`; put an `if` around what only some turns do"))
+}
+
+pub(crate) fn label(label: &impl ToTokens) -> Error {
+    at(label, "labels have no use here, since nothing can jump to them; leave it away")
+}
+
+pub(crate) fn match_expression(token: &impl ToTokens) -> Error {
+    at(token, "`match` cannot be differentiated; write `if … { … } else if … { … } else { … }`")
+}
+
+pub(crate) fn if_let(token: &impl ToTokens) -> Error {
+    at(token, "a branch is chosen by a comparison; write `if x < 0.0 { … } else { … }`")
+}
+
+pub(crate) fn let_else(token: &impl ToTokens) -> Error {
+    at(token, "`let … else` has no use in a formula; bind names, arrays and tuples of names")
+}
+
+pub(crate) fn branches_differ(e: &impl ToTokens, yes: &str, no: &str) -> Error {
+    at(e, format!("the branches of this `if` must go together; one is {yes}, the other {no}"))
+}
+
+pub(crate) fn branches_differ_in(token: &impl ToTokens, name: &str) -> Error {
+    at(
+        token,
+        format!(
+            "after this `if`, `{name}` would be something that depends on the coordinates and is no number; only numbers can \
+             be chosen by a comparison"
+        ),
+    )
+}
+
+pub(crate) fn conditional_code(cfg: &impl ToTokens) -> Error {
+    at(cfg, "whether this holds is not known when the macro runs; write one `impl` block for each case")
+}
+
+pub(crate) fn inner_function(name: &Ident) -> Error {
+    at(name, format!("move `{name}` out of the body, into this `impl` block, and call it as `Self::{name}(…)`"))
+}
+
+pub(crate) fn inner_item(item: &impl ToTokens) -> Error {
+    at(item, "the body of a potential is a formula; move this item out of it")
+}
+
+pub(crate) fn macro_call(call: &Macro) -> Error {
+    let name = text(&call.path);
+    let message = match name.as_str() {
+        "println" | "print" | "eprintln" | "eprint" | "dbg" => {
+            format!("a potential prints nothing; `{name}!` belongs in the program that runs it")
+        }
+        "assert" | "debug_assert" | "assert_eq" | "panic" | "todo" | "unimplemented" | "unreachable" => {
+            format!("a potential cannot fail; check parameters where the law is made, without `{name}!`")
+        }
+        _ => format!("what `{name}!` expands to cannot be seen here; write the formula out"),
+    };
+    at(call, message)
+}
+
+pub(crate) fn struct_literal(path: &impl ToTokens) -> Error {
+    at(path, "structs cannot be built in a formula; use arrays, tuples or nalgebra's vectors")
+}
+
+pub(crate) fn mutable_reference(token: &impl ToTokens) -> Error {
+    at(token, "a formula hands values on, not places; return the new value instead of taking `&mut`")
+}
+
+pub(crate) fn not_a_formula(e: &impl ToTokens, what: &str) -> Error {
+    at(
+        e,
+        format!(
+            "{what} cannot be differentiated; a potential is made of numbers, `let`, arithmetic, `if` on comparisons, \
+             constant loops and the functions of `f64`"
+        ),
+    )
+}
+
+pub(crate) fn too_deep(e: &impl ToTokens) -> Error {
+    at(e, "this is nested too deeply to be read; bind an inner part to a name with `let`")
+}
+
+pub(crate) fn expression_too_deep(name: &Ident) -> Error {
+    at(name, "this potential applies function to function too many times to be differentiated, probably in a loop")
+}
+
+pub(crate) fn excess(e: &impl ToTokens, excess: Excess) -> Error {
+    let message = match excess {
+        Excess::Turns => "the loops of this law take more than 10000 turns; a law is unrolled into one formula, keep it small",
+        Excess::Expressions => "this law unrolls into more than 100000 expressions; shorten its loops",
+        Excess::Steps => "this law calls its helpers and loops too often to be unrolled; bind what is used twice with `let`",
+        Excess::Terms => "the sums of this law unroll into too many terms; shorten its loops",
+    };
+    at(e, message)
+}

@@ -1,0 +1,82 @@
+//! Helpers of the block, functions from elsewhere, closures.
+
+use quote::ToTokens;
+use syn::{Error, Ident};
+
+use crate::diagnostics::{at, text};
+
+pub(crate) fn unknown_helper(name: &Ident, law: &str) -> Error {
+    at(
+        name,
+        format!(
+            "`{name}` is not a method of this block; a helper must stand beside the potential, in the same `impl {law}`, to be \
+             differentiated with it"
+        ),
+    )
+}
+
+pub(crate) fn conditional_sibling(name: &Ident) -> Error {
+    at(
+        name,
+        format!("which `{name}` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once"),
+    )
+}
+
+pub(crate) fn recursion(name: &Ident) -> Error {
+    at(name, format!("`{name}` calls itself; a formula has no recursion, write a `for` loop over a constant range"))
+}
+
+pub(crate) fn unfit_helper(name: &Ident) -> Error {
+    at(name, format!("`{name}` is `async` or `unsafe`; a helper is a plain `fn`"))
+}
+
+pub(crate) fn changing_helper(name: &Ident) -> Error {
+    at(name, format!("`{name}` takes `&mut self`; a potential changes nothing, let the helper take `&self`"))
+}
+
+pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {
+    if takes_law {
+        at(name, format!("`{name}` takes `&self`; call it as `self.{name}(…)`"))
+    } else {
+        at(name, format!("`{name}` takes no `&self`; call it as `Self::{name}(…)`"))
+    }
+}
+
+pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool) -> Error {
+    let name = text(path);
+    if is_helper {
+        return at(path, format!("`{name}` is a helper of this block; call it as `self.{name}(…)` or `Self::{name}(…)`"));
+    }
+    at(
+        path,
+        format!(
+            "what `{name}` computes cannot be seen here; write it as a helper in this `impl` block and call it as \
+             `Self::{}(…)`",
+            name.rsplit("::").next().unwrap_or(&name)
+        ),
+    )
+}
+
+pub(crate) fn no_argument(name: &Ident) -> Error {
+    at(name, format!("`f64::{name}` is given nothing to work on; write `x.{name}()` or `f64::{name}(x)`"))
+}
+
+pub(crate) fn not_a_function(e: &impl ToTokens) -> Error {
+    at(e, "only helpers of this block and functions of `f64` can be called; write `Self::helper(…)`")
+}
+
+pub(crate) fn stray_closure(e: &impl ToTokens) -> Error {
+    at(e, "closures can only be handed to `map`, `flat_map` and `fold`; write a helper in this `impl` block")
+}
+
+pub(crate) fn not_a_closure(e: &impl ToTokens) -> Error {
+    at(e, "a closure is expected here, `|x| …`, or a function by its path: `f64::sqrt`, `Self::helper`")
+}
+
+pub(crate) fn closure_arguments(e: &impl ToTokens, takes: usize, given: usize) -> Error {
+    at(e, format!("this closure takes {takes} arguments and is given {given}"))
+}
+
+pub(crate) fn no_method(name: &Ident, found: &str) -> Error {
+    at(name, format!("{found} has no method `{name}` that a law can use"))
+}

@@ -1,0 +1,122 @@
+//! Variables, constants, fields, patterns, places.
+
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::Error;
+
+use crate::diagnostics::{at, text};
+
+pub(crate) fn unknown_name(name: &Ident, has_position: bool) -> Error {
+    let declared = if has_position { "; declared coordinates: `q`" } else { "" };
+    let hint = if looks_constant(name) {
+        format!("A constant belongs in this block, `const {name}: f64 = …;`, and is called `Self::{name}`")
+    } else {
+        format!("A parameter is a field of the law: `self.{name}`")
+    };
+    at(name, format!("`{name}` is neither a coordinate nor a parameter{declared}. {hint}"))
+}
+
+pub(crate) fn unknown_in_helper(name: &Ident) -> Error {
+    let hint = if looks_constant(name) {
+        format!("A constant belongs in this block, `const {name}: f64 = …;`, and is called `Self::{name}`")
+    } else {
+        format!("Give it to the helper as an argument, or read a field of the law: `self.{name}`")
+    };
+    at(name, format!("`{name}` is not known in this helper. {hint}"))
+}
+
+fn looks_constant(name: &Ident) -> bool {
+    name.to_string().chars().all(|c| c.is_uppercase() || c.is_ascii_digit() || c == '_')
+}
+
+pub(crate) fn undeclared_argument(name: &Ident, meaning: &str) -> Error {
+    at(
+        name,
+        format!(
+            "`{name}` is not declared; for the {meaning}, add `{name}: f64` to the arguments of the potential, for a \
+             parameter of the law write `self.{name}`"
+        ),
+    )
+}
+
+pub(crate) fn velocity(name: &Ident) -> Error {
+    at(name, "a potential does not depend on the velocity; `v` has no meaning in it")
+}
+
+pub(crate) fn const_parameter(name: &Ident) -> Error {
+    at(
+        name,
+        format!(
+            "the value of the const parameter `{name}` is not known when the macro runs; state the law for one value, with \
+             a constant of the block: `const {name}: usize = 3;` and `Self::{name}`"
+        ),
+    )
+}
+
+pub(crate) fn imported_constant(name: &Ident) -> Error {
+    at(name, format!("what `{name}` was imported as cannot be seen here; write `std::f64::consts::{name}`"))
+}
+
+pub(crate) fn foreign_constant(e: &impl ToTokens, path: &str) -> Error {
+    let name = path.rsplit("::").next().unwrap_or(path);
+    at(
+        e,
+        format!(
+            "the value of `{path}` cannot be seen here; take it into this block, `const {name}: f64 = {path};`, and write \
+             `Self::{name}`"
+        ),
+    )
+}
+
+pub(crate) fn unknown_constant(name: &Ident, law: &str) -> Error {
+    at(
+        name,
+        format!("`{name}` is not a constant of this block; declare it beside the potential: `impl {law} {{ const {name}: f64 = …; }}`"),
+    )
+}
+
+pub(crate) fn unset_variable(name: &Ident) -> Error {
+    at(name, format!("`{name}` has no value yet, at least not in every branch before this"))
+}
+
+pub(crate) fn unknown_field(member: &impl ToTokens, declared: &str) -> Error {
+    let declared = if declared.is_empty() { "it has none".to_owned() } else { format!("declared: {declared}") };
+    at(member, format!("`{}` is not a parameter of this law; {declared}", text(member)))
+}
+
+pub(crate) fn no_field(member: &impl ToTokens, base: &impl ToTokens, found: &str) -> Error {
+    let hint = if found.starts_with("an array") { format!("; write an index, `{}[0]`", text(base)) } else { String::new() };
+    at(member, format!("{found} has no part `{}`{hint}", text(member)))
+}
+
+pub(crate) fn field_of_unknown_type(e: &impl ToTokens) -> Error {
+    at(
+        e,
+        "whether this is an array cannot be seen from the impl block; state its type where it is bound: `let mut k: [f64; 3] \
+         = self.k;`",
+    )
+}
+
+pub(crate) fn pattern(pattern: &impl ToTokens) -> Error {
+    at(
+        pattern,
+        "this pattern cannot be read; bind names, arrays and tuples of names: `let [x, y] = q;`, `let (s, c) = x.sin_cos();`",
+    )
+}
+
+pub(crate) fn pattern_mismatch(pattern: &impl ToTokens, found: &str, is_vector: bool) -> Error {
+    let hint = if is_vector { "; take its components: `let (x, y) = (q.x, q.y);`" } else { "" };
+    at(pattern, format!("this pattern does not fit {found}{hint}"))
+}
+
+pub(crate) fn wrong_count(pattern: &impl ToTokens, names: usize, values: usize) -> Error {
+    at(pattern, format!("this pattern has {names} parts and the value has {values}"))
+}
+
+pub(crate) fn not_a_place(e: &impl ToTokens) -> Error {
+    at(e, "only a variable declared with `let mut`, or an element of one, can be assigned to")
+}
+
+pub(crate) fn assignment_mismatch(e: &impl ToTokens, found: &str) -> Error {
+    at(e, format!("this cannot be assigned from {found}"))
+}

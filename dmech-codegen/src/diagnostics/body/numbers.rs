@@ -1,0 +1,168 @@
+//! Numbers, integers, conditions, functions.
+
+use proc_macro2::Ident;
+use quote::ToTokens;
+use syn::Error;
+
+use crate::diagnostics::{at, text};
+
+/// `2` where `2.0` is meant, or a variable that holds an integer.
+pub(crate) fn integer(e: &dyn ToTokens) -> Error {
+    let e = e.to_token_stream();
+    let written = text(&e);
+    let digits = written.replace(' ', "");
+    let bare = digits.trim_start_matches('-');
+    if !bare.is_empty() && bare.chars().all(|c| c.is_ascii_digit() || c == '_') {
+        at(&e, format!("`{digits}` is an integer and a number is expected here; write `{digits}.0`"))
+    } else if bare.starts_with(|c: char| c.is_ascii_digit()) && !bare.contains(|c: char| !c.is_ascii_alphanumeric()) {
+        at(&e, format!("`{digits}` is an integer and a number is expected here; write it with a decimal point"))
+    } else if written.chars().all(|c| c.is_alphanumeric() || c == '_') {
+        at(
+            &e,
+            format!(
+                "`{written}` is an integer and a number is expected here; write `{written} as f64`, or give it a value with a \
+                 decimal point"
+            ),
+        )
+    } else if written.contains(' ') {
+        at(&e, format!("`{written}` is an integer and a number is expected here; write `({written}) as f64`"))
+    } else {
+        at(&e, format!("`{written}` is an integer and a number is expected here; write `{written} as f64`"))
+    }
+}
+
+pub(crate) fn expected_number(e: &dyn ToTokens, found: &str) -> Error {
+    at(&e.to_token_stream(), format!("a number is expected here, this is {found}"))
+}
+
+pub(crate) fn expected_integer(e: &dyn ToTokens, found: &str) -> Error {
+    at(
+        &e.to_token_stream(),
+        format!("an integer that is known when the macro runs is expected here (a literal, a constant of this block, a loop index); this is {found}"),
+    )
+}
+
+pub(crate) fn expected_condition(e: &impl ToTokens, found: &str) -> Error {
+    at(e, format!("a condition is expected here, this is {found}; compare it with something: `x < 0.0`"))
+}
+
+pub(crate) fn field_as_condition(e: &impl ToTokens) -> Error {
+    at(
+        e,
+        format!(
+            "`{}` is used as a condition, and the parameters of a law are numbers; keep it as an `f64` and compare it: `if \
+             {} > 0.0`",
+            text(e),
+            text(e)
+        ),
+    )
+}
+
+pub(crate) fn compared_conditions(e: &impl ToTokens) -> Error {
+    at(e, "conditions on the coordinates cannot be compared with each other; join them with `&&`, `||` and `!`")
+}
+
+pub(crate) fn condition_too_large(e: &impl ToTokens) -> Error {
+    at(e, "this condition joins too many comparisons to be differentiated; split the law")
+}
+
+pub(crate) fn number_too_large(e: &impl ToTokens) -> Error {
+    at(e, "this number is out of range")
+}
+
+pub(crate) fn not_a_number(e: &impl ToTokens) -> Error {
+    at(e, "a formula is made of numbers; this is none")
+}
+
+pub(crate) fn single_precision_literal(e: &impl ToTokens) -> Error {
+    at(e, "write the number without a suffix; the generated code runs in `f32` and other scalars as well")
+}
+
+pub(crate) fn single_precision(ty: &impl ToTokens) -> Error {
+    at(ty, "write `f64`; the generated code runs in `f32` and other scalars as well")
+}
+
+pub(crate) fn integer_overflow(e: &impl ToTokens) -> Error {
+    at(e, "this integer has no value: it is out of range, or divides by zero")
+}
+
+pub(crate) fn division_by_zero(e: &impl ToTokens) -> Error {
+    at(e, "this divides by zero")
+}
+
+pub(crate) fn remainder(e: &impl ToTokens) -> Error {
+    at(e, "the remainder jumps, so that a potential with it has no force; for a periodic law write `sin` or `cos`")
+}
+
+pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
+    at(op, format!("`{}` works on bits, not on numbers; conditions are joined with `&&`, `||` and `!`", text(op)))
+}
+
+pub(crate) fn no_such_operation(e: &impl ToTokens, sign: &str, left: &str, right: &str) -> Error {
+    let both_arrays = left.starts_with("an array") && right.starts_with("an array");
+    let hint = match (both_arrays, left == right && left.starts_with("a vector")) {
+        (true, _) => "; arrays have no arithmetic, write it for each component or use nalgebra's vectors",
+        (_, true) => "; write `dot`, `cross` or `component_mul`",
+        _ => "",
+    };
+    at(e, format!("`{sign}` is not defined between {left} and {right}{hint}"))
+}
+
+pub(crate) fn cast_to_integer(e: &impl ToTokens) -> Error {
+    at(e, "rounding to an integer jumps, so that a potential with it has no force; keep the number as `f64`")
+}
+
+pub(crate) fn cast(e: &impl ToTokens, found: &str) -> Error {
+    at(e, format!("only integers and numbers can be cast, to `f64` or to an integer type; this is {found}"))
+}
+
+/// A method that numbers do not have, or that has no derivative.
+pub(crate) fn unknown_function(name: &Ident) -> Error {
+    let text = name.to_string();
+    let message = match text.as_str() {
+        "floor" | "ceil" | "round" | "trunc" | "fract" | "round_ties_even" | "rem_euclid" | "div_euclid" => {
+            format!("`{text}` jumps, so that a potential with it has no force; use a continuous function")
+        }
+        "pow" => "numbers have `powi` for integer exponents and `powf` for others: `x.powi(2)`, `x.powf(1.5)`".into(),
+        "square" | "squared" | "sq" => format!("`{text}` is not a function of `f64`; write `powi(2)` or `x * x`"),
+        "copysign" => "write `x.abs() * y.signum()` instead of `copysign`".into(),
+        "to_bits" | "from_bits" | "is_nan" | "is_finite" | "is_infinite" | "is_sign_negative" | "is_sign_positive"
+        | "total_cmp" | "partial_cmp" => {
+            format!("`{text}` looks at how a number is stored; a law compares numbers: `x < 0.0`")
+        }
+        _ => format!(
+            "`{text}` is not among the functions that can be differentiated: sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p \
+             log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot abs recip mul_add \
+             min max clamp signum"
+        ),
+    };
+    at(name, message)
+}
+
+pub(crate) fn wrong_arguments(name: &Ident, expected: usize, given: usize) -> Error {
+    let plural = if expected == 1 { "" } else { "s" };
+    at(name, format!("`{name}` takes {expected} argument{plural} here, not {given}"))
+}
+
+pub(crate) fn power_exponent(e: &impl ToTokens, found: &str) -> Error {
+    at(
+        e,
+        format!(
+            "the exponent of `powi` is an integer that is known when the macro runs, this is {found}; for any other exponent \
+             write `powf`"
+        ),
+    )
+}
+
+pub(crate) fn integer_exponent(e: &impl ToTokens) -> Error {
+    let e_text = text(e);
+    at(e, format!("`powf` takes a number; write `powi({e_text})`, or the exponent with a decimal point"))
+}
+
+pub(crate) fn exponent_too_large(e: &impl ToTokens, most: i32) -> Error {
+    at(e, format!("this power is larger than {most}, beyond any use in a potential"))
+}
+
+pub(crate) fn not_finite(e: &impl ToTokens, name: &str) -> Error {
+    at(e, format!("a potential is finite; `{name}` has no place in it"))
+}

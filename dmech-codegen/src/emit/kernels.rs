@@ -1,0 +1,263 @@
+//! The functions of the implementation, one for each kernel.
+
+use dmech_symbolic::expression::{Graph, Symbol};
+use dmech_symbolic::kernel::{Kernels, Step, Variables};
+use dmech_symbolic::program::Program;
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{quote, quote_spanned};
+
+use super::body::{Body, body};
+use super::names::{Names, ident};
+use crate::lower::{Parameter, Source};
+
+/// What all functions share.
+pub(super) struct Printer<'a> {
+    pub(super) graph: &'a Graph,
+    pub(super) names: Names,
+    pub(super) variables: &'a Variables,
+    pub(super) parameters: &'a [Parameter],
+    pub(super) scalar: Ident,
+    /// The hidden module of the facade.
+    pub(super) runtime: TokenStream,
+    /// D, as it is to be printed.
+    pub(super) dimension: Literal,
+    /// The user's method, if there is one.
+    pub(super) declared: Option<TokenStream>,
+    /// How a method of the implementation reaches the law itself: `self` or `self.law`.
+    pub(super) law: TokenStream,
+}
+
+impl Printer<'_> {
+    /// All functions of `Potential`.
+    pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
+        let Self { scalar, variables, .. } = self;
+        let d = &self.dimension;
+        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+        let doc = super::document::Documents::new(self.graph, kernels);
+        let q = [("q", &variables.q[..])];
+        let ends = [("a", &variables.a[..]), ("b", &variables.b[..])];
+        let potential = self.function("potential", &q, &[], quote!(#scalar), Shape::Scalar, &kernels.potential);
+        let gradient = self.function("gradient", &q, &[], vector.clone(), Shape::Vector, &kernels.gradient);
+        let hessian = self.function("hessian", &q, &[], matrix.clone(), Shape::Matrix, &kernels.hessian);
+        let kick_arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
+        let kick =
+            self.function("kick", &kick_arguments, &[variables.c], vector.clone(), Shape::Vector, &kernels.kick);
+        let discrete =
+            self.function("discrete_gradient", &ends, &[], vector, Shape::Vector, &kernels.discrete_gradient);
+        let jacobian = self.function(
+            "discrete_gradient_jacobian",
+            &ends,
+            &[],
+            matrix,
+            Shape::Matrix,
+            &kernels.discrete_gradient_jacobian,
+        );
+        let implicit = self.step("implicit_increment", &kernels.implicit, false);
+        let exact = self.step("discrete_increment", &kernels.discrete, true);
+        let [potential_doc, gradient_doc, hessian_doc, kick_doc, discrete_doc, jacobian_doc, implicit_doc, exact_doc] =
+            doc.texts;
+        quote! {
+            #(#[doc = #potential_doc])* #potential
+            #(#[doc = #gradient_doc])* #gradient
+            #(#[doc = #hessian_doc])* #hessian
+            #(#[doc = #discrete_doc])* #discrete
+            #(#[doc = #jacobian_doc])* #jacobian
+            #(#[doc = #kick_doc])* #kick
+            #(#[doc = #implicit_doc])* #implicit
+            #(#[doc = #exact_doc])* #exact
+        }
+    }
+
+    fn function(
+        &self,
+        name: &str,
+        arrays: &[(&str, &[Symbol])],
+        scalars: &[Symbol],
+        result: TokenStream,
+        shape: Shape,
+        program: &Program,
+    ) -> TokenStream {
+        let (name, scalar, d) = (ident(name), &self.scalar, &self.dimension);
+        let receiver = receiver();
+        let used = program.symbols();
+        let scalars = scalars.iter().map(|&s| {
+            let name = underscored(&self.names.symbol(s), used.contains(&s));
+            quote!(#name: #scalar)
+        });
+        let bound: Vec<_> = arrays.iter().map(|(_, symbols)| self.pattern(symbols, &used)).collect();
+        // A law that is only run counts as used.
+        let mention = self.declared.as_ref().filter(|_| matches!(shape, Shape::Scalar));
+        let mention = mention.map(|path| quote!(let _ = #path;));
+        let signature = arrays.iter().zip(&bound).map(|(&(array, _), pattern)| {
+            let array = underscored(&ident(array), pattern.is_some());
+            quote!(#array: [#scalar; #d])
+        });
+        let unpack = arrays.iter().zip(&bound).filter_map(|(&(array, _), pattern)| {
+            let (array, pattern) = (ident(array), pattern.as_ref()?);
+            Some(quote!(let #pattern = #array;))
+        });
+        let parameters = self.bind_parameters(&used);
+        let Body { statements, outputs } = body(program, &self.names, scalar);
+        let value = shape.gather(&outputs, self.variables.q.len());
+        quote! {
+            #[inline]
+            fn #name(&#receiver, #(#scalars,)* #(#signature),*) -> #result {
+                #mention
+                #(#unpack)*
+                #parameters
+                #statements
+                #value
+            }
+        }
+    }
+
+    /// `let [x, _] = …` with the names of the symbols that are used; none if none is.
+    fn pattern(&self, symbols: &[Symbol], used: &[Symbol]) -> Option<TokenStream> {
+        if !symbols.iter().any(|s| used.contains(s)) {
+            return None;
+        }
+        let names = symbols.iter().map(|s| {
+            let name = self.names.symbol(*s);
+            if used.contains(s) { quote!(#name) } else { quote!(_) }
+        });
+        Some(quote!([#(#names),*]))
+    }
+
+    fn bind_parameters(&self, used: &[Symbol]) -> TokenStream {
+        let scalar = &self.scalar;
+        let used = self.parameters.iter().filter(|p| used.contains(&p.symbol));
+        used.map(|parameter| {
+            let name = self.names.symbol(parameter.symbol);
+            match &parameter.source {
+                Source::Law(tokens) => {
+                    let value = on_law(tokens.clone(), &self.law);
+                    quote!(let #name = #scalar::from_f64(#value);)
+                }
+                Source::Mass => {
+                    let receiver = receiver();
+                    quote!(let #name = #receiver.mass;)
+                }
+                Source::Time => {
+                    let receiver = receiver();
+                    quote!(let #name = #receiver.t;)
+                }
+            }
+        })
+        .collect()
+    }
+
+    fn step(&self, name: &str, step: &Step, between: bool) -> TokenStream {
+        let Self { scalar, runtime, variables, dimension: d, .. } = self;
+        let (name, receiver) = (ident(name), receiver());
+        let equation = ident("equation");
+        let program = match step {
+            Step::Linear(program) | Step::Newton(program) | Step::Central(program) => program,
+        };
+        let used = program.symbols();
+        let parameters = self.bind_parameters(&used);
+        let Body { statements, outputs } = body(program, &self.names, scalar);
+        let solution = if let Step::Central(_) = step {
+            let solver = ident(if between { "discrete" } else { "implicit" });
+            let arguments = if between { vec![variables.s_a, variables.s_b] } else { vec![variables.s] };
+            let arguments = arguments.into_iter().map(|s| underscored(&self.names.symbol(s), used.contains(&s)));
+            quote! {
+                #runtime::newton::central::#solver(#equation, |#(#arguments: #scalar),*| {
+                    #statements
+                    [#(#outputs),*]
+                })
+            }
+        } else {
+            let solver = ident(match (step, between) {
+                (Step::Linear(_), false) => "once",
+                (Step::Linear(_), true) => "once_discrete",
+                (_, false) => "drive",
+                (_, true) => "drive_discrete",
+            });
+            let mut arrays = vec![("delta", &variables.delta), ("b", &variables.b)];
+            if between {
+                arrays.insert(0, ("a", &variables.a));
+            }
+            let bound: Vec<_> = arrays.iter().map(|(array, symbols)| (ident(array), self.pattern(symbols, &used))).collect();
+            let arguments = bound.iter().map(|(array, pattern)| underscored(array, pattern.is_some()));
+            let unpack = bound.iter().filter_map(|(array, pattern)| {
+                let pattern = pattern.as_ref()?;
+                Some(quote!(let #pattern = #array;))
+            });
+            let known = self.pattern(&variables.rhs, &used).map(|pattern| quote!(let #pattern = #equation.known();));
+            let g = used.contains(&variables.g).then(|| {
+                let g = self.names.symbol(variables.g);
+                quote!(let #g = #equation.g;)
+            });
+            let closure_equation = underscored(&equation, known.is_some() || g.is_some());
+            let (delta, gradient) = outputs.split_at(variables.q.len());
+            quote! {
+                #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
+                    #(#unpack)*
+                    #known
+                    #g
+                    #statements
+                    #runtime::newton::Correction { delta: [#(#delta),*], gradient: [#(#gradient),*] }
+                })
+            }
+        };
+        quote! {
+            #[inline]
+            fn #name(
+                &#receiver,
+                #equation: &#runtime::newton::Equation<#d, #scalar>,
+            ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
+                #parameters
+                #solution
+            }
+        }
+    }
+}
+
+/// What the results of a program are gathered into.
+#[derive(Clone, Copy)]
+enum Shape {
+    Scalar,
+    Vector,
+    Matrix,
+}
+
+impl Shape {
+    fn gather(self, outputs: &[TokenStream], dimension: usize) -> TokenStream {
+        match self {
+            Self::Scalar => outputs[0].clone(),
+            Self::Vector => quote!([#(#outputs),*]),
+            Self::Matrix => {
+                let rows = outputs.chunks(dimension).map(|row| quote!([#(#row),*]));
+                quote!([#(#rows),*])
+            }
+        }
+    }
+}
+
+/// `self`, as the user's own tokens see it.
+fn receiver() -> Ident {
+    Ident::new("self", Span::call_site())
+}
+
+fn underscored(name: &Ident, used: bool) -> Ident {
+    if used { name.clone() } else { ident(&format!("_{name}")) }
+}
+
+/// The user's `self.gm` with `self` replaced by what reaches the law.
+fn on_law(tokens: TokenStream, law: &TokenStream) -> TokenStream {
+    tokens
+        .into_iter()
+        .flat_map(|tree| match tree {
+            TokenTree::Ident(ident) if ident == "self" => {
+                let span = ident.span();
+                quote_spanned!(span=> #law).into_iter().collect::<Vec<_>>()
+            }
+            TokenTree::Group(group) => {
+                let mut inner = proc_macro2::Group::new(group.delimiter(), on_law(group.stream(), law));
+                inner.set_span(group.span());
+                vec![TokenTree::Group(inner)]
+            }
+            other => vec![other],
+        })
+        .collect()
+}

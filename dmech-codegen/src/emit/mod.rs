@@ -1,0 +1,11 @@
+//! Kernels → tokens: the implementation of `Potential` for the user's type.
+
+mod body;
+mod document;
+mod implementation;
+mod kernels;
+mod names;
+mod operation;
+mod region;
+
+pub(crate) use implementation::{implementation, stub};

@@ -1,0 +1,70 @@
+//! Which Rust identifier stands for which symbol and value.
+
+use std::collections::{HashMap, HashSet};
+
+use dmech_symbolic::expression::{Graph, Symbol};
+use dmech_symbolic::kernel::Variables;
+use dmech_symbolic::program::{Operation, Program};
+use proc_macro2::{Ident, Span};
+
+use crate::lower::Parameter;
+
+/// An identifier of generated code: it cannot see, nor be seen by, the user's local variables.
+pub(super) fn ident(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// The identifiers of a law's symbols.
+pub(super) struct Names {
+    of: HashMap<Symbol, String>,
+}
+
+/// What generated functions call their arguments.
+const ARGUMENTS: [&str; 5] = ["equation", "delta", "q", "v", "self"];
+
+impl Names {
+    pub(super) fn new(graph: &Graph, variables: &Variables, parameters: &[Parameter]) -> Self {
+        let mut of = HashMap::new();
+        let mut taken: HashSet<String> = ARGUMENTS.iter().map(|&name| name.to_owned()).collect();
+        let Variables { q, v, c, a, b, delta, rhs, g, s, s_a, s_b } = variables;
+        let fixed = [q, v, a, b, delta, rhs].into_iter().flatten().chain([c, g, s, s_a, s_b]);
+        for &symbol in fixed {
+            of.insert(symbol, graph.name(symbol).to_owned());
+            taken.insert(graph.name(symbol).to_owned());
+        }
+        taken.extend(["a", "b"].map(str::to_owned));
+        for parameter in parameters {
+            let mut name = graph.name(parameter.symbol).to_owned();
+            while !usable(&name) || !taken.insert(name.clone()) {
+                name.insert_str(0, "law_");
+            }
+            of.insert(parameter.symbol, name);
+        }
+        Self { of }
+    }
+
+    pub(super) fn symbol(&self, symbol: Symbol) -> Ident {
+        ident(&self.of[&symbol])
+    }
+
+    /// The formula's name of every value of a program, where it has one that is free.
+    pub(super) fn values(&self, program: &Program) -> Vec<Option<Ident>> {
+        let mut taken: HashSet<&str> = self.of.values().map(String::as_str).collect();
+        taken.extend(ARGUMENTS);
+        let named = program.operations.iter().zip(&program.names);
+        named
+            .map(|(operation, name)| match (operation, name) {
+                (Operation::Symbol(symbol), _) => Some(self.symbol(*symbol)),
+                (_, Some(name)) if !taken.contains(name.as_str()) && usable(name) => Some(ident(name)),
+                _ => None,
+            })
+            .collect()
+    }
+}
+
+/// A lower-case name that is neither a keyword nor one of the names t0, t1, … of values without a name.
+fn usable(name: &str) -> bool {
+    let temporary = name.strip_prefix('t').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
+    let plain = name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_');
+    !temporary && plain && syn::parse_str::<Ident>(name).is_ok()
+}

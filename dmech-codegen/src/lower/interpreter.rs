@@ -1,0 +1,286 @@
+//! The interpreter: finds the rule for an expression, notes errors, keeps the bounds.
+
+use std::collections::{BTreeMap, HashSet};
+
+use dmech_symbolic::expression::{self, Graph, Node};
+use dmech_symbolic::kernel::Variables;
+use quote::ToTokens;
+use syn::{Expr, Lit};
+
+use crate::diagnostics::body;
+use crate::model::{ArgumentRole, Model, Shape};
+
+use super::budget::{self, Budget, Excess};
+use super::lowered::{Lowered, Parameter, Source};
+use super::scope::Scope;
+use super::value::{At, Value};
+
+/// An expression of the engine.
+pub(super) type Formula = expression::Expr;
+
+pub(super) struct Interpreter<'m> {
+    pub(super) model: &'m Model,
+    pub(super) graph: Graph,
+    pub(super) variables: Variables,
+    pub(super) parameters: Vec<Parameter>,
+    /// Parameters by the code that reads them.
+    pub(super) known: BTreeMap<String, Formula>,
+    /// Names taken in the graph.
+    pub(super) names: HashSet<String>,
+    pub(super) scope: Scope,
+    /// The helpers and constants that are being read, outermost first.
+    pub(super) calls: Vec<String>,
+    pub(super) budget: Budget,
+    errors: Vec<syn::Error>,
+    said: HashSet<String>,
+}
+
+impl<'m> Interpreter<'m> {
+    pub(super) fn new(model: &'m Model) -> Self {
+        let mut graph = Graph::new();
+        let variables = Variables::new(&mut graph, model.dimension);
+        let names = super::field::reserved_names(&graph, &variables);
+        Self {
+            model,
+            graph,
+            variables,
+            parameters: vec![],
+            known: BTreeMap::new(),
+            names,
+            scope: Scope::default(),
+            calls: vec![],
+            budget: Budget::default(),
+            errors: vec![],
+            said: HashSet::new(),
+        }
+    }
+
+    pub(super) fn run(mut self) -> Result<Lowered, Vec<syn::Error>> {
+        let potential = &self.model.potential;
+        for argument in &potential.arguments {
+            let value = self.argument(argument.role);
+            self.bind(&argument.pattern, value, At::Other(&argument.pattern));
+        }
+        self.calls.push(potential.ident.to_string());
+        let value = self.function_body(&potential.body);
+        let result = super::statement::result_of(&potential.body);
+        let phi = match result {
+            Some(e) => self.number(value, e),
+            None if value.is_unknown() => None,
+            None => {
+                self.report(body::no_result(&potential.ident));
+                None
+            }
+        };
+        if let Some(phi) = phi
+            && self.depth_of(phi) > budget::MAX_EXPRESSION_DEPTH
+        {
+            self.report(body::expression_too_deep(&potential.ident));
+        }
+        if phi.is_none() && self.errors.is_empty() {
+            self.report(body::not_understood(&potential.ident));
+        }
+        match phi {
+            Some(potential) if self.errors.is_empty() => {
+                let Self { graph, variables, mut parameters, .. } = self;
+                // What was read and then cancelled is no parameter of the potential.
+                parameters.retain(|parameter| graph.depends_on(potential, &[parameter.symbol]));
+                Ok(Lowered { graph, variables, potential, parameters })
+            }
+            _ => Err(self.errors),
+        }
+    }
+
+    fn argument(&mut self, role: ArgumentRole) -> Value {
+        match role {
+            ArgumentRole::Position(shape) => {
+                let q: Vec<_> = self.variables.q.clone().into_iter().map(|s| self.graph.symbol(s)).collect();
+                match shape {
+                    Shape::Number => q.first().map_or(Value::Unknown, |&x| Value::Number(x)),
+                    Shape::Array => Value::Array(q.into_iter().map(Value::Number).collect()),
+                    Shape::Vector => Value::Vector(q),
+                }
+            }
+            ArgumentRole::Mass => Value::Number(self.parameter("m", "m", Source::Mass)),
+            ArgumentRole::Time => Value::Number(self.parameter("t", "t", Source::Time)),
+            ArgumentRole::Refused => Value::Unknown,
+        }
+    }
+
+    /// How deep an expression is nested.
+    fn depth_of(&self, root: Formula) -> usize {
+        let mut depth = vec![0; self.graph.len()];
+        for e in self.graph.reachable(&[root]) {
+            let below = self.graph.children(e).iter().map(|c| depth[c.index()]).max();
+            depth[e.index()] = 1 + below.unwrap_or(0);
+        }
+        depth[root.index()]
+    }
+
+    /// Notes an error, once.
+    pub(super) fn report(&mut self, error: syn::Error) {
+        const ENOUGH: usize = 50;
+        let span = error.span();
+        if self.errors.len() < ENOUGH && self.said.insert(format!("{span:?} {error}")) {
+            self.errors.push(error);
+        }
+    }
+
+    /// Runs without noting errors; where there were any, the value is not known.
+    pub(super) fn quietly(&mut self, run: impl FnOnce(&mut Self) -> Value) -> Value {
+        let (errors, said) = (std::mem::take(&mut self.errors), std::mem::take(&mut self.said));
+        let value = run(self);
+        let failed = !self.errors.is_empty();
+        (self.errors, self.said) = (errors, said);
+        if failed { Value::Unknown } else { value }
+    }
+
+    /// Notes an error; its value silences what follows.
+    pub(super) fn refuse(&mut self, error: syn::Error) -> Value {
+        self.report(error);
+        Value::Unknown
+    }
+
+    /// Notes that a bound has been passed, if so; false when nothing more is to be read.
+    pub(super) fn within(&mut self, excess: Option<Excess>, at: &Expr) -> bool {
+        if let Some(excess) = excess {
+            self.report(body::excess(at, excess));
+        }
+        !self.budget.exhausted
+    }
+
+    /// The value of an expression.
+    pub(super) fn value(&mut self, e: &'m Expr) -> Value {
+        let excess = self.budget.step();
+        if !self.within(excess, e) {
+            return Value::Unknown;
+        }
+        if self.budget.depth >= budget::MAX_DEPTH {
+            return self.refuse(body::too_deep(e));
+        }
+        self.budget.depth += 1;
+        let value = self.dispatch(e);
+        self.budget.depth -= 1;
+        match &value {
+            Value::Number(formula) if !self.settle(*formula, e) => Value::Unknown,
+            Value::Vector(components) if !components.clone().into_iter().all(|c| self.settle(c, e)) => Value::Unknown,
+            _ => value,
+        }
+    }
+
+    /// Keeps the bounds on what the engine has to store; false when they are passed.
+    pub(super) fn settle(&mut self, formula: Formula, e: &Expr) -> bool {
+        let (terms, exponent) = match self.graph.node(formula) {
+            Node::Sum { terms, .. } => (terms.len(), 0),
+            Node::Product { factors, .. } => {
+                (factors.len(), factors.iter().map(|&(_, n)| n.saturating_abs()).max().unwrap_or(0))
+            }
+            _ => (1, 0),
+        };
+        if exponent > budget::MAX_EXPONENT {
+            self.report(body::exponent_too_large(e, budget::MAX_EXPONENT));
+            return false;
+        }
+        let excess = self.budget.expression(self.graph.len(), terms);
+        self.within(excess, e)
+    }
+
+    fn dispatch(&mut self, e: &'m Expr) -> Value {
+        match e {
+            Expr::Lit(literal) => self.literal(&literal.lit, e),
+            Expr::Path(path) => self.path(path, e),
+            Expr::Paren(inner) => self.value(&inner.expr),
+            Expr::Group(inner) => self.value(&inner.expr),
+            Expr::Binary(binary) => self.binary_expression(binary, e),
+            Expr::Unary(unary) => self.unary_expression(unary, e),
+            Expr::MethodCall(call) => self.method_call(call, e),
+            Expr::Call(call) => self.call(call, e),
+            Expr::Field(field) => self.field_expression(field),
+            Expr::Index(index) => self.index_expression(index, e),
+            Expr::Array(array) => Value::Array(array.elems.iter().map(|element| self.value(element)).collect()),
+            Expr::Tuple(tuple) => Value::Tuple(tuple.elems.iter().map(|element| self.value(element)).collect()),
+            Expr::Repeat(repeat) => self.repeat(repeat),
+            Expr::Range(range) => self.range(range, e),
+            Expr::Cast(cast) => self.cast(cast, e),
+            Expr::Block(block) => match &block.label {
+                Some(label) => self.refuse(body::label(label)),
+                None => self.block(&block.block),
+            },
+            Expr::If(branch) => self.if_expression(branch, e),
+            Expr::ForLoop(each) => self.for_loop(each),
+            Expr::Assign(assign) => self.assign_expression(assign),
+            Expr::Reference(reference) => match &reference.mutability {
+                Some(mutability) => self.refuse(body::mutable_reference(mutability)),
+                None => self.value(&reference.expr),
+            },
+            Expr::Closure(_) => self.refuse(body::stray_closure(e)),
+            Expr::Return(_) => self.refuse(body::early_return(e)),
+            Expr::While(turns) => self.refuse(body::open_loop(&turns.while_token)),
+            Expr::Loop(turns) => self.refuse(body::open_loop(&turns.loop_token)),
+            Expr::Break(leave) => self.refuse(body::jump(&leave.break_token, "break")),
+            Expr::Continue(skip) => self.refuse(body::jump(&skip.continue_token, "continue")),
+            Expr::Match(choice) => self.refuse(body::match_expression(&choice.match_token)),
+            Expr::Macro(invocation) => self.refuse(body::macro_call(&invocation.mac)),
+            Expr::Struct(literal) => self.refuse(body::struct_literal(&literal.path)),
+            Expr::Unsafe(block) => self.refuse(body::not_a_formula(&block.unsafe_token, "an `unsafe` block")),
+            Expr::Async(block) => self.refuse(body::not_a_formula(&block.async_token, "an `async` block")),
+            Expr::Const(block) => self.refuse(body::not_a_formula(&block.const_token, "a `const` block")),
+            Expr::Try(question) => self.refuse(body::not_a_formula(&question.question_token, "the operator `?`")),
+            Expr::Let(condition) => self.refuse(body::if_let(&condition.let_token)),
+            other => self.refuse(body::not_a_formula(other, "this")),
+        }
+    }
+
+    fn literal(&mut self, literal: &Lit, e: &Expr) -> Value {
+        match literal {
+            Lit::Float(number) => match (number.suffix(), number.base10_parse::<f64>()) {
+                ("" | "f64", Ok(x)) if x.is_finite() => Value::Number(self.graph.number(x)),
+                ("" | "f64", _) => self.refuse(body::number_too_large(e)),
+                _ => self.refuse(body::single_precision_literal(number)),
+            },
+            Lit::Int(number) => match (number.suffix(), number.base10_parse::<i128>()) {
+                ("f64", Ok(n)) => Value::Number(self.graph.number(n as f64)),
+                ("f32", _) => self.refuse(body::single_precision_literal(number)),
+                (_, Ok(n)) => Value::Integer(n),
+                (_, Err(_)) => self.refuse(body::number_too_large(e)),
+            },
+            Lit::Bool(truth) => Value::known(truth.value),
+            _ => self.refuse(body::not_a_number(e)),
+        }
+    }
+
+    /// The value as one number; integers where a number belongs are refused.
+    pub(super) fn number(&mut self, value: Value, at: &dyn ToTokens) -> Option<Formula> {
+        match value {
+            Value::Number(formula) => Some(formula),
+            Value::Field(field) => Some(self.field_number(&field)),
+            Value::Integer(n) => {
+                self.report(body::integer(at));
+                // The number that was meant, so that nothing else is found wrong with it.
+                Some(self.graph.number(n as f64))
+            }
+            Value::Unknown => None,
+            other => {
+                self.report(body::expected_number(at, &other.kind()));
+                None
+            }
+        }
+    }
+
+    /// The value as an integer that is known now.
+    pub(super) fn integer(&mut self, value: Value, at: &dyn ToTokens) -> Option<i128> {
+        match value {
+            Value::Integer(n) => Some(n),
+            Value::Unknown => None,
+            other => {
+                self.report(body::expected_integer(at, &other.kind()));
+                None
+            }
+        }
+    }
+
+    /// A number as a value, unknown where there is none.
+    pub(super) fn from_number(formula: Option<Formula>) -> Value {
+        formula.map_or(Value::Unknown, Value::Number)
+    }
+}

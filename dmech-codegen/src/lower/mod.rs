@@ -1,0 +1,49 @@
+//! From the body of a potential to an expression: an abstract interpreter of the part of Rust that mechanics needs.
+//!
+//! | file | what it reads |
+//! |---|---|
+//! | [`interpreter`] | any expression: finds the right rule |
+//! | [`statement`] | blocks, `let`, loops |
+//! | [`pattern`] | what `let` and arguments bind; type annotations |
+//! | [`assign`] | `=`, `+=` and their places |
+//! | [`branch`] | `if`, comparisons, `&&`, `\|\|`, `!` |
+//! | [`arithmetic`] | `+ - * / %` on numbers, integers, vectors |
+//! | [`function`] | the functions of `f64` |
+//! | [`vector`] | nalgebra's vectors |
+//! | [`sequence`] | arrays, ranges and their iterators |
+//! | [`call`] | helpers of the block, `f64::sqrt(x)`, closures |
+//! | [`name`] | variables, constants |
+//! | [`field`] | `self.k`, `self.k[2]`, `Self::G` |
+//!
+//! Loops are unrolled, helpers inlined, branches merged with a selection. Every error is noted and its value replaced
+//! by [`Value::Unknown`](value::Value), which silences whatever follows from it, so that one run finds all of them.
+
+mod arithmetic;
+mod assign;
+mod branch;
+mod budget;
+mod call;
+mod field;
+mod function;
+mod interpreter;
+mod lowered;
+mod name;
+mod pattern;
+mod scope;
+mod sequence;
+mod statement;
+mod value;
+mod vector;
+
+#[cfg(test)]
+mod tests;
+
+use crate::model::Model;
+
+pub(crate) use budget::Excess;
+pub use lowered::{Lowered, Parameter, Source};
+
+/// The law as expressions, or everything in its body that cannot be differentiated or understood.
+pub(crate) fn lower(model: &Model) -> Result<Lowered, Vec<syn::Error>> {
+    interpreter::Interpreter::new(model).run()
+}

@@ -1,0 +1,172 @@
+//! Variables and constants.
+
+use proc_macro2::Ident;
+use quote::quote_spanned;
+use syn::{Expr, ExprPath, GenericParam, ImplItemConst};
+
+use crate::diagnostics::body;
+use crate::model::{ArgumentRole, Known, Sibling, known_type};
+
+use super::interpreter::Interpreter;
+use super::scope::Scope;
+use super::value::{At, Field, Value};
+
+impl<'m> Interpreter<'m> {
+    pub(super) fn path(&mut self, path: &'m ExprPath, e: &'m Expr) -> Value {
+        let names: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        if let Some(qself) = &path.qself {
+            return self.refuse(body::not_a_formula(&qself.ty, "a path through a trait"));
+        }
+        if let Some(name) = path.path.get_ident() {
+            return self.variable(name);
+        }
+        if let Some(x) = float_constant(&names) {
+            return Value::Number(self.graph.number(x));
+        }
+        match &names[..] {
+            [_, constant] if self.model.is_own_type(&path.path.segments[0].ident) => self.constant(constant, path),
+            [.., constant] if is_not_finite(&names) => self.refuse(body::not_finite(e, constant)),
+            _ => self.refuse(body::foreign_constant(e, &names.join("::"))),
+        }
+    }
+
+    fn variable(&mut self, name: &Ident) -> Value {
+        let text = name.to_string();
+        if let Some(found) = self.scope.find(&text) {
+            return match &self.scope.bindings[found].value {
+                Value::Unset => self.refuse(body::unset_variable(name)),
+                value => value.clone(),
+            };
+        }
+        if text == "self" {
+            return Value::Law;
+        }
+        let error = if self.model.generics.params.iter().any(|p| matches!(p, GenericParam::Const(c) if c.ident == *name)) {
+            body::const_parameter(name)
+        } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
+            body::imported_constant(name)
+        } else if self.calls.len() > 1 {
+            body::unknown_in_helper(name)
+        } else {
+            let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
+            let declared: Vec<_> = self.model.potential.arguments.iter().filter(|a| position(a.role)).collect();
+            let declares_m = self.model.names_mass;
+            match text.as_str() {
+                "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),
+                "t" => body::undeclared_argument(name, "time"),
+                "v" => body::velocity(name),
+                _ => body::unknown_name(name, !declared.is_empty()),
+            }
+        };
+        self.refuse(error)
+    }
+
+    /// `Self::G`
+    fn constant(&mut self, name: &str, path: &'m ExprPath) -> Value {
+        let model = self.model;
+        let last = &path.path.segments[1].ident;
+        match model.constants.get(name) {
+            None => self.refuse(body::unknown_constant(last, &self.model.name)),
+            Some(Sibling::Conditional) => self.refuse(body::conditional_sibling(last)),
+            Some(Sibling::One(constant)) => match known_type(&constant.ty) {
+                // What a formula shows by its name, and the compiler folds anyway.
+                known if reads_as_number(&known) && !self.calls.iter().any(|call| call.starts_with("const ")) => {
+                    let ty = &model.self_ty;
+                    let tokens = quote_spanned!(last.span()=> <#ty>::#last);
+                    let field = Field { tokens, key: format!("Self::{name}"), name: name.to_owned() };
+                    self.conform(Value::Field(field), &constant.ty, At::Other(path))
+                }
+                _ => self.evaluated_constant(constant),
+            },
+        }
+    }
+
+    /// The value of a constant as far as it can be known now.
+    pub(super) fn evaluated_constant(&mut self, constant: &'m ImplItemConst) -> Value {
+        let name = format!("const {}", constant.ident);
+        if self.calls.contains(&name) {
+            return self.refuse(body::recursion(&constant.ident));
+        }
+        let outer = std::mem::take(&mut self.scope);
+        self.calls.push(name);
+        let value = self.value(&constant.expr);
+        let value = self.conform(value, &constant.ty, At::Code(&constant.expr));
+        self.calls.pop();
+        self.scope = outer;
+        value
+    }
+
+    /// The length in a type.
+    pub(super) fn length(&mut self, length: &crate::model::Length) -> Option<usize> {
+        match length {
+            crate::model::Length::Literal(n) => Some(*n),
+            crate::model::Length::Constant(name) => {
+                let model = self.model;
+                let Some(Sibling::One(constant)) = model.constants.get(name) else { return None };
+                match self.evaluated_constant(constant) {
+                    Value::Integer(n) => usize::try_from(n).ok(),
+                    _ => None,
+                }
+            }
+        }
+    }
+
+    /// Runs with no variables in sight, as a function of its own does.
+    pub(super) fn in_new_scope<T>(&mut self, run: impl FnOnce(&mut Self) -> T) -> T {
+        let outer = std::mem::replace(&mut self.scope, Scope::default());
+        let result = run(self);
+        self.scope = outer;
+        result
+    }
+}
+
+/// Numbers, and arrays of arrays of them.
+fn reads_as_number(known: &Known) -> bool {
+    match known {
+        Known::Float | Known::Vector(_) => true,
+        Known::Array(of, _) => reads_as_number(of),
+        _ => false,
+    }
+}
+
+/// `std::f64::consts::PI`, `core::f64::consts::PI`, `consts::PI`, `f64::EPSILON`.
+pub(super) fn float_constant(names: &[String]) -> Option<f64> {
+    use std::f64::consts::*;
+    let names: Vec<_> = names.iter().map(String::as_str).collect();
+    let (parent, name) = match names[..] {
+        ["consts", name] | ["f64", "consts", name] | ["std" | "core", "f64", "consts", name] => ("consts", name),
+        ["f64", name] | ["std" | "core", "f64", name] => ("f64", name),
+        _ => return None,
+    };
+    Some(match (parent, name) {
+        ("consts", "PI") => PI,
+        ("consts", "TAU") => TAU,
+        ("consts", "E") => E,
+        ("consts", "SQRT_2") => SQRT_2,
+        ("consts", "FRAC_1_SQRT_2") => FRAC_1_SQRT_2,
+        ("consts", "FRAC_2_SQRT_PI") => FRAC_2_SQRT_PI,
+        ("consts", "FRAC_1_PI") => FRAC_1_PI,
+        ("consts", "FRAC_2_PI") => FRAC_2_PI,
+        ("consts", "FRAC_PI_2") => FRAC_PI_2,
+        ("consts", "FRAC_PI_3") => FRAC_PI_3,
+        ("consts", "FRAC_PI_4") => FRAC_PI_4,
+        ("consts", "FRAC_PI_6") => FRAC_PI_6,
+        ("consts", "FRAC_PI_8") => FRAC_PI_8,
+        ("consts", "LN_2") => LN_2,
+        ("consts", "LN_10") => LN_10,
+        ("consts", "LOG2_E") => LOG2_E,
+        ("consts", "LOG10_E") => LOG10_E,
+        ("consts", "LOG2_10") => LOG2_10,
+        ("consts", "LOG10_2") => LOG10_2,
+        ("f64", "EPSILON") => f64::EPSILON,
+        ("f64", "MAX") => f64::MAX,
+        ("f64", "MIN") => f64::MIN,
+        ("f64", "MIN_POSITIVE") => f64::MIN_POSITIVE,
+        _ => return None,
+    })
+}
+
+fn is_not_finite(names: &[String]) -> bool {
+    let [.., parent, name] = names else { return false };
+    parent == "f64" && matches!(name.as_str(), "INFINITY" | "NEG_INFINITY" | "NAN")
+}

@@ -1,0 +1,136 @@
+//! `#[derive(dmech::Law)] #[potential(|q: [f64; 1]| 0.5 * self.k * q[0] * q[0])] struct Spring { k: f64 }`
+
+use std::collections::BTreeMap;
+
+use proc_macro2::TokenStream;
+use syn::{Attribute, Block, Expr, ExprClosure, Fields, Item, ItemStruct, Meta, Pat, PatType, ReturnType, Stmt};
+use syn::{parse_quote, token};
+
+use crate::diagnostics::law;
+
+use super::{ArgumentRole, Model, Parsed, Potential, arguments, finish, nesting, signature};
+
+/// Reads the struct that the derive stands on.
+pub(crate) fn from_derive(item: TokenStream) -> Parsed {
+    let mut errors = vec![];
+    let model = read(item, &mut errors);
+    Parsed { item: TokenStream::new(), model: finish(model, errors) }
+}
+
+fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {
+    let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item));
+    match parsed {
+        Ok(Item::Struct(item)) => model(item, errors),
+        Ok(other) => {
+            errors.push(law::not_a_struct(&other));
+            None
+        }
+        Err(error) => {
+            errors.push(error);
+            None
+        }
+    }
+}
+
+fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
+    let mut krate = arguments::default_crate();
+    let mut potential = None;
+    for attribute in &item.attrs {
+        if attribute.path().is_ident("dmech") {
+            match attribute.meta.require_list() {
+                Ok(list) => krate = arguments::parse(list.tokens.clone(), errors),
+                Err(_) => errors.push(law::bare_option(attribute)),
+            }
+        } else if attribute.path().is_ident("potential") {
+            if potential.is_some() {
+                errors.push(law::second_closure(attribute));
+            } else {
+                potential = Some((attribute, closure(attribute, errors)));
+            }
+        }
+    }
+    let Some((attribute, closure)) = potential else {
+        errors.push(law::no_closure(&item.ident));
+        return None;
+    };
+    let closure = closure?;
+    check_closure(&closure, errors);
+    let typed: Vec<PatType> = closure.inputs.iter().filter_map(|input| typed(input, errors)).collect();
+    let arguments = signature::arguments(typed.iter(), &BTreeMap::new(), errors);
+    if arguments.dimension == 0 && arguments.list.is_empty() && typed.len() == closure.inputs.len() {
+        errors.push(law::no_position(&closure));
+    }
+    let (_, ty_generics, _) = item.generics.split_for_impl();
+    let ident = &item.ident;
+    Some(Model {
+        self_ty: parse_quote!(#ident #ty_generics),
+        krate,
+        name: ident.to_string(),
+        dimension: arguments.dimension,
+        names_mass: arguments.names(ArgumentRole::Mass),
+        names_time: arguments.names(ArgumentRole::Time),
+        docs: item.attrs.iter().filter(|a| a.path().is_ident("doc")).cloned().collect(),
+        potential: Potential {
+            ident: attribute.path().segments[0].ident.clone(),
+            arguments: arguments.list,
+            body: block(*closure.body),
+        },
+        methods: BTreeMap::new(),
+        constants: BTreeMap::new(),
+        fields: Some(fields(&item.fields)),
+        generics: item.generics,
+    })
+}
+
+fn closure(attribute: &Attribute, errors: &mut Vec<syn::Error>) -> Option<ExprClosure> {
+    let closure = match &attribute.meta {
+        Meta::List(list) => syn::parse2::<Expr>(list.tokens.clone()),
+        _ => Err(law::not_a_closure(attribute)),
+    };
+    match closure {
+        Ok(Expr::Closure(closure)) => return Some(closure),
+        Ok(other) => errors.push(law::not_a_closure(&other)),
+        Err(error) => errors.push(error),
+    }
+    None
+}
+
+fn check_closure(closure: &ExprClosure, errors: &mut Vec<syn::Error>) {
+    if let Some(asyncness) = &closure.asyncness {
+        errors.push(law::keyword(asyncness, "async"));
+    }
+    if let Some(capture) = &closure.capture {
+        errors.push(law::keyword(capture, "move"));
+    }
+    if let ReturnType::Type(..) = &closure.output {
+        signature::returns_number(&closure.output, &closure, errors);
+    }
+}
+
+fn typed(input: &Pat, errors: &mut Vec<syn::Error>) -> Option<PatType> {
+    match input {
+        Pat::Type(typed) => Some(typed.clone()),
+        other => {
+            errors.push(law::untyped_argument(other));
+            None
+        }
+    }
+}
+
+fn block(body: Expr) -> Block {
+    match body {
+        Expr::Block(body) if body.label.is_none() && body.attrs.is_empty() => body.block,
+        body => Block { brace_token: token::Brace::default(), stmts: vec![Stmt::Expr(body, None)] },
+    }
+}
+
+fn fields(fields: &Fields) -> Vec<(String, syn::Type)> {
+    fields
+        .iter()
+        .enumerate()
+        .map(|(i, field)| {
+            let name = field.ident.as_ref().map_or_else(|| i.to_string(), ToString::to_string);
+            (name, field.ty.clone())
+        })
+        .collect()
+}

@@ -1,0 +1,153 @@
+//! `#[dmech::law] impl Kepler { … }`
+
+use std::collections::BTreeMap;
+
+use proc_macro2::TokenStream;
+use syn::{Attribute, ImplItem, ImplItemFn, Item, ItemImpl, Path, Type};
+
+use crate::diagnostics::law;
+
+use super::roles::{self, Role};
+use super::{ArgumentRole, Model, Parsed, Potential, Sibling, arguments, finish, nesting, signature};
+
+/// Reads the block that the attribute stands on.
+pub(crate) fn from_impl(attribute: TokenStream, item: TokenStream) -> Parsed {
+    let mut errors = vec![];
+    let krate = arguments::parse(attribute, &mut errors);
+    let model = read(item.clone(), krate, &mut errors);
+    Parsed { item: roles::strip(item), model: finish(model, errors) }
+}
+
+fn read(item: TokenStream, krate: Path, errors: &mut Vec<syn::Error>) -> Option<Model> {
+    let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item));
+    match parsed {
+        Ok(Item::Impl(block)) => model(block, krate, errors),
+        Ok(other) => {
+            errors.push(law::not_an_impl(&other));
+            None
+        }
+        Err(error) => {
+            errors.push(error);
+            None
+        }
+    }
+}
+
+fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<Model> {
+    let ItemImpl { trait_, generics, self_ty, items, unsafety, .. } = block;
+    if let Some((path, _)) = &trait_ {
+        errors.push(law::trait_impl(path));
+    }
+    if let Some(unsafety) = &unsafety {
+        errors.push(law::keyword(unsafety, "unsafe"));
+    }
+    let Some(name) = type_name(&self_ty) else {
+        errors.push(law::unnamed_type(&self_ty));
+        return None;
+    };
+    let mut members = Members::default();
+    for item in items {
+        members.take(item, errors);
+    }
+    let Members { potential, methods, constants, had_role } = members;
+    let Some(method) = potential else {
+        if !had_role {
+            errors.push(law::no_role(&self_ty));
+        }
+        return None;
+    };
+    let arguments = signature::check(&method, &constants, errors);
+    let ImplItemFn { attrs, sig, block, .. } = method;
+    Some(Model {
+        self_ty: *self_ty,
+        generics,
+        krate,
+        name,
+        dimension: arguments.dimension,
+        names_mass: arguments.names(ArgumentRole::Mass),
+        names_time: arguments.names(ArgumentRole::Time),
+        docs: attrs.into_iter().filter(|a| a.path().is_ident("doc")).collect(),
+        potential: Potential { ident: sig.ident, arguments: arguments.list, body: block },
+        methods,
+        constants,
+        fields: None,
+    })
+}
+
+/// `Kepler` of `physics::Kepler<T>`.
+fn type_name(ty: &Type) -> Option<String> {
+    match ty {
+        Type::Path(path) => path.path.segments.last().map(|segment| segment.ident.to_string()),
+        Type::Group(group) => type_name(&group.elem),
+        Type::Paren(paren) => type_name(&paren.elem),
+        _ => None,
+    }
+}
+
+/// The members of the block, sorted.
+#[derive(Default)]
+struct Members {
+    potential: Option<ImplItemFn>,
+    methods: BTreeMap<String, Sibling<ImplItemFn>>,
+    constants: BTreeMap<String, Sibling<syn::ImplItemConst>>,
+    had_role: bool,
+}
+
+impl Members {
+    fn take(&mut self, item: ImplItem, errors: &mut Vec<syn::Error>) {
+        match item {
+            ImplItem::Fn(method) => self.take_method(method, errors),
+            ImplItem::Const(constant) => {
+                let name = constant.ident.to_string();
+                let conditional = is_conditional(&constant.attrs);
+                insert(&mut self.constants, name, constant, conditional);
+            }
+            // Types and macros of the block are the user's own; the body cannot reach them.
+            _ => {}
+        }
+    }
+
+    fn take_method(&mut self, method: ImplItemFn, errors: &mut Vec<syn::Error>) {
+        let mut is_potential = false;
+        for attribute in &method.attrs {
+            let Some(role) = Role::of(attribute) else { continue };
+            self.had_role = true;
+            if role != Role::Potential {
+                errors.push(law::later_role(attribute));
+                continue;
+            }
+            if attribute.meta.require_path_only().is_err() {
+                errors.push(law::role_arguments(attribute));
+            }
+            is_potential = true;
+        }
+        if !is_potential {
+            let conditional = is_conditional(&method.attrs);
+            insert(&mut self.methods, method.sig.ident.to_string(), method, conditional);
+            return;
+        }
+        if let Some(cfg) = method.attrs.iter().find(|a| is_cfg(a)) {
+            errors.push(law::conditional_potential(cfg));
+        }
+        match &self.potential {
+            Some(first) => {
+                errors.push(law::second_potential(&method.sig.ident, &first.sig.ident));
+                errors.push(law::first_potential(&first.sig.ident));
+            }
+            None => self.potential = Some(method),
+        }
+    }
+}
+
+fn insert<T>(map: &mut BTreeMap<String, Sibling<T>>, name: String, member: T, conditional: bool) {
+    let twice = map.contains_key(&name);
+    map.insert(name, if conditional || twice { Sibling::Conditional } else { Sibling::One(Box::new(member)) });
+}
+
+fn is_conditional(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(is_cfg)
+}
+
+fn is_cfg(attribute: &Attribute) -> bool {
+    attribute.path().is_ident("cfg")
+}

@@ -1,0 +1,130 @@
+//! From tokens to one checked [`Model`]: which type, which potential, in which coordinates, with which helpers.
+//!
+//! Nothing is known here of what the body of the potential computes; that is the business of [`crate::lower`].
+
+mod arguments;
+mod derived;
+mod implementation;
+mod nesting;
+mod roles;
+mod signature;
+mod types;
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeMap;
+
+use proc_macro2::TokenStream;
+use syn::{Attribute, Block, Generics, Ident, ImplItemConst, ImplItemFn, Pat, Path, Type};
+
+use crate::lower;
+
+pub(crate) use derived::from_derive;
+pub(crate) use implementation::from_impl;
+pub(crate) use types::{Known, Length, VectorAlias, known_type, vector_alias};
+
+/// What was read, and the user's item as it is to be emitted again.
+pub(crate) struct Parsed {
+    /// The item without the attributes of roles; empty for the derive, where the compiler keeps the item itself.
+    pub(crate) item: TokenStream,
+    /// The law, or everything that is wrong with it.
+    pub(crate) model: Result<Model, Vec<syn::Error>>,
+}
+
+/// A law that has been checked.
+pub struct Model {
+    /// The type that the law is stated for.
+    pub self_ty: Type,
+    /// The generics of the impl block, or of the struct.
+    pub generics: Generics,
+    /// The path of the facade crate, `::dmech` unless the user says otherwise.
+    pub krate: Path,
+    /// The last name in the path of the type: `Kepler`.
+    pub name: String,
+    /// The number of coordinates.
+    pub dimension: usize,
+    /// Whether the potential reads the mass, argument `m`.
+    pub names_mass: bool,
+    /// Whether the potential reads the time, argument `t`.
+    pub names_time: bool,
+    /// The doc comments of the potential.
+    pub docs: Vec<Attribute>,
+    /// The potential itself.
+    pub(crate) potential: Potential,
+    /// The other methods of the block, by name.
+    pub(crate) methods: BTreeMap<String, Sibling<ImplItemFn>>,
+    /// The constants of the block, by name.
+    pub(crate) constants: BTreeMap<String, Sibling<ImplItemConst>>,
+    /// The fields of the struct; only the derive sees them.
+    pub(crate) fields: Option<Vec<(String, Type)>>,
+}
+
+/// The method, or closure, with the role `potential`.
+pub(crate) struct Potential {
+    /// Its name; that of the attribute for the derive.
+    pub(crate) ident: Ident,
+    /// Its arguments in order.
+    pub(crate) arguments: Vec<Argument>,
+    /// What it computes.
+    pub(crate) body: Block,
+}
+
+/// An argument of the potential.
+pub(crate) struct Argument {
+    /// What it stands for.
+    pub(crate) role: ArgumentRole,
+    /// Its name in the body.
+    pub(crate) pattern: Pat,
+}
+
+/// What an argument stands for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ArgumentRole {
+    /// The position, `q`.
+    Position(Shape),
+    /// The mass, `m`.
+    Mass,
+    /// The time, `t`.
+    Time,
+    /// Refused; its value silences further errors.
+    Refused,
+}
+
+/// How a position is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// `f64`
+    Number,
+    /// `[f64; D]`
+    Array,
+    /// nalgebra's `SVector<f64, D>`
+    Vector,
+}
+
+/// Something else in the block.
+pub(crate) enum Sibling<T> {
+    /// The only one of its name.
+    One(Box<T>),
+    /// Several of one name, or one under `#[cfg]`: which one holds is not known while macros run.
+    Conditional,
+}
+
+impl Model {
+    /// The names under which the body may call the law's own type: `Self`, `Kepler`.
+    pub(crate) fn is_own_type(&self, ident: &Ident) -> bool {
+        ident == "Self" || *ident == self.name
+    }
+}
+
+/// A law that has errors is lowered all the same, so that those in its body show in the same run.
+fn finish(model: Option<Model>, mut errors: Vec<syn::Error>) -> Result<Model, Vec<syn::Error>> {
+    match model {
+        Some(model) if errors.is_empty() => Ok(model),
+        Some(model) => {
+            errors.extend(lower::lower(&model).err().unwrap_or_default());
+            Err(errors)
+        }
+        None => Err(errors),
+    }
+}

@@ -1,0 +1,70 @@
+//! The attributes that give a method its role.
+
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use syn::Attribute;
+
+/// What a method can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    Potential,
+    Force,
+    Pair,
+    PairForce,
+}
+
+impl Role {
+    /// The role that an attribute gives.
+    pub(super) fn of(attribute: &Attribute) -> Option<Self> {
+        Self::named(&attribute.path().get_ident()?.to_string())
+    }
+
+    fn named(name: &str) -> Option<Self> {
+        match name {
+            "potential" => Some(Self::Potential),
+            "force" => Some(Self::Force),
+            "pair" => Some(Self::Pair),
+            "pair_force" => Some(Self::PairForce),
+            _ => None,
+        }
+    }
+}
+
+/// The item without the attributes of roles on the members of its block; every other token as it was.
+pub(super) fn strip(item: TokenStream) -> TokenStream {
+    let mut tokens: Vec<_> = item.into_iter().collect();
+    let block = tokens.iter().rposition(|t| matches!(t, TokenTree::Group(g) if g.delimiter() == Delimiter::Brace));
+    if let Some(i) = block
+        && let TokenTree::Group(group) = &tokens[i]
+        && let Some(members) = without_roles(group.stream())
+    {
+        let mut stripped = Group::new(Delimiter::Brace, members);
+        stripped.set_span(group.span());
+        tokens[i] = TokenTree::Group(stripped);
+    }
+    tokens.into_iter().collect()
+}
+
+/// `None` where there was nothing to remove.
+fn without_roles(members: TokenStream) -> Option<TokenStream> {
+    let mut kept: Vec<TokenTree> = vec![];
+    let mut removed = false;
+    for token in members {
+        let hash = matches!(kept.last(), Some(TokenTree::Punct(p)) if p.as_char() == '#');
+        match &token {
+            TokenTree::Group(g) if hash && g.delimiter() == Delimiter::Bracket && gives_role(g.stream()) => {
+                kept.pop();
+                removed = true;
+            }
+            _ => kept.push(token),
+        }
+    }
+    removed.then(|| kept.into_iter().collect())
+}
+
+/// Whether the tokens between the brackets of an attribute are a role, with or without arguments.
+fn gives_role(attribute: TokenStream) -> bool {
+    let mut tokens = attribute.into_iter();
+    let Some(TokenTree::Ident(name)) = tokens.next() else { return false };
+    let is_path = matches!(tokens.next(), Some(TokenTree::Punct(p)) if p.as_char() == ':');
+    !is_path && Role::named(&name.to_string()).is_some()
+}

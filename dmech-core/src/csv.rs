@@ -1,0 +1,71 @@
+//! Trajectories as comma-separated values.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use dmech_scalar::Real;
+
+use crate::run::Run;
+use crate::state::State;
+
+/// A state that can be written as a row of numbers.
+pub trait Columns {
+    /// Writes the names of the columns, separated by commas.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    fn write_names(&self, out: &mut dyn Write) -> io::Result<()>;
+    /// Writes the numbers in the same order, with as many digits as it takes to read the same numbers back.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    fn write_values(&self, out: &mut dyn Write) -> io::Result<()>;
+}
+
+impl<const D: usize, R: Real> Columns for State<D, R> {
+    fn write_names(&self, out: &mut dyn Write) -> io::Result<()> {
+        write!(out, "t")?;
+        for name in ["q", "v"] {
+            for i in 0..D {
+                write!(out, ",{name}{i}")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_values(&self, out: &mut dyn Write) -> io::Result<()> {
+        write!(out, "{}", self.t)?;
+        for x in self.q.iter().chain(&self.v) {
+            write!(out, ",{x}")?;
+        }
+        Ok(())
+    }
+}
+
+impl<X: Columns> Run<X> {
+    /// Writes the recorded states: a row of names (`t,q0,q1,v0,v1`), then a row for each state, in digits that read
+    /// back as the same numbers.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write_csv(&self, mut out: impl Write) -> io::Result<()> {
+        self.last().write_names(&mut out)?;
+        writeln!(out)?;
+        for state in self.states() {
+            state.write_values(&mut out)?;
+            writeln!(out)?;
+        }
+        Ok(())
+    }
+
+    /// As [`write_csv`](Run::write_csv), into a file that is created or replaced.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
+        let mut out = BufWriter::new(File::create(path)?);
+        self.write_csv(&mut out)?;
+        out.flush()
+    }
+}

@@ -1,0 +1,159 @@
+//! What a motion must keep, and how well it was kept.
+
+/// A quantity that a motion, or a scheme, keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Invariant {
+    /// m v²/2 + Φ(q).
+    Energy,
+    /// The scheme's own energy; for `Kanatani` m z²/2 + (Φ(q) + Φ(q₋))/2 (3.9)–(3.10).
+    DiscreteEnergy,
+    /// Kinetic energy less accumulated work, each by the scheme's own definition (Greenspan (2.7)–(2.9), Kanatani (3.3)–(3.6)).
+    WorkEnergy,
+    /// m v.
+    LinearMomentum,
+    /// m (q v − v q), the antisymmetric product about the origin.
+    AngularMomentum,
+}
+
+impl Invariant {
+    /// All of them, in the order of reports.
+    pub const ALL: [Invariant; 5] = [
+        Invariant::Energy,
+        Invariant::DiscreteEnergy,
+        Invariant::WorkEnergy,
+        Invariant::LinearMomentum,
+        Invariant::AngularMomentum,
+    ];
+}
+
+impl core::fmt::Display for Invariant {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(match self {
+            Invariant::Energy => "energy",
+            Invariant::DiscreteEnergy => "discrete energy",
+            Invariant::WorkEnergy => "kinetic energy - work",
+            Invariant::LinearMomentum => "linear momentum",
+            Invariant::AngularMomentum => "angular momentum",
+        })
+    }
+}
+
+/// How well a scheme keeps an invariant that the law has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kept {
+    /// To round-off.
+    Exact,
+    /// It deviates by a power of the step and does not drift.
+    Bounded,
+    /// Not at all.
+    No,
+}
+
+impl core::fmt::Display for Kept {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(match self {
+            Kept::Exact => "exact",
+            Kept::Bounded => "bounded",
+            Kept::No => "not kept",
+        })
+    }
+}
+
+/// How an invariant moved over the recorded states.
+///
+/// For the angular momentum of more than two coordinates the values are norms of a tensor, and deviations the norm of
+/// the difference from the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift {
+    start: f64,
+    last: f64,
+    max_abs: f64,
+    samples: u64,
+    // Running means and moments of (t, value − start), after B. P. Welford, Technometrics 4 (1962) 419.
+    mean_t: f64,
+    mean_x: f64,
+    moment_tt: f64,
+    moment_tx: f64,
+}
+
+impl Drift {
+    pub(crate) fn new(t: f64, start: f64) -> Self {
+        let (mean_t, mean_x) = (t, 0.0);
+        Drift { start, last: start, max_abs: 0.0, samples: 1, mean_t, mean_x, moment_tt: 0.0, moment_tx: 0.0 }
+    }
+
+    /// A later value whose distance from the start is `deviation` (signed where that has a meaning).
+    pub(crate) fn observe(&mut self, t: f64, value: f64, deviation: f64) {
+        self.last = value;
+        // max() would drop a NaN.
+        if deviation.is_nan() || deviation.abs() > self.max_abs {
+            self.max_abs = deviation.abs();
+        }
+        self.samples += 1;
+        let weight = 1.0 / self.samples as f64;
+        let from_t = t - self.mean_t;
+        self.mean_t += weight * from_t;
+        self.mean_x += weight * (deviation - self.mean_x);
+        self.moment_tt += from_t * (t - self.mean_t);
+        self.moment_tx += from_t * (deviation - self.mean_x);
+    }
+
+    /// The value in the first state.
+    pub fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// The value in the last state.
+    pub fn last(&self) -> f64 {
+        self.last
+    }
+
+    /// The largest distance from the first value, in its units.
+    pub fn max_abs(&self) -> f64 {
+        self.max_abs
+    }
+
+    /// [`max_abs`](Drift::max_abs) over the first value; infinite if that is zero and the quantity moved.
+    pub fn max_relative(&self) -> f64 {
+        if self.max_abs == 0.0 { 0.0 } else { self.max_abs / self.start.abs() }
+    }
+
+    /// The trend: the slope of the least-squares line through the deviations, per unit of time.
+    ///
+    /// An error that only fluctuates has a slope near zero however long the run; one that accumulates does not.
+    pub fn slope(&self) -> f64 {
+        if self.moment_tt > 0.0 { self.moment_tx / self.moment_tt } else { 0.0 }
+    }
+
+    /// The number of states observed.
+    pub fn samples(&self) -> u64 {
+        self.samples
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A line comes back exactly, a symmetric wave has no slope, and a NaN is not lost.
+    #[test]
+    fn the_slope_is_that_of_the_least_squares_line() {
+        let mut line = Drift::new(1.0, 5.0);
+        let mut wave = Drift::new(-4.0, 2.0);
+        for k in 1..=100 {
+            let t = 1.0 + 0.3 * f64::from(k);
+            line.observe(t, 5.0 - 0.7 * (t - 1.0), -0.7 * (t - 1.0));
+        }
+        for t in -3..=4 {
+            let x = f64::from(t * t - 16);
+            wave.observe(f64::from(t), 2.0 + x, x);
+        }
+        assert!((line.slope() + 0.7).abs() < 1e-13, "{}", line.slope());
+        assert!((line.max_abs() - 21.0).abs() < 1e-13 && (line.max_relative() - 4.2).abs() < 1e-13);
+        assert!(wave.slope().abs() < 1e-14 && wave.max_abs() == 16.0 && wave.samples() == 9);
+        wave.observe(5.0, f64::NAN, f64::NAN);
+        wave.observe(6.0, 2.0, 0.0);
+        assert!(wave.max_abs().is_nan());
+    }
+}

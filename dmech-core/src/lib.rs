@@ -1,0 +1,44 @@
+//! What runs in dmech: laws, the five schemes, Newton, simulations, invariants, reports.
+//!
+//! A law is a [`Potential`]; the macros of `dmech` write one from its declaration, and one can be written by hand. A
+//! [`Simulation`] moves a [`State`] under it by a scheme, and the [`Run`] that comes back has the states, the invariants
+//! and a report.
+#![forbid(unsafe_code)]
+
+mod csv;
+mod error;
+mod invariant;
+mod law;
+mod report;
+mod run;
+mod simulation;
+mod state;
+mod stepper;
+mod vector;
+mod watch;
+
+pub mod newton;
+pub mod scheme;
+
+pub use csv::Columns;
+pub use dmech_scalar as scalar;
+pub use dmech_scalar::{Mask, Real};
+pub use error::{Error, Interrupted};
+pub use invariant::{Drift, Invariant, Kept};
+pub use law::{Law, Potential};
+pub use report::Report;
+pub use run::Run;
+pub use scheme::{DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start};
+pub use simulation::{NoScheme, Simulation};
+pub use state::State;
+pub use stepper::Stepper;
+
+/// Everything that a program needs: `use dmech::prelude::*;`.
+pub mod prelude {
+    pub use crate::law::{Law, Potential};
+    pub use crate::scheme::{
+        DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
+    };
+    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper};
+    pub use dmech_scalar::Real as _;
+}

@@ -1,0 +1,61 @@
+//! Where the guess is not good enough: lengthen the step gradually.
+
+use dmech_scalar::Real;
+
+use super::drive::{largest, settle};
+use super::{Correction, Equation, Increment, NotConverged};
+
+/// The shortest progress in θ before the path counts as ended (a fold: beyond it no continuous root exists).
+const SHORTEST: f64 = 1.0 / 16384.0;
+
+/// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.
+///
+/// θ, the part of the step, advances by as much as Newton accepts. Each Δ(θ) is predicted with the force extrapolated
+/// linearly in θ, so that the powers θ and θ² of the known parts are exact.
+#[cold]
+#[inline(never)]
+pub(super) fn follow<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    spent: u32,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    let mut evaluations = spent;
+    let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
+    let mut gradient = correct(&start, start.guess, equation.q).gradient;
+    evaluations += 1;
+    let mut slope = [R::ZERO; D];
+    let mut theta = 0.0;
+    let mut advance = 0.25;
+    let mut residual = f64::NAN;
+    while evaluations < equation.max_iterations {
+        let next = f64::min(theta + advance, 1.0);
+        // At the end the equation itself: a is then exact.
+        let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { *equation };
+        let ahead = R::from_f64(next - theta);
+        part.guess = part.increment(core::array::from_fn(|i| ahead.mul_add(slope[i], gradient[i])));
+        match settle(&part, &mut correct) {
+            Ok(found) => {
+                evaluations += found.evaluations;
+                if next >= 1.0 {
+                    return Ok(Increment { evaluations, iterations: evaluations, ..found });
+                }
+                slope = core::array::from_fn(|i| (found.gradient[i] - gradient[i]) / ahead);
+                gradient = found.gradient;
+                theta = next;
+                advance *= 2.0;
+            }
+            Err(astray) => {
+                evaluations += astray.iterations;
+                residual = astray.residual;
+                advance *= 0.25;
+                if advance < SHORTEST {
+                    break;
+                }
+            }
+        }
+    }
+    if residual.is_nan() {
+        residual = largest(&equation.guess);
+    }
+    Err(NotConverged { iterations: evaluations, residual })
+}

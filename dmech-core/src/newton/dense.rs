@@ -1,0 +1,50 @@
+//! Newton for laws written by hand: the force and its Jacobian are values, the linear solve is done here.
+
+use dmech_scalar::Real;
+
+use super::{Correction, Equation, Increment, NotConverged, drive, elimination};
+
+/// Solves Δ + g G(q + Δ) = drift − frozen, given b ↦ (G(b), J(b)) with J = ∂G/∂b.
+///
+/// # Errors
+/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
+pub fn dense<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut force: impl FnMut([R; D]) -> ([R; D], [[R; D]; D]),
+) -> Result<Increment<D, R>, NotConverged> {
+    drive(equation, |equation, delta, b| {
+        let (gradient, jacobian) = force(b);
+        correction(equation, delta, gradient, &jacobian)
+    })
+}
+
+/// As [`dense`], for a force (a, b) ↦ (G(a, b), ∂G/∂b) between two points.
+///
+/// # Errors
+/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
+pub fn dense_discrete<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D]),
+) -> Result<Increment<D, R>, NotConverged> {
+    drive(equation, |equation, delta, b| {
+        let (gradient, jacobian) = force(equation.a, b);
+        correction(equation, delta, gradient, &jacobian)
+    })
+}
+
+fn correction<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    delta: [R; D],
+    gradient: [R; D],
+    jacobian: &[[R; D]; D],
+) -> Correction<D, R> {
+    let g = equation.g;
+    let wanted = equation.increment(gradient);
+    let residual = core::array::from_fn(|i| wanted[i] - delta[i]);
+    let matrix = core::array::from_fn(|i| {
+        core::array::from_fn(|j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO }))
+    });
+    let delta = elimination::solve(matrix, residual);
+    let gradient = core::array::from_fn(|i| (0..D).fold(gradient[i], |sum, j| jacobian[i][j].mul_add(delta[j], sum)));
+    Correction { delta, gradient }
+}

@@ -1,0 +1,100 @@
+//! The Newton loop that all laws share, and when it may stop.
+
+use dmech_scalar::{Mask, Real};
+
+use super::{Correction, Equation, Increment, NotConverged, continuation};
+
+/// Corrections before the loop gives up on a starting point; quadratic convergence needs 3 to 6.
+const PATIENCE: u32 = 12;
+
+/// Solves the equation by Newton corrections δ = `correct`(equation, Δ, b) with b = q + Δ, to round-off on Δ.
+///
+/// `correct` must use the equation that it is given: where the guess is not good enough, the step is lengthened
+/// gradually and the equation passed in is that of a shorter step. The gradient returned is G + J δ of the last
+/// correction, so the force is not evaluated again at the solution.
+///
+/// # Errors
+/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
+#[inline]
+pub fn drive<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    match settle(equation, &mut correct) {
+        Ok(increment) => Ok(increment),
+        Err(astray) => continuation::follow(equation, astray.iterations, correct),
+    }
+}
+
+/// As [`drive`], for a force between two points; `correct` gets the equation, a, Δ and b.
+///
+/// # Errors
+/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
+#[inline]
+pub fn drive_discrete<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    drive(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
+}
+
+/// Newton from the equation's guess, given up as soon as it leaves the neighbourhood of the guess.
+///
+/// What must be right to round-off is the force: for a short step Δ is known to an ulp long before G = (known − Δ)/g is.
+/// With |δₖ₊₁| ≈ K |δₖ|² the error that remains in Δ after δₖ is K |δₖ|², and that of G is the same over g. K comes from
+/// the last two corrections. Before there are two, the force is taken to vary over lengths no shorter than the step, so
+/// that G + J δ is off by |G| (|δ|/|Δ|)² at most.
+///
+/// The guess is left behind when the first correction is larger than the whole step, or when corrections do not halve
+/// (the affine-invariant monotonicity test; P. Deuflhard, Newton Methods for Nonlinear Problems, §3.2).
+#[inline]
+pub(super) fn settle<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    // Below rounding, and by a margin: an error of half an ulp that always has the same sign is a drift.
+    let margin = R::from_f64(1.0 / 64.0) * R::EPSILON;
+    let half = R::from_f64(0.5);
+    let mut delta = equation.guess;
+    let mut last = R::ZERO;
+    for iteration in 1..=PATIENCE.min(equation.max_iterations) {
+        let Correction { delta: change, gradient } = correct(equation, delta, equation.end(delta));
+        delta = equation.increment(gradient);
+        let size = length(&change);
+        let step = length(&delta);
+        let settled;
+        let astray;
+        if iteration == 1 {
+            settled = (size * size).less_or_equal(margin * step * step);
+            let scale = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
+            astray = (scale + length(&equation.guess)).less(size);
+        } else {
+            let pull = equation.g.abs() * length(&gradient);
+            let halved = size.less_or_equal(half * last);
+            // What no longer shrinks is the rounding of b and of the known side.
+            let noise = R::from_f64(64.0) * R::EPSILON * (step + length(&equation.q) + length(&equation.drift));
+            let at_rest = halved.not().and(size.less_or_equal(noise));
+            settled = (size * size * size).less_or_equal(margin * pull * (last * last)).or(at_rest);
+            astray = halved.not();
+        }
+        if settled.all() {
+            return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
+        }
+        if astray.and(settled.not()).any() || !size.finite().all() {
+            return Err(NotConverged { iterations: iteration, residual: largest(&change) });
+        }
+        last = size;
+    }
+    Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations), residual: last.to_f64() })
+}
+
+/// Σ|xᵢ|: unlike a maximum it does not lose a NaN.
+#[inline]
+pub(super) fn length<const D: usize, R: Real>(x: &[R; D]) -> R {
+    x.iter().fold(R::ZERO, |sum, x| sum + x.abs())
+}
+
+/// The largest |xᵢ|, NaN if there is one.
+pub(super) fn largest<const D: usize, R: Real>(x: &[R; D]) -> f64 {
+    x.iter().map(|x| x.to_f64().abs()).fold(0.0, |a, b| if a.is_nan() || a > b { a } else { b })
+}

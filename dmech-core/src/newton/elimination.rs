@@ -1,0 +1,63 @@
+//! Small linear systems over any [`Real`].
+
+use dmech_scalar::{Mask, Real};
+
+/// Solves A x = b by elimination with row pivoting; a singular A gives numbers that are not finite.
+///
+/// Rows are exchanged lane by lane with selections, so that several systems side by side each get their own pivots.
+pub(super) fn solve<const D: usize, R: Real>(mut a: [[R; D]; D], mut b: [R; D]) -> [R; D] {
+    for k in 0..D {
+        for i in k + 1..D {
+            let larger = a[k][k].abs().less(a[i][k].abs());
+            if larger.any() {
+                for j in k..D {
+                    (a[k][j], a[i][j]) = exchanged(larger, a[k][j], a[i][j]);
+                }
+                (b[k], b[i]) = exchanged(larger, b[k], b[i]);
+            }
+        }
+        let inverse = a[k][k].recip();
+        for i in k + 1..D {
+            let factor = a[i][k] * inverse;
+            for j in k + 1..D {
+                a[i][j] = (-factor).mul_add(a[k][j], a[i][j]);
+            }
+            b[i] = (-factor).mul_add(b[k], b[i]);
+        }
+    }
+    for k in (0..D).rev() {
+        let mut sum = b[k];
+        for j in k + 1..D {
+            sum = (-a[k][j]).mul_add(b[j], sum);
+        }
+        b[k] = sum / a[k][k];
+    }
+    b
+}
+
+fn exchanged<R: Real>(swap: R::Mask, x: R, y: R) -> (R, R) {
+    (R::select(swap, || y, || x), R::select(swap, || x, || y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::solve;
+
+    /// Residual of every solution, on matrices that need a pivot: a zero or tiny leading entry.
+    #[test]
+    fn a_solution_satisfies_its_system_also_where_the_first_pivot_vanishes() {
+        let systems = [
+            [[0.0, 2.0, -1.0], [3.0, 0.5, 4.0], [1.0, -7.0, 0.25]],
+            [[1e-18, 2.0, 1.0], [1.0, 1.0, 1.0], [2.0, -1.0, 3.0]],
+            [[4.0, 1.0, 0.5], [8.0, 2.0, -3.0], [1.0, 6.0, 2.0]],
+        ];
+        let b = [1.3, -0.7, 2.9];
+        for a in systems {
+            let x = solve(a, b);
+            for i in 0..3 {
+                let ax: f64 = (0..3).map(|j| a[i][j] * x[j]).sum();
+                assert!((ax - b[i]).abs() < 1e-14, "row {i} of {a:?}: {ax}");
+            }
+        }
+    }
+}

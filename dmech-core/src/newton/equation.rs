@@ -1,0 +1,98 @@
+//! The one equation that all implicit steps share.
+
+use dmech_scalar::Real;
+
+/// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  where G(b) is ∇Φ(b) (trapezoid) or ∇̄Φ(a, b) (energy-exact steps).
+///
+/// | scheme | a | drift | frozen | g |
+/// |---|---|---|---|---|
+/// | `Implicit` | – | h v | g ∇Φ(q) | h²/4m |
+/// | `DiscreteGradient` | q | h v | 0 | h²/2m |
+/// | `Kanatani` | q₋ | h z = q − q₋ | 0 | h²/m |
+///
+/// The parts are kept apart because they shrink differently with the step: for a step of θh the drift is θ times as
+/// large, `frozen` and `g` θ² times, and a = q + θ (a − q). Where several roots exist the wanted one is that which is
+/// continuous with θ → 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Equation<const D: usize, R: Real> {
+    /// The position that the increment is added to.
+    pub q: [R; D],
+    /// The fixed end of the discrete gradient.
+    pub a: [R; D],
+    /// The part of the right-hand side that grows with h.
+    pub drift: [R; D],
+    /// The part of the right-hand side that grows with h², subtracted.
+    pub frozen: [R; D],
+    /// The coefficient of the unknown force, growing with h².
+    pub g: R,
+    /// Where to start.
+    pub guess: [R; D],
+    /// How many iterations are allowed.
+    pub max_iterations: u32,
+}
+
+impl<const D: usize, R: Real> Equation<D, R> {
+    /// The known side, drift − frozen.
+    #[inline]
+    pub fn known(&self) -> [R; D] {
+        core::array::from_fn(|i| self.drift[i] - self.frozen[i])
+    }
+
+    /// drift − frozen − g G: the increment that belongs to a force G.
+    ///
+    /// Formed this way, and not as a difference of positions, it has the relative precision of the force, and the
+    /// velocity that is updated with the same G agrees with it.
+    #[inline]
+    pub fn increment(&self, gradient: [R; D]) -> [R; D] {
+        core::array::from_fn(|i| (-self.g).mul_add(gradient[i], self.drift[i] - self.frozen[i]))
+    }
+
+    /// q + Δ.
+    #[inline]
+    pub fn end(&self, delta: [R; D]) -> [R; D] {
+        core::array::from_fn(|i| self.q[i] + delta[i])
+    }
+
+    /// The same equation for a step of θh.
+    pub(super) fn shortened(&self, theta: R) -> Self {
+        let theta2 = theta * theta;
+        Equation {
+            a: core::array::from_fn(|i| self.q[i] + theta * (self.a[i] - self.q[i])),
+            drift: self.drift.map(|x| theta * x),
+            frozen: self.frozen.map(|x| theta2 * x),
+            g: theta2 * self.g,
+            ..*self
+        }
+    }
+}
+
+/// The solution: Δ and G(q + Δ), which the velocity needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Increment<const D: usize, R: Real> {
+    /// q′ − q.
+    pub delta: [R; D],
+    /// G at the solution.
+    pub gradient: [R; D],
+    /// Evaluations of the force that it took.
+    pub evaluations: u32,
+    /// Newton corrections that it took; 0 where the step is linear.
+    pub iterations: u32,
+}
+
+/// One Newton correction, as generated code computes it in a straight line.
+#[derive(Clone, Copy, Debug)]
+pub struct Correction<const D: usize, R: Real> {
+    /// δ, the solution of (1 + g J) δ = drift − frozen − g G − Δ, where G and J are taken at q + Δ.
+    pub delta: [R; D],
+    /// G + J δ.
+    pub gradient: [R; D],
+}
+
+/// The iteration did not settle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotConverged {
+    /// Corrections made.
+    pub iterations: u32,
+    /// Largest component of the last correction (a length).
+    pub residual: f64,
+}

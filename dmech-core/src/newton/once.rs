@@ -1,0 +1,37 @@
+//! Linear forces: one correction from Δ = 0 is the solution.
+
+use dmech_scalar::Real;
+
+use super::drive::largest;
+use super::{Correction, Equation, Increment, NotConverged};
+use crate::vector::finite;
+
+/// Solves a linear step: `correct` is called once, with Δ = 0 and b = q.
+///
+/// For Φ = k q²/2 this is Kanatani's explicit form (3.20)–(3.21).
+///
+/// # Errors
+/// [`NotConverged`] when the solution is not finite: 1 + g J is singular.
+pub fn once<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    let Correction { gradient, .. } = correct(equation, [R::ZERO; D], equation.q);
+    let delta = equation.increment(gradient);
+    if finite(delta) {
+        Ok(Increment { delta, gradient, evaluations: 1, iterations: 0 })
+    } else {
+        Err(NotConverged { iterations: 0, residual: largest(&delta) })
+    }
+}
+
+/// As [`once`], for a force between two points; `correct` gets the equation, a, Δ and b.
+///
+/// # Errors
+/// [`NotConverged`] when the solution is not finite: 1 + g J is singular.
+pub fn once_discrete<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    once(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
+}

@@ -1,0 +1,116 @@
+//! The report of a run.
+
+use core::fmt;
+use std::time::Duration;
+
+use crate::invariant::{Drift, Invariant, Kept};
+use crate::run::Work;
+use crate::watch::Drifts;
+
+/// What a run kept and what it cost. `Display` shows it as a table for the terminal.
+#[derive(Clone, Copy, Debug)]
+pub struct Report {
+    scheme: &'static str,
+    order: u32,
+    dt: f64,
+    mass: f64,
+    kept: [Kept; Invariant::ALL.len()],
+    drifts: Drifts,
+    work: Work,
+}
+
+impl Report {
+    pub(crate) fn new(
+        scheme: &'static str,
+        order: u32,
+        dt: f64,
+        mass: f64,
+        kept: [Kept; Invariant::ALL.len()],
+    ) -> Self {
+        Report { scheme, order, dt, mass, kept, drifts: Default::default(), work: Work::default() }
+    }
+
+    pub(crate) fn finish(&mut self, drifts: Drifts, work: Work) {
+        self.drifts = drifts;
+        self.work = work;
+    }
+
+    /// The name of the scheme.
+    pub fn scheme(&self) -> &'static str {
+        self.scheme
+    }
+
+    /// The order of the scheme.
+    pub fn order(&self) -> u32 {
+        self.order
+    }
+
+    /// The time step; NaN if it was missing.
+    pub fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// The mass.
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// Steps completed.
+    pub fn steps(&self) -> u64 {
+        self.work.steps
+    }
+
+    /// How an invariant moved.
+    pub fn drift(&self, invariant: Invariant) -> Option<Drift> {
+        self.drifts[invariant as usize]
+    }
+
+    /// How well the scheme must keep an invariant.
+    pub fn kept(&self, invariant: Invariant) -> Kept {
+        self.kept[invariant as usize]
+    }
+
+    /// Evaluations of the force, the start not counted.
+    pub fn evaluations(&self) -> u64 {
+        self.work.evaluations
+    }
+
+    /// Newton corrections.
+    pub fn iterations(&self) -> u64 {
+        self.work.iterations
+    }
+
+    /// Time that the run took, recording and watching included.
+    pub fn elapsed(&self) -> Duration {
+        self.work.elapsed
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Work { steps, evaluations, iterations, elapsed } = self.work;
+        let per_step = |total: f64| if steps == 0 { 0.0 } else { total / steps as f64 };
+        writeln!(f, "{}, order {}, dt = {}, {steps} steps", self.scheme, self.order, self.dt)?;
+        writeln!(
+            f,
+            "  {:<22} {:>22} {:>12} {:>12} {:>12}  must be",
+            "invariant", "at the start", "largest", "relative", "per time"
+        )?;
+        for invariant in Invariant::ALL {
+            let Some(drift) = self.drift(invariant) else { continue };
+            writeln!(
+                f,
+                "  {invariant:<22} {:>22} {:>12} {:>12} {:>12}  {}",
+                format!("{:.15}", drift.start()),
+                format!("{:.2e}", drift.max_abs()),
+                format!("{:.2e}", drift.max_relative()),
+                format!("{:+.1e}", drift.slope()),
+                self.kept(invariant)
+            )?;
+        }
+        writeln!(f, "  {:<22} {evaluations:>22} {:>12.2} per step", "force evaluations", per_step(evaluations as f64))?;
+        writeln!(f, "  {:<22} {iterations:>22} {:>12.2} per step", "Newton iterations", per_step(iterations as f64))?;
+        let nanoseconds = per_step(elapsed.as_secs_f64() * 1e9);
+        write!(f, "  {:<22} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
+    }
+}

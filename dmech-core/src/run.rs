@@ -1,0 +1,90 @@
+//! The outcome of a simulation.
+
+use std::time::Duration;
+
+use crate::invariant::{Drift, Invariant, Kept};
+use crate::report::Report;
+use crate::scheme::Method;
+use crate::watch::Drifts;
+
+/// The recorded states of a simulation, what it kept and what it cost.
+///
+/// It does not name the law or the scheme in its type, so runs of different schemes fit into one array.
+#[derive(Clone, Debug)]
+pub struct Run<X> {
+    states: Vec<X>,
+    last: X,
+    report: Report,
+}
+
+/// What a run cost.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Work {
+    pub(crate) steps: u64,
+    pub(crate) evaluations: u64,
+    pub(crate) iterations: u64,
+    pub(crate) elapsed: Duration,
+}
+
+/// States to make room for in advance; a longer run grows as it goes.
+const ROOM: u64 = 1 << 16;
+
+impl<X> Run<X> {
+    pub(crate) fn empty<M: Method>(start: X, dt: f64, mass: f64) -> Self {
+        let kept = Invariant::ALL.map(M::keeps);
+        Run { states: Vec::new(), last: start, report: Report::new(M::NAME, M::ORDER, dt, mass, kept) }
+    }
+
+    pub(crate) fn expect(&mut self, states: u64) {
+        self.states.reserve(1 + states.min(ROOM) as usize);
+    }
+
+    /// The states that were recorded: the first, then every n-th.
+    pub fn states(&self) -> &[X] {
+        &self.states
+    }
+
+    /// The state at the end, also where it was not due to be recorded.
+    pub fn last(&self) -> &X {
+        &self.last
+    }
+
+    /// Steps completed.
+    pub fn steps(&self) -> u64 {
+        self.report.steps()
+    }
+
+    /// How an invariant moved over the recorded states and the last; `None` where the law, or the scheme, has no such
+    /// invariant.
+    pub fn drift(&self, invariant: Invariant) -> Option<Drift> {
+        self.report.drift(invariant)
+    }
+
+    /// How well the scheme must keep an invariant that the law has.
+    pub fn kept(&self, invariant: Invariant) -> Kept {
+        self.report.kept(invariant)
+    }
+
+    /// Invariants, work and time; `Display` shows it as a table.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+}
+
+impl<X: Clone> Run<X> {
+    pub(crate) fn record(&mut self, state: X) {
+        self.last = state.clone();
+        self.states.push(state);
+    }
+
+    pub(crate) fn finish(&mut self, last: X, drifts: Drifts, work: Work) {
+        self.last = last;
+        self.report.finish(drifts, work);
+    }
+}
+
+impl<X> core::fmt::Display for Run<X> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.report.fmt(f)
+    }
+}

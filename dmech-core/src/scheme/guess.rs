@@ -1,0 +1,76 @@
+//! Where Newton starts, and how long it may take.
+
+use dmech_scalar::Real;
+
+/// Where the iteration of an implicit step starts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Guess {
+    /// From the forces of the last three steps, continued by a parabola: off by O(h⁵).
+    #[default]
+    Predicted,
+    /// From the previous position, q′ = q, as in the papers: off by O(h).
+    Previous,
+}
+
+/// Options of the implicit schemes: `Implicit.with(Newton::from_previous())`.
+///
+/// They change the work, and the result by round-off only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Newton {
+    guess: Guess,
+    max_iterations: u32,
+}
+
+impl Newton {
+    pub(super) const DEFAULT: Newton = Newton { guess: Guess::Predicted, max_iterations: 200 };
+
+    /// Starts from the force of the last steps (the default).
+    pub const fn predicted() -> Self {
+        Newton::DEFAULT
+    }
+
+    /// Starts from the previous position, as in the papers.
+    pub const fn from_previous() -> Self {
+        Newton { guess: Guess::Previous, ..Newton::DEFAULT }
+    }
+
+    /// Allows n evaluations of the force in a step (default 200).
+    ///
+    /// A resolved step takes 1 to 4; the rest is for steps that have to be approached gradually. The count is looked at
+    /// between attempts, so a failed step may have made up to a dozen more.
+    pub const fn max_iterations(self, n: u32) -> Self {
+        Newton { max_iterations: n, ..self }
+    }
+
+    /// The allowed number of evaluations.
+    pub(super) const fn limit(&self) -> u32 {
+        self.max_iterations
+    }
+
+    /// The first Δ: h v − frozen − g (3G − 3G₋ + G₋₋), where G, G₋, G₋₋ are the last three forces.
+    ///
+    /// v is the last to be known of a step, so everything else is put together before it.
+    #[inline(always)]
+    pub(super) fn guess<const D: usize, R: Real>(
+        &self,
+        (dt, v): (R, [R; D]),
+        frozen: [R; D],
+        g: R,
+        [last, before, earlier]: [[R; D]; 3],
+    ) -> [R; D] {
+        match self.guess {
+            Guess::Predicted => core::array::from_fn(|i| {
+                let next = R::from_f64(3.0).mul_add(last[i] - before[i], earlier[i]);
+                let fall = g.mul_add(next, frozen[i]);
+                dt.mul_add(v[i], -fall)
+            }),
+            Guess::Previous => [R::ZERO; D],
+        }
+    }
+}
+
+impl Default for Newton {
+    fn default() -> Self {
+        Newton::DEFAULT
+    }
+}

@@ -1,0 +1,122 @@
+//! The implicit formulas: the trapezoidal rule.
+
+use dmech_scalar::Real;
+
+use super::{Effort, Method, Newton, Scheme, Stride};
+use crate::State;
+use crate::invariant::{Invariant, Kept};
+use crate::law::{Law, Potential};
+use crate::newton::{Equation, NotConverged};
+use crate::vector::{add_scaled, difference, dot, finite, scaled, sum};
+
+/// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
+///
+/// ```text
+/// (v′ + v)/2 = (q′ − q)/h,   (v′ − v)/h = (a(q′) + a(q))/2
+/// ```
+///
+/// | order | energy | angular momentum | symplectic | reversible | per step |
+/// |---|---|---|---|---|---|
+/// | 2 | bounded, O(h²) | bounded | conjugate | yes | 1 nonlinear solve |
+///
+/// The velocity is eliminated, Newton acts on the increment Δ = q′ − q, and v′ = v + h (a + a′)/2: v′ = 2Δ/h − v would
+/// amplify the round-off by 1/h. The work-energy balance holds with the mean force, W = Σ (F + F′)/2·Δq (2.7)–(2.9).
+///
+/// `Implicit` is a value and a type; `Implicit.with(...)` sets options.
+///
+/// # Errors
+/// [`NotConverged`] with iterations and residual.
+/// # Reference
+/// D. Greenspan, Univ. of Wisconsin, Computer Sciences TR 122 (1971), §2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Implicit {
+    newton: Newton,
+}
+
+/// [`Implicit`](struct@Implicit) with the default options.
+#[expect(non_upper_case_globals)]
+pub const Implicit: Implicit = Implicit { newton: Newton::DEFAULT };
+
+impl Implicit {
+    /// The same scheme with other options for the solution of its equation.
+    pub const fn with(self, newton: Newton) -> Self {
+        Implicit { newton }
+    }
+}
+
+/// What [`Implicit`](struct@Implicit) carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ImplicitMemory<const D: usize, R = f64> {
+    /// Position.
+    pub q: [R; D],
+    /// Velocity.
+    pub v: [R; D],
+    /// ∇Φ at the last three positions, the newest first.
+    gradients: [[R; D]; 3],
+}
+
+impl Method for Implicit {
+    const NAME: &'static str = "Implicit";
+    const ORDER: u32 = 2;
+    const SYMMETRIC: bool = true;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        match invariant {
+            Invariant::Energy | Invariant::AngularMomentum => Kept::Bounded,
+            Invariant::WorkEnergy | Invariant::LinearMomentum => Kept::Exact,
+            Invariant::DiscreteEnergy => Kept::No,
+        }
+    }
+}
+
+impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
+    type Memory = ImplicitMemory<D, R>;
+
+    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
+        let State { t, q, v } = *start;
+        let gradient = law.field(stride.mass, R::from_f64(t)).gradient(q);
+        Ok(ImplicitMemory { q, v, gradients: [gradient; 3] })
+    }
+
+    #[inline(always)]
+    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
+        let ImplicitMemory { q, v, gradients } = *memory;
+        let [gradient, before, _] = gradients;
+        let g = R::from_f64(0.25) * stride.fall;
+        let drift = scaled(stride.dt, v);
+        let frozen = scaled(g, gradient);
+        let guess = self.newton.guess((stride.dt, v), frozen, g, gradients);
+        let equation = Equation { q, a: q, drift, frozen, g, guess, max_iterations: self.newton.limit() };
+        let found = law.field(stride.mass, t + stride.dt).implicit_increment(&equation)?;
+        *memory = ImplicitMemory {
+            q: sum(q, found.delta),
+            v: add_scaled(v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient)),
+            gradients: [found.gradient, gradient, before],
+        };
+        Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
+    }
+
+    #[inline]
+    fn position(&self, memory: &Self::Memory) -> [R; D] {
+        memory.q
+    }
+
+    #[inline]
+    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
+        memory.v
+    }
+
+    #[inline]
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        finite(memory.q) && finite(memory.v)
+    }
+
+    fn kinetic_energy(&self, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(memory.v)
+    }
+
+    /// (F + F′)/2·Δq (2.7).
+    fn work(&self, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
+        R::from_f64(-0.5) * dot(sum(before.gradients[0], after.gradients[0]), difference(after.q, before.q))
+    }
+}

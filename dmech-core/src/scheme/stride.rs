@@ -1,0 +1,98 @@
+//! The length of a step and the mass that it moves.
+
+use dmech_scalar::{CompensatedVector, Real, two_sum};
+
+use crate::vector::dot;
+
+/// Time step and mass, with the coefficients that follow from them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stride<R> {
+    /// h, the time step.
+    pub dt: R,
+    /// m, the mass.
+    pub mass: R,
+    /// h/m: a whole kick is v − (h/m) ∇Φ.
+    pub kick: R,
+    /// h²/m, what a kick moves the particle in one step.
+    pub fall: R,
+    /// The part of `kick` by which dt·kick exceeds `fall`, in exact arithmetic.
+    excess: R,
+}
+
+impl<R: Real> Stride<R> {
+    /// A step of length dt for a particle of the given mass.
+    pub fn new(dt: R, mass: R) -> Self {
+        let kick = dt / mass;
+        let (fall, rest) = exact_product(dt, kick);
+        Stride { dt, mass, kick, fall, excess: rest / dt }
+    }
+
+    /// The same mass and γ times the step; γ may be negative.
+    pub fn times(&self, gamma: R) -> Self {
+        Stride::new(gamma * self.dt, self.mass)
+    }
+
+    /// m v²/2.
+    #[inline]
+    pub fn kinetic_energy<const D: usize>(&self, v: [R; D]) -> R {
+        R::from_f64(0.5) * self.mass * dot(v, v)
+    }
+
+    /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it.
+    #[inline(always)]
+    pub(super) fn drift<const D: usize>(&self, v: &CompensatedVector<D, R>) -> [R; D] {
+        core::array::from_fn(|i| self.dt.mul_add(v.hi[i], self.dt * v.lo[i]))
+    }
+
+    /// v −= (`fall`/`dt`) G, to more digits than that quotient has.
+    ///
+    /// The position moves by multiples of `fall`. Were the velocity to move by a coefficient that is only nearly fall/dt,
+    /// the same relative error in each step would feed energy in at a constant rate (2·10⁻¹³ of it in 500 orbits
+    /// of eccentricity 0.9, a 200th of a period at a step). The correction is smaller than an ulp of the kick, so it
+    /// goes to the low part of v and that part is carried on exactly.
+    #[inline(always)]
+    pub(super) fn kick_compensated<const D: usize>(&self, v: &mut CompensatedVector<D, R>, gradient: [R; D]) {
+        for i in 0..D {
+            let (change, rest) = two_sum(-self.kick * gradient[i], v.lo[i]);
+            let (high, low) = two_sum(v.hi[i], change);
+            v.hi[i] = high;
+            v.lo[i] = low + self.excess.mul_add(gradient[i], rest);
+        }
+    }
+}
+
+/// x y rounded, and the error of that rounding, by splitting both factors in halves.
+///
+/// # Reference
+/// T. J. Dekker, Numer. Math. 18 (1971) 224–242; the splitting is Veltkamp's.
+fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
+    let digits = 1.0 - R::EPSILON.to_f64().log2();
+    let splitter = R::from_f64((0.5 * digits).ceil().exp2() + 1.0);
+    let halves = |x: R| {
+        let shifted = splitter * x;
+        let high = shifted - (shifted - x);
+        (high, x - high)
+    };
+    let (product, (x1, x2), (y1, y2)) = (x * y, halves(x), halves(y));
+    (product, ((x1 * y1 - product) + x1 * y2 + x2 * y1) + x2 * y2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::exact_product;
+
+    /// In `f32` the product of the errors can be checked in `f64`, where it is exact.
+    #[test]
+    fn a_product_and_its_error_are_exact() {
+        let mut inexact = 0;
+        for k in 1..1000_u32 {
+            let (x, y) = (0.37_f32 * k as f32, 1.3_f32 / k as f32 + 0.01);
+            let (product, error) = exact_product(x, y);
+            assert_eq!(f64::from(product) + f64::from(error), f64::from(x) * f64::from(y));
+            inexact += u32::from(error != 0.0);
+        }
+        assert!(inexact > 900);
+        let (x, y) = (0.01_f64, 0.0314159_f64);
+        assert_eq!(exact_product(x, y).1, x.mul_add(y, -(x * y)));
+    }
+}

@@ -1,0 +1,174 @@
+//! Setting up and running.
+
+use std::time::Instant;
+
+use dmech_scalar::Real;
+
+use crate::error::{Error, Interrupted};
+use crate::law::Law;
+use crate::run::{Run, Work};
+use crate::scheme::Scheme;
+use crate::state::State;
+use crate::stepper::Stepper;
+use crate::watch::Watch;
+
+/// No scheme yet: such a simulation cannot run.
+#[derive(Clone, Copy, Debug)]
+pub struct NoScheme;
+
+/// A simulation to be set up and run.
+///
+/// ```
+/// use dmech_core::prelude::*;
+/// # struct Spring { k: f64 }
+/// # impl Potential<1> for Spring {
+/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
+/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
+/// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
+/// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+/// # }
+/// let run = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0]))
+///     .mass(2.0)
+///     .scheme(DiscreteGradient)
+///     .dt(0.01)
+///     .record_every(10)
+///     .run_until(20.0)?;
+/// assert_eq!(run.states().len(), 201);
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+#[must_use = "a simulation does nothing until it is run"]
+pub struct Simulation<L, X, S = NoScheme> {
+    law: L,
+    start: X,
+    scheme: S,
+    mass: f64,
+    dt: Option<f64>,
+    record_every: u64,
+}
+
+impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
+    /// A particle of mass 1 under a law, from a state.
+    pub fn new(law: L, start: State<D, R>) -> Self
+    where
+        L: Law<D, R>,
+    {
+        Simulation { law, start, scheme: NoScheme, mass: 1.0, dt: None, record_every: 1 }
+    }
+}
+
+impl<L, X, S> Simulation<L, X, S> {
+    /// The mass of the particle (default 1).
+    pub fn mass(self, mass: f64) -> Self {
+        Simulation { mass, ..self }
+    }
+
+    /// The scheme: `Explicit`, `Leapfrog`, `Implicit`, `DiscreteGradient`, `Kanatani`.
+    pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T> {
+        let Simulation { law, start, mass, dt, record_every, .. } = self;
+        Simulation { law, start, scheme, mass, dt, record_every }
+    }
+
+    /// The time step.
+    pub fn dt(self, dt: f64) -> Self {
+        Simulation { dt: Some(dt), ..self }
+    }
+
+    /// Records the state after every n-th step (default 1). The first state is always recorded.
+    pub fn record_every(self, n: u64) -> Self {
+        Simulation { record_every: n, ..self }
+    }
+}
+
+impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S>
+where
+    L: Law<D, R>,
+    S: Scheme<L, D, R>,
+{
+    /// A stepper, which neither records nor allocates.
+    ///
+    /// # Errors
+    /// [`Error`] for input that is refused.
+    pub fn stepper(self) -> Result<Stepper<L, S, D, R>, Error> {
+        let dt = self.dt.ok_or(Error::MissingTimeStep)?;
+        Stepper::new(self.law, self.scheme, self.start, dt, self.mass)
+    }
+
+    /// Makes a number of steps.
+    ///
+    /// # Errors
+    /// [`Interrupted`] with everything recorded so far: input that is refused, a step that does not converge, a state
+    /// that is not finite.
+    pub fn run(self, steps: u64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>> {
+        self.record(|_, _| Ok(steps))
+    }
+
+    /// Makes as many steps as it takes to reach the time `end`: ⌈n − 10⁻⁹ n⌉ with n = (end − t₀)/dt, so that rounding
+    /// of n does not add a step. The last state may lie beyond `end` by less than dt.
+    ///
+    /// # Errors
+    /// As [`run`](Simulation::run).
+    pub fn run_until(self, end: f64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>> {
+        self.record(|start, dt| {
+            let n = (end - start) / dt;
+            // Beyond 2⁵³ the time t₀ + k h no longer distinguishes steps.
+            if !n.is_finite() || n > 9_007_199_254_740_992.0 {
+                return Err(Error::EndTime { end, dt });
+            }
+            Ok((n - 1e-9 * n).ceil().max(0.0) as u64)
+        })
+    }
+
+    fn record(
+        self,
+        count: impl FnOnce(f64, f64) -> Result<u64, Error>,
+    ) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>> {
+        let (start, record_every, mass, dt) = (self.start, self.record_every, self.mass, self.dt);
+        let mut run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
+        let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
+        let prepared = prepared.and_then(|stepper| Ok((count(start.t, dt.unwrap_or(f64::NAN))?, stepper)));
+        let (steps, mut stepper) = match prepared {
+            Ok(prepared) => prepared,
+            Err(cause) => return Err(Interrupted::new(run, cause)),
+        };
+        let clock = Instant::now();
+        let mut watch = Watch::begin(stepper.parts(), start, stepper.memory());
+        run.expect(steps / record_every);
+        run.record(start);
+        let mut until_record = record_every;
+        let mut failure = None;
+        for _ in 0..steps {
+            let before = stepper.memory().clone();
+            if let Err(error) = stepper.step() {
+                failure = Some(error);
+                break;
+            }
+            let (_, scheme, stride) = stepper.parts();
+            watch.add_work(scheme, stride, &before, stepper.memory());
+            until_record -= 1;
+            if until_record == 0 {
+                until_record = record_every;
+                let state = stepper.state();
+                watch.observe(stepper.parts(), &state, stepper.memory());
+                run.record(state);
+            }
+        }
+        let last = stepper.state();
+        if until_record != record_every {
+            watch.observe(stepper.parts(), &last, stepper.memory());
+        }
+        let work = Work {
+            steps: stepper.steps(),
+            evaluations: stepper.evaluations(),
+            iterations: stepper.iterations(),
+            elapsed: clock.elapsed(),
+        };
+        run.finish(last, watch.drifts(), work);
+        match failure {
+            None => Ok(run),
+            Some(cause) => Err(Interrupted::new(run, cause)),
+        }
+    }
+}

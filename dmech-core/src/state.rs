@@ -1,0 +1,40 @@
+//! The state of one particle.
+
+use dmech_scalar::Real;
+
+/// Time, position and velocity of a particle in D coordinates.
+///
+/// ```
+/// use dmech_core::State;
+///
+/// let planet = State::new([0.5, 0.0], [0.0, 1.63]).at_time(2.0);
+/// assert_eq!((planet.t, planet.q[0], planet.v[1]), (2.0, 0.5, 1.63));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<const D: usize, R = f64> {
+    /// Time.
+    pub t: f64,
+    /// Position.
+    pub q: [R; D],
+    /// Velocity.
+    pub v: [R; D],
+}
+
+impl<const D: usize, R> State<D, R> {
+    /// Position and velocity at t = 0.
+    pub const fn new(q: [R; D], v: [R; D]) -> Self {
+        State { t: 0.0, q, v }
+    }
+
+    /// The same position and velocity at time t.
+    pub fn at_time(self, t: f64) -> Self {
+        State { t, ..self }
+    }
+}
+
+impl<const D: usize, R: Real> State<D, R> {
+    /// The same position with the velocity turned round: where a reversible motion goes back from.
+    pub fn reversed(self) -> Self {
+        State { v: self.v.map(|v| -v), ..self }
+    }
+}

@@ -1,0 +1,153 @@
+//! Stepping without recording.
+
+use dmech_scalar::{Mask, Real};
+
+use crate::error::Error;
+use crate::law::{Law, Potential};
+use crate::newton::NotConverged;
+use crate::scheme::{Scheme, Stride};
+use crate::state::State;
+
+/// A simulation advanced by hand: it records nothing and allocates nothing.
+///
+/// Time is t₀ + k h after k steps, never a running sum.
+#[derive(Clone, Debug)]
+pub struct Stepper<L, S: Scheme<L, D, R>, const D: usize, R: Real = f64> {
+    law: L,
+    scheme: S,
+    stride: Stride<R>,
+    dt: f64,
+    start: State<D, R>,
+    memory: S::Memory,
+    steps: u64,
+    evaluations: u64,
+    iterations: u64,
+}
+
+impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D, R> {
+    pub(crate) fn new(law: L, scheme: S, start: State<D, R>, dt: f64, mass: f64) -> Result<Self, Error> {
+        check(dt, mass, &start)?;
+        let stride = Stride::new(R::from_f64(dt), R::from_f64(mass));
+        let field = law.field(stride.mass, R::from_f64(start.t));
+        let potential = field.potential(start.q);
+        if !potential.finite().all() {
+            return Err(Error::Law { quantity: "potential", value: potential.to_f64(), time: start.t });
+        }
+        if let Some(value) = field.gradient(start.q).into_iter().find(|x| !x.finite().all()) {
+            return Err(Error::Law { quantity: "gradient", value: value.to_f64(), time: start.t });
+        }
+        drop(field);
+        let memory = match scheme.begin(&law, &stride, &start) {
+            Ok(memory) => memory,
+            Err(NotConverged { iterations, residual }) => {
+                return Err(Error::NotConverged { step: 0, time: start.t, dt, iterations, residual });
+            }
+        };
+        Ok(Stepper { law, scheme, stride, dt, start, memory, steps: 0, evaluations: 0, iterations: 0 })
+    }
+
+    /// Advances by one time step.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] or [`Error::NotFinite`]; the stepper then stays where it was.
+    #[inline(always)]
+    pub fn step(&mut self) -> Result<(), Error> {
+        let t = R::from_f64(self.t());
+        let mut memory = self.memory.clone();
+        match self.scheme.step(&self.law, &self.stride, t, &mut memory) {
+            Ok(effort) => {
+                self.evaluations += u64::from(effort.evaluations);
+                self.iterations += u64::from(effort.iterations);
+            }
+            Err(cause) => return Err(self.not_converged(cause)),
+        }
+        if !self.scheme.finite(&memory) {
+            return Err(self.not_finite());
+        }
+        self.memory = memory;
+        self.steps += 1;
+        Ok(())
+    }
+
+    /// Position and velocity now.
+    pub fn state(&self) -> State<D, R> {
+        if self.steps == 0 {
+            return self.start;
+        }
+        let t = self.t();
+        let v = self.scheme.velocity(&self.law, &self.stride, R::from_f64(t), &self.memory);
+        State { t, q: self.q(), v }
+    }
+
+    /// Time now, t₀ + k h.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.start.t + self.steps as f64 * self.dt
+    }
+
+    /// Position now.
+    #[inline]
+    pub fn q(&self) -> [R; D] {
+        self.scheme.position(&self.memory)
+    }
+
+    /// Steps made.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Evaluations of the force so far, the start not counted.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    /// Newton corrections so far.
+    pub fn iterations(&self) -> u64 {
+        self.iterations
+    }
+
+    /// What the scheme carries: half-step velocities, z, compensated sums.
+    pub fn memory(&self) -> &S::Memory {
+        &self.memory
+    }
+
+    /// The law.
+    pub fn law(&self) -> &L {
+        &self.law
+    }
+
+    pub(crate) fn parts(&self) -> (&L, &S, &Stride<R>) {
+        (&self.law, &self.scheme, &self.stride)
+    }
+
+    #[cold]
+    fn not_converged(&self, cause: NotConverged) -> Error {
+        let NotConverged { iterations, residual } = cause;
+        Error::NotConverged { step: self.steps + 1, time: self.t(), dt: self.dt, iterations, residual }
+    }
+
+    #[cold]
+    fn not_finite(&self) -> Error {
+        Error::NotFinite { step: self.steps + 1, time: self.t(), dt: self.dt }
+    }
+}
+
+fn check<const D: usize, R: Real>(dt: f64, mass: f64, start: &State<D, R>) -> Result<(), Error> {
+    let positive = |x: f64| x > 0.0 && x.is_finite();
+    // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
+    if !positive(dt) || !positive(R::from_f64(dt).to_f64()) {
+        return Err(Error::TimeStep { dt });
+    }
+    if !positive(mass) || !positive(R::from_f64(mass).to_f64()) {
+        return Err(Error::Mass { mass });
+    }
+    if !start.t.is_finite() {
+        return Err(Error::State { quantity: "t", value: start.t });
+    }
+    for (quantity, components) in [("q", &start.q), ("v", &start.v)] {
+        if let Some(value) = components.iter().find(|x| !x.finite().all()) {
+            return Err(Error::State { quantity, value: value.to_f64() });
+        }
+    }
+    Ok(())
+}

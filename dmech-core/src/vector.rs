@@ -1,0 +1,48 @@
+//! Arithmetic of arrays, for the schemes.
+
+use core::array::from_fn;
+
+use dmech_scalar::{Mask, Real};
+
+/// x + c y.
+#[inline(always)]
+pub(crate) fn add_scaled<const D: usize, R: Real>(x: [R; D], c: R, y: [R; D]) -> [R; D] {
+    from_fn(|i| c.mul_add(y[i], x[i]))
+}
+
+/// c x.
+#[inline(always)]
+pub(crate) fn scaled<const D: usize, R: Real>(c: R, x: [R; D]) -> [R; D] {
+    x.map(|x| c * x)
+}
+
+/// x + y.
+#[inline(always)]
+pub(crate) fn sum<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
+    from_fn(|i| x[i] + y[i])
+}
+
+/// x − y.
+#[inline(always)]
+pub(crate) fn difference<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
+    from_fn(|i| x[i] - y[i])
+}
+
+/// x·y.
+#[inline(always)]
+pub(crate) fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {
+    if D == 0 {
+        return R::ZERO;
+    }
+    let mut sum = x[0] * y[0];
+    for i in 1..D {
+        sum = x[i].mul_add(y[i], sum);
+    }
+    sum
+}
+
+/// Every component is finite in every lane.
+#[inline(always)]
+pub(crate) fn finite<const D: usize, R: Real>(x: [R; D]) -> bool {
+    x.iter().all(|x| x.finite().all())
+}

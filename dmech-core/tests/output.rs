@@ -1,0 +1,62 @@
+//! What a run shows and writes.
+
+mod common;
+
+use common::{SUN, greenspan_orbit};
+use dmech_core::prelude::*;
+
+#[test]
+fn the_csv_reads_back_as_the_same_numbers() {
+    let run = Simulation::new(SUN, greenspan_orbit()).scheme(DiscreteGradient).dt(0.1).record_every(2).run(41).unwrap();
+    let mut bytes = Vec::new();
+    run.write_csv(&mut bytes).unwrap();
+    let text = String::from_utf8(bytes).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("t,q0,q1,v0,v1"));
+    let mut rows = 0;
+    for (line, state) in lines.zip(run.states()) {
+        let row: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
+        assert_eq!(row, [state.t, state.q[0], state.q[1], state.v[0], state.v[1]]);
+        rows += 1;
+    }
+    assert_eq!((rows, text.lines().count()), (21, 22));
+}
+
+#[test]
+fn the_csv_can_go_to_a_file() {
+    let run = Simulation::new(SUN, greenspan_orbit()).scheme(Leapfrog).dt(0.1).run(3).unwrap();
+    let path = std::env::temp_dir().join(format!("dmech-core-{}.csv", std::process::id()));
+    run.save_csv(&path).unwrap();
+    let written = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    let mut bytes = Vec::new();
+    run.write_csv(&mut bytes).unwrap();
+    assert_eq!(written.as_bytes(), bytes);
+    assert!(run.save_csv("/no/such/folder/orbit.csv").is_err());
+}
+
+/// The report names what it must: and its columns stand under their heads.
+#[test]
+fn the_report_is_a_table() {
+    let run = Simulation::new(SUN, greenspan_orbit()).scheme(Kanatani).dt(0.02).run_until(350.0).unwrap();
+    let text = run.to_string();
+    println!("{text}");
+    for part in [
+        "Kanatani, order 2, dt = 0.02, 17500 steps",
+        "discrete energy",
+        "angular momentum",
+        "exact",
+        "bounded",
+        "force evaluations",
+        "Newton iterations",
+        "ns per step",
+    ] {
+        assert!(text.contains(part), "{part} is missing from\n{text}");
+    }
+    let head = text.lines().nth(1).unwrap();
+    let column = head.find("must be").unwrap();
+    let rows: Vec<&str> = text.lines().skip(2).take(4).collect();
+    assert!(rows.iter().all(|row| ["exact", "bounded"].contains(&&row[column..])), "{text}");
+    assert_eq!(run.report().evaluations(), run.report().iterations());
+    assert!(run.report().elapsed().as_nanos() > 0);
+}

@@ -1,0 +1,134 @@
+//! Bad input, and runs that cannot go on.
+
+mod common;
+
+use common::{Kepler, SUN, greenspan_orbit};
+use dmech_core::prelude::*;
+
+type Outcome = Result<Run<State<2>>, Interrupted<State<2>>>;
+
+fn cause(outcome: Outcome) -> Error {
+    let interrupted = outcome.unwrap_err();
+    assert!(interrupted.run().states().is_empty() && interrupted.run().steps() == 0);
+    assert_eq!(interrupted.to_string(), interrupted.cause().to_string());
+    interrupted.cause()
+}
+
+#[test]
+fn bad_input_is_refused_before_the_first_step() {
+    let orbit = || Simulation::new(SUN, greenspan_orbit()).scheme(Leapfrog);
+    for dt in [0.0, -0.0, -0.1, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(matches!(cause(orbit().dt(dt).run(10)), Error::TimeStep { .. }), "{dt}");
+        assert!(cause(orbit().dt(dt).run(10)).to_string().contains(&format!("dt = {dt}")));
+        assert!(orbit().dt(dt).stepper().is_err());
+    }
+    for mass in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(cause(orbit().mass(mass).dt(0.1).run(10)), Error::Mass { .. }), "{mass}");
+    }
+    assert_eq!(cause(orbit().run(10)), Error::MissingTimeStep);
+    assert_eq!(cause(orbit().dt(0.1).record_every(0).run(10)), Error::RecordEvery);
+    for end in [f64::NAN, f64::INFINITY, 1e300] {
+        assert!(matches!(cause(orbit().dt(0.1).run_until(end)), Error::EndTime { .. }), "{end}");
+    }
+    for bad in [f64::NAN, f64::INFINITY] {
+        for (start, quantity) in [
+            (State::new([0.5, bad], [0.0, 1.63]), "q"),
+            (State::new([0.5, 0.0], [bad, 1.63]), "v"),
+            (greenspan_orbit().at_time(bad), "t"),
+        ] {
+            let error = cause(Simulation::new(SUN, start).scheme(Leapfrog).dt(0.1).run(10));
+            assert!(matches!(error, Error::State { quantity: q, .. } if q == quantity), "{error}");
+        }
+    }
+    let at_the_sun = Simulation::new(SUN, State::new([0.0, 0.0], [0.0, 1.0])).scheme(Leapfrog).dt(0.1);
+    assert!(matches!(cause(at_the_sun.run(10)), Error::Law { quantity: "potential", .. }));
+    // A time step or a mass that the scalar in use cannot hold.
+    let single: State<2, f32> = State::new([0.5, 0.0], [0.0, 1.63]);
+    assert!(Simulation::new(SUN, single).scheme(Leapfrog).dt(1e-60).stepper().is_err());
+}
+
+/// Straight into the centre: each scheme either passes or stops, and what it did until then is there.
+#[test]
+fn a_run_that_fails_keeps_what_it_has() {
+    fn fall<S: Scheme<Kepler<true>, 2>>(scheme: S) -> Outcome {
+        Simulation::new(SUN, State::new([0.5, 0.0], [0.0, 0.0])).scheme(scheme).dt(0.05).record_every(3).run(100_000)
+    }
+    let mut failed = 0;
+    for outcome in [fall(Explicit), fall(Leapfrog), fall(Implicit), fall(DiscreteGradient), fall(Kanatani)] {
+        let Err(interrupted) = outcome else { continue };
+        failed += 1;
+        let run = interrupted.run();
+        println!("{interrupted}");
+        assert_eq!(run.states().len() as u64, 1 + run.steps() / 3);
+        assert_eq!(run.states()[0].q, [0.5, 0.0]);
+        assert!((run.last().t - 0.05 * run.steps() as f64).abs() < 1e-15);
+        assert!(run.states().iter().chain([run.last()]).all(|s| s.q.iter().chain(&s.v).all(|x| x.is_finite())));
+        assert!(run.drift(Invariant::Energy).is_some());
+        assert!(interrupted.to_string().contains(&format!("step {}", run.steps() + 1)), "{interrupted}");
+        match interrupted.cause() {
+            Error::NotConverged { step, time, dt, iterations, residual } => {
+                assert_eq!((step, dt), (run.steps() + 1, 0.05));
+                assert_eq!(time, run.last().t);
+                assert!(iterations > 0 && residual > 0.0);
+            }
+            Error::NotFinite { step, .. } => assert_eq!(step, run.steps() + 1),
+            other => panic!("{other}"),
+        }
+        let boxed: Box<dyn std::error::Error + Send + Sync> = Box::new(interrupted);
+        assert!(boxed.to_string().contains("states recorded"));
+    }
+    assert!(failed >= 2, "only {failed} schemes failed");
+}
+
+/// A stepper that fails stays where it was, and fails in the same way again.
+#[test]
+fn a_stepper_that_fails_stays_where_it_was() {
+    let start = State::new([0.5, 0.0], [0.0, 0.0]);
+    let mut stepper = Simulation::new(SUN, start).scheme(Implicit).dt(0.05).stepper().unwrap();
+    let error = (0..1000).find_map(|_| stepper.step().err()).expect("the fall ends");
+    let (state, steps) = (stepper.state(), stepper.steps());
+    assert_eq!(stepper.step().unwrap_err(), error);
+    assert_eq!((stepper.state(), stepper.steps()), (state, steps));
+}
+
+#[test]
+fn recording_is_as_asked() {
+    let orbit = || Simulation::new(SUN, greenspan_orbit().at_time(2.0)).scheme(Leapfrog).dt(0.01);
+    let all = orbit().run(1005).unwrap();
+    let some = orbit().record_every(10).run(1005).unwrap();
+    assert_eq!((all.states().len(), some.states().len()), (1006, 101));
+    for (k, state) in some.states().iter().enumerate() {
+        assert_eq!(*state, all.states()[10 * k]);
+        assert_eq!(state.t, 2.0 + (10 * k) as f64 * 0.01);
+    }
+    assert_eq!((some.last(), some.steps()), (all.last(), 1005));
+    assert_ne!(some.last(), some.states().last().unwrap());
+    // Also without a step there is a first and last state.
+    let none = orbit().run_until(1.0).unwrap();
+    assert_eq!((none.states().len(), none.steps(), *none.last()), (1, 0, greenspan_orbit().at_time(2.0)));
+    // 0.3/0.1 is 2.9999999999999996 and 0.7/0.1 is 6.999999999999999: neither needs a step more, nor a step less.
+    for (end, dt, steps) in [(2.3, 0.1, 3), (2.7, 0.1, 7), (2.35, 0.1, 4), (352.0, 0.01, 35_000), (3.0, 1.0 / 3.0, 3)] {
+        let run = Simulation::new(SUN, greenspan_orbit().at_time(2.0)).scheme(Leapfrog).dt(dt).run_until(end).unwrap();
+        assert_eq!(run.steps(), steps, "until {end}");
+    }
+}
+
+/// Twice the mass in twice the field moves the same way, under every scheme.
+#[test]
+fn mass_and_field_may_be_doubled() {
+    fn check<S: Scheme<Kepler<true>, 2>>(scheme: S) {
+        let light = Simulation::new(Kepler { k: 1.3 }, greenspan_orbit()).mass(0.7).scheme(scheme).dt(0.01).run(1000);
+        let heavy = Simulation::new(Kepler { k: 2.6 }, greenspan_orbit()).mass(1.4).scheme(scheme).dt(0.01).run(1000);
+        let (light, heavy) = (light.unwrap(), heavy.unwrap());
+        for (s, u) in light.states().iter().zip(heavy.states()) {
+            assert!((s.q[0] - u.q[0]).abs() < 1e-12 && (s.v[1] - u.v[1]).abs() < 1e-12);
+        }
+        let ratio = heavy.drift(Invariant::Energy).unwrap().start() / light.drift(Invariant::Energy).unwrap().start();
+        assert!((ratio - 2.0).abs() < 1e-15);
+    }
+    check(Explicit);
+    check(Leapfrog);
+    check(Implicit);
+    check(DiscreteGradient);
+    check(Kanatani);
+}

@@ -48,30 +48,32 @@ pub fn derive(item: TokenStream) -> TokenStream {
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
-    model::from_impl(TokenStream::new(), item).model.and_then(|model| derivation(model).map_err(|(_, errors)| errors))
+    let model = model::from_impl(TokenStream::new(), item).model?;
+    let (lowered, kernels) = kernels(&model)?;
+    Ok(Derivation { model, lowered, kernels })
 }
 
-fn derivation(model: Model) -> Result<Derivation, (Model, Vec<syn::Error>)> {
-    match lower::lower(&model) {
-        Ok(mut lowered) => {
-            let kernels = Kernels::new(&mut lowered.graph, lowered.potential, &lowered.variables);
-            Ok(Derivation { model, lowered, kernels })
-        }
-        Err(errors) => Err((model, errors)),
-    }
+fn kernels(model: &Model) -> Result<(Lowered, Kernels), Vec<syn::Error>> {
+    let mut lowered = lower::lower(model)?;
+    let kernels = Kernels::new(&mut lowered.graph, lowered.potential, &lowered.variables);
+    Ok((lowered, kernels))
 }
 
-fn expand(parsed: Parsed) -> TokenStream {
-    let Parsed { item, model } = parsed;
+fn expand(Parsed { item, model }: Parsed) -> TokenStream {
     let mut tokens = item;
-    tokens.extend(match model.map(derivation) {
-        Ok(Ok(derivation)) => emit::implementation(&derivation),
-        Ok(Err((model, errors))) => {
-            let mut tokens: TokenStream = errors.iter().map(syn::Error::to_compile_error).collect();
-            tokens.extend(emit::stub(&model));
-            tokens
-        }
-        Err(errors) => errors.iter().map(syn::Error::to_compile_error).collect(),
-    });
+    let errors = match model {
+        Err(errors) => errors,
+        Ok(model) => match kernels(&model) {
+            Ok((lowered, kernels)) => {
+                tokens.extend(emit::implementation(&Derivation { model, lowered, kernels }));
+                return tokens;
+            }
+            Err(errors) => {
+                tokens.extend(emit::stub(&model));
+                errors
+            }
+        },
+    };
+    tokens.extend(errors.iter().map(syn::Error::to_compile_error));
     tokens
 }

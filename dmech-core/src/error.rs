@@ -81,7 +81,7 @@ pub enum Error {
 }
 
 /// A run that ended early: what it computed, and why it ended.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Interrupted<X> {
     inner: Box<(Run<X>, Error)>,
 }
@@ -118,4 +118,11 @@ impl<X> core::fmt::Display for Interrupted<X> {
     }
 }
 
-impl<X: core::fmt::Debug> std::error::Error for Interrupted<X> {}
+/// The cause in words and not every recorded state: this is what `unwrap` and a failing `main` print.
+impl<X> core::fmt::Debug for Interrupted<X> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_tuple("Interrupted").field(&self.to_string()).finish()
+    }
+}
+
+impl<X> std::error::Error for Interrupted<X> {}

@@ -37,7 +37,8 @@ pub trait Potential<const D: usize, R: Real = f64> {
 
     /// Solves Δ + g ∇Φ(q + Δ) = c for the increment Δ: the trapezoidal step (Greenspan (2.1)–(2.5)).
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        newton::dense(equation, |b| (self.gradient(b), self.hessian(b)))
+        let force = |b| (self.gradient(b), self.hessian(b));
+        if Self::LINEAR { newton::linear(equation, force) } else { newton::dense(equation, force) }
     }
 
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c for the increment Δ: the energy-exact steps.

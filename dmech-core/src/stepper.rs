@@ -69,6 +69,39 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         Ok(())
     }
 
+    /// Advances by several steps, with nothing in the loop but the scheme: whether the motion is finite is looked at
+    /// once, at the end. The states are those of as many calls of [`step`](Stepper::step).
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] or [`Error::NotFinite`]; the stepper then stands before the step that failed.
+    #[inline]
+    pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        let mut memory = self.memory.clone();
+        let (mut evaluations, mut iterations) = (self.evaluations, self.iterations);
+        for step in self.steps..self.steps + steps {
+            let t = R::from_f64(self.start.t + step as f64 * self.dt);
+            match self.scheme.step(&self.law, &self.stride, t, &mut memory) {
+                Ok(effort) => {
+                    evaluations += u64::from(effort.evaluations);
+                    iterations += u64::from(effort.iterations);
+                }
+                Err(_) => return self.one_by_one(steps),
+            }
+        }
+        if !self.scheme.finite(&memory) {
+            return self.one_by_one(steps);
+        }
+        (self.memory, self.evaluations, self.iterations) = (memory, evaluations, iterations);
+        self.steps += steps;
+        Ok(())
+    }
+
+    /// Finds the step that fails.
+    #[cold]
+    fn one_by_one(&mut self, steps: u64) -> Result<(), Error> {
+        (0..steps).try_for_each(|_| self.step())
+    }
+
     /// Position and velocity now.
     pub fn state(&self) -> State<D, R> {
         if self.steps == 0 {

@@ -29,7 +29,7 @@ fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr]) -> Vec<Expr> {
             let other = g.mul(&[a[rows[0]][columns[1]], a[rows[1]][columns[0]]]);
             g.sub(one, other)
         };
-        if (i + j) % 2 == 0 { determinant } else { g.neg(determinant) }
+        if (i + j).is_multiple_of(2) { determinant } else { g.neg(determinant) }
     };
     let cofactors: Vec<Vec<Expr>> = (0..n).map(|i| (0..n).map(|j| minor(i, j)).collect()).collect();
     let expansion: Vec<_> = (0..n).map(|j| g.mul(&[a[0][j], cofactors[0][j]])).collect();

@@ -200,8 +200,9 @@ impl Printer<'_> {
                 })
             }
         };
+        // Without `always` the equation and its solution go through memory.
         quote! {
-            #[inline]
+            #[inline(always)]
             fn #name(
                 &#receiver,
                 #equation: &#runtime::newton::Equation<#d, #scalar>,

@@ -2,7 +2,7 @@
 
 use dmech_scalar::Real;
 
-use super::{Correction, Equation, Increment, NotConverged, drive, elimination};
+use super::{Correction, Equation, Increment, NotConverged, drive, elimination, once};
 
 /// Solves Δ + g G(q + Δ) = drift − frozen, given b ↦ (G(b), J(b)) with J = ∂G/∂b.
 ///
@@ -28,6 +28,20 @@ pub fn dense_discrete<const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     drive(equation, |equation, delta, b| {
         let (gradient, jacobian) = force(equation.a, b);
+        correction(equation, delta, gradient, &jacobian)
+    })
+}
+
+/// As [`dense`], for a force that is linear in b: one correction from Δ = 0 is the solution.
+///
+/// # Errors
+/// [`NotConverged`] when the solution is not finite: 1 + g J is singular.
+pub fn linear<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut force: impl FnMut([R; D]) -> ([R; D], [[R; D]; D]),
+) -> Result<Increment<D, R>, NotConverged> {
+    once(equation, |equation, delta, b| {
+        let (gradient, jacobian) = force(b);
         correction(equation, delta, gradient, &jacobian)
     })
 }

@@ -13,7 +13,7 @@ mod once;
 
 pub mod central;
 
-pub use dense::{dense, dense_discrete};
+pub use dense::{dense, dense_discrete, linear};
 pub use drive::{drive, drive_discrete};
 pub use equation::{Correction, Equation, Increment, NotConverged};
 pub use once::{once, once_discrete};

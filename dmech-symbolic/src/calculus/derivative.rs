@@ -40,11 +40,19 @@ pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
             continue;
         }
         for (child, partial) in partials(graph, node, &|c: Expr| depends[c.index()]) {
-            let share = graph.mul(&[adjoint, partial]);
-            arriving[child.index()].push(share);
+            // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
+            // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
+            let summands = if is_cardinal_slope(graph, node) { &summands[..] } else { &[adjoint] };
+            let shares: Vec<_> = summands.iter().map(|&summand| graph.mul(&[summand, partial])).collect();
+            arriving[child.index()].push(graph.add(&shares));
         }
     }
     found
+}
+
+fn is_cardinal_slope(graph: &Graph, e: Expr) -> bool {
+    use Unary::*;
+    matches!(graph.node(e), Node::Unary(SincSlope | SinhcSlope | AtancSlope | AtanhcSlope, _))
 }
 
 /// ∂e/∂x.
@@ -178,8 +186,8 @@ pub(super) fn slope(g: &mut Graph, f: Unary, u: Expr) -> Expr {
         Atanc => even_slope(g, AtancSlope, u),
         Atanhc => even_slope(g, AtanhcSlope, u),
         SincSlope | SinhcSlope => {
-            // With f = j₁(x)/x and its like: (x f)′ gives f′ = −(3 f ± f₀)/x, which cancels near 0; no kernel of a
-            // scheme differentiates twice, so that this form is for completeness only.
+            // From the series of f₀ = sinc, f = f₀′/x: f′ = −(3 f ± f₀)/x. Near 0 it cancels; where it is wanted, for the
+            // second derivatives of central steps, it comes times x.
             let base = g.unary(if f == SincSlope { Sinc } else { Sinhc }, u);
             let triple = g.scale(3.0, value);
             let sum = if f == SincSlope { g.add(&[triple, base]) } else { g.sub(triple, base) };

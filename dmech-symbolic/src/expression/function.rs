@@ -5,7 +5,7 @@
 //! | f(−u) = f(u) for even f, −f(u) for odd f | all |
 //! | √(u²) = \|u\| | all |
 //! | exact values: √4 = 2, sin 0 = 0, e⁰ = 1, … | the point |
-//! | u^p by integer powers and roots where p is n/2, n/3 or n/4 | u ≥ 0, which u^p demands |
+//! | u^p by integer powers and roots where p is n/2, n/3 or n/4 (for n/3 the nearest number) | u ≥ 0, which u^p demands |
 //! | hypot(x, y) = √(x² + y²) | x² and y² within range |
 
 use dmech_scalar::Real;

@@ -25,7 +25,7 @@ const LAWS: [&str; 4] = [
             if n > 1.0 { n } else if n > g { d.norm_squared() } else { q.map(|x| x * x).sum() }
         } }",
     "impl Kepler { #[potential] fn energy(&self, q: f64) -> f64 { -self.gm / (q * q + 1e-3).sqrt() }
-        #[force] fn drag(&self, v: f64) -> f64 { -v } }",
+        fn drag(&self, v: f64) -> f64 { -v } #[cfg(test)] const MASS: f64 = 1.0; }",
     "#[derive(Clone)] #[dmech(crate = my::dmech)] #[potential(|q: [f64; 2], t: f64| 0.5 * self.k * q[0].cos() + self.w[1] * t)]
         struct Spring { k: f64, w: [f64; 2] }",
 ];
@@ -64,8 +64,12 @@ fn flatten(tokens: TokenStream, words: &mut Vec<String>) {
 
 fn mutate(words: &[String], random: &mut Random) -> String {
     let mut words = words.to_vec();
-    for _ in 0..1 + random.below(4) {
+    for _ in 0..1 + random.below(3) {
         let (i, j) = (random.below(words.len()), random.below(words.len()));
+        // Brackets that do not match never reach a macro.
+        if [i, j].iter().any(|&k| "()[]{}".contains(words[k].as_str())) {
+            continue;
+        }
         match random.below(6) {
             0 => drop(words.remove(i)),
             1 => words.insert(i, words[j].clone()),
@@ -92,10 +96,8 @@ fn damaged_laws_never_panic() {
         flatten(law.parse().unwrap(), &mut words);
         for _ in 0..2500 {
             let text = mutate(&words, &mut random);
-            // Brackets that do not match never reach a macro.
             let Ok(tokens) = text.parse::<TokenStream>() else { continue };
-            let parsed =
-                if law.starts_with('#') { from_derive(tokens) } else { from_impl(TokenStream::new(), tokens.clone()) };
+            let parsed = if law.starts_with('#') { from_derive(tokens) } else { from_impl(TokenStream::new(), tokens) };
             match lower_parsed(parsed) {
                 Ok(()) => accepted += 1,
                 Err(errors) => {

@@ -42,3 +42,33 @@ fn probe() {
         }
     }
 }
+#[test]
+fn pipeline() {
+    use dmech_symbolic::kernel::Kernels;
+    for n in [10, 20, 30, 40, 50] {
+        let text = body("f64", &format!("let mut x = q; for _ in 0..{n} {{ x = x.sin(); }} x"));
+        let start = std::time::Instant::now();
+        let mut l = lower_text(&text).unwrap();
+        let lowered = start.elapsed();
+        let start = std::time::Instant::now();
+        let k = Kernels::new(&mut l.graph, l.potential, &l.variables);
+        let kernels = start.elapsed();
+        let nodes = l.graph.len();
+        let start = std::time::Instant::now();
+        let d = l.graph.display(k.formulas.hessian[0][0]).to_string().len();
+        let hess = start.elapsed();
+        let start = std::time::Instant::now();
+        let g = l.graph.display(k.formulas.gradient[0]).to_string().len();
+        println!("{n}: lower {lowered:?} kernels {kernels:?} nodes {nodes} hessian text {d} {hess:?} gradient text {g} {:?}", start.elapsed());
+    }
+    for n in [3, 5, 10, 15, 20] {
+        let text = body("f64", &format!("let mut x = q; for _ in 0..{n} {{ x = (x + 1.0) * (x + 2.0); }} x"));
+        let mut l = lower_text(&text).unwrap();
+        let start = std::time::Instant::now();
+        let k = Kernels::new(&mut l.graph, l.potential, &l.variables);
+        println!("tree {n}: kernels {:?} nodes {}", start.elapsed(), l.graph.len());
+        let start = std::time::Instant::now();
+        let g = l.graph.display(k.formulas.gradient[0]).to_string().len();
+        println!("   gradient text {g} {:?}", start.elapsed());
+    }
+}

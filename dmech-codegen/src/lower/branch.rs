@@ -1,6 +1,6 @@
 //! `if`, comparisons, `&&`, `||`.
 
-use dmech_symbolic::expression::{Condition, Relation};
+use dmech_symbolic::expression::{Condition, Node, Relation};
 use syn::{BinOp, Expr, ExprBinary, ExprIf};
 
 use crate::diagnostics::body;
@@ -9,6 +9,9 @@ use super::budget::MAX_COMPARISONS;
 use super::interpreter::{Formula, Interpreter};
 use super::statement::result_of;
 use super::value::{Truth, Value};
+
+/// A merged value, or what the two branches are called where they do not go together.
+type Merged<T> = Result<T, (String, String)>;
 
 /// How two values are compared.
 #[derive(Clone, Copy)]
@@ -143,19 +146,19 @@ impl<'m> Interpreter<'m> {
         };
         let before = self.scope.clone();
         let yes = self.block(&branch.then_branch);
-        let after_yes = std::mem::replace(&mut self.scope, before);
+        let after_yes = std::mem::replace(&mut self.scope, before.clone());
         let no = self.else_branch(branch);
         let after_no = std::mem::take(&mut self.scope);
-        self.scope = after_yes;
-        for (binding, other) in after_no.bindings.into_iter().enumerate() {
-            let changed = std::mem::replace(&mut self.scope.bindings[binding].value, Value::Unknown);
-            let name = self.scope.bindings[binding].name.clone();
+        self.scope = before;
+        let pairs = after_yes.bindings.into_iter().zip(after_no.bindings);
+        for (binding, (yes, no)) in pairs.enumerate() {
+            let before = std::mem::replace(&mut self.scope.bindings[binding].value, Value::Unknown);
             self.scope.bindings[binding].value = match &condition {
                 Some(condition) => {
-                    let merged = self.merge(condition, changed, other.value);
-                    merged.unwrap_or_else(|_| self.refuse(body::branches_differ_in(&branch.if_token, &name)))
+                    let merged = self.merge(condition, Some(&before), yes.value, no.value);
+                    merged.unwrap_or_else(|_| self.refuse(body::branches_differ_in(&branch.if_token, &yes.name)))
                 }
-                None => unknown_if_changed(changed, other.value),
+                None => unknown_if_changed(yes.value, no.value),
             };
         }
         let Some(condition) = condition else { return Value::Unknown };
@@ -177,7 +180,7 @@ impl<'m> Interpreter<'m> {
             }
             values => values,
         };
-        match self.merge(condition, yes, no) {
+        match self.merge(condition, None, yes, no) {
             Ok(value) => value,
             Err((yes, no)) => self.refuse(body::branches_differ(e, &yes, &no)),
         }
@@ -201,7 +204,7 @@ impl<'m> Interpreter<'m> {
     }
 
     /// `yes` where the condition holds, `no` elsewhere; what the two are called where they do not go together.
-    fn merge(&mut self, condition: &Condition, yes: Value, no: Value) -> Result<Value, (String, String)> {
+    fn merge(&mut self, condition: &Condition, before: Option<&Value>, yes: Value, no: Value) -> Merged<Value> {
         let kinds = (yes.kind(), no.kind());
         Ok(match (yes, no) {
             (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
@@ -211,20 +214,23 @@ impl<'m> Interpreter<'m> {
             (Value::Field(one), Value::Field(two)) if one.key == two.key => Value::Field(one),
             (yes @ (Value::Number(_) | Value::Field(_)), no @ (Value::Number(_) | Value::Field(_))) => {
                 let (Some(yes), Some(no)) = (self.as_number(yes), self.as_number(no)) else { return Err(kinds) };
-                Value::Number(self.graph.select(condition.clone(), yes, no))
+                Value::Number(match before {
+                    Some(&Value::Number(before)) => self.select_change(condition, before, yes, no),
+                    _ => self.graph.select(condition.clone(), yes, no),
+                })
             }
             (Value::Vector(yes), Value::Vector(no)) if yes.len() == no.len() => {
                 let pairs = yes.into_iter().zip(no);
                 Value::Vector(pairs.map(|(yes, no)| self.graph.select(condition.clone(), yes, no)).collect())
             }
             (Value::Array(yes), Value::Array(no)) if yes.len() == no.len() => {
-                Value::Array(self.merge_all(condition, yes, no)?)
+                Value::Array(self.merge_all(condition, before, yes, no)?)
             }
             (Value::Tuple(yes), Value::Tuple(no)) if yes.len() == no.len() => {
-                Value::Tuple(self.merge_all(condition, yes, no)?)
+                Value::Tuple(self.merge_all(condition, before, yes, no)?)
             }
             (Value::Items(yes), Value::Items(no)) if yes.len() == no.len() => {
-                Value::Items(self.merge_all(condition, yes, no)?)
+                Value::Items(self.merge_all(condition, before, yes, no)?)
             }
             (Value::Truth(Truth::Known(yes)), Value::Truth(Truth::Known(no))) if yes == no => Value::known(yes),
             (Value::Truth(yes), Value::Truth(no)) => {
@@ -246,8 +252,40 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    fn merge_all(&mut self, condition: &Condition, yes: Vec<Value>, no: Vec<Value>) -> Result<Vec<Value>, (String, String)> {
-        yes.into_iter().zip(no).map(|(yes, no)| self.merge(condition, yes, no)).collect()
+    fn merge_all(
+        &mut self,
+        condition: &Condition,
+        before: Option<&Value>,
+        yes: Vec<Value>,
+        no: Vec<Value>,
+    ) -> Merged<Vec<Value>> {
+        let before = match before {
+            Some(Value::Array(parts) | Value::Tuple(parts)) => &parts[..],
+            _ => &[],
+        };
+        let pairs = yes.into_iter().zip(no).enumerate();
+        pairs.map(|(i, (yes, no))| self.merge(condition, before.get(i), yes, no)).collect()
+    }
+
+    /// s + {f if c, else 0} rather than {s + f if c, else s}: sums that collect terms under conditions stay flat.
+    fn select_change(&mut self, condition: &Condition, before: Formula, yes: Formula, no: Formula) -> Formula {
+        let (gain_yes, gain_no) = (self.graph.sub(yes, before), self.graph.sub(no, before));
+        let held = self.terms(before);
+        let is_part = |this: &Self, sum, gain| this.terms(gain) + held == this.terms(sum);
+        if held == 0 || !is_part(self, yes, gain_yes) || !is_part(self, no, gain_no) {
+            return self.graph.select(condition.clone(), yes, no);
+        }
+        let gain = self.graph.select(condition.clone(), gain_yes, gain_no);
+        self.graph.add(&[before, gain])
+    }
+
+    /// How many terms a sum has.
+    fn terms(&self, e: Formula) -> usize {
+        match self.graph.node(e) {
+            Node::Number(x) => usize::from(x.value() != 0.0),
+            Node::Sum { constant, terms } => terms.len() + usize::from(constant.value() != 0.0),
+            _ => 1,
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 //! Bounds on the work of one law, so that no input makes the compiler hang.
 
+use dmech_symbolic::expression::{Binary, Expr, Graph, Node, Unary};
+
 /// How many turns all loops together may take.
 pub(super) const MAX_TURNS: usize = 10_000;
-/// How many expressions the law may consist of.
+/// How many expressions may be stored on the way.
 pub(super) const MAX_EXPRESSIONS: usize = 100_000;
 /// How many pieces of code may be read, helpers anew at each call.
 const MAX_STEPS: usize = 1_000_000;
@@ -10,8 +12,14 @@ const MAX_STEPS: usize = 1_000_000;
 const MAX_TERMS: usize = 4_000_000;
 /// How deep calls, blocks and brackets may be nested.
 pub(super) const MAX_DEPTH: usize = 96;
-/// How deep the finished expression may be nested: f(f(f(…))).
-pub(super) const MAX_EXPRESSION_DEPTH: usize = 400;
+/// How many expressions the finished potential may consist of: what is derived from it grows faster than it does.
+pub(super) const MAX_SIZE: usize = 4000;
+/// How deep sums, products and functions may be nested in it.
+const MAX_HEIGHT: usize = 400;
+/// How many functions may be applied to each other: f(f(f(…))).
+const MAX_TOWER: usize = 24;
+/// How many choices may depend on each other.
+const MAX_CHOICES: usize = 8;
 /// How large an integer exponent may become.
 pub(super) const MAX_EXPONENT: i32 = 4096;
 /// How many comparisons one condition may join.
@@ -35,6 +43,41 @@ pub(crate) enum Excess {
     Expressions,
     Steps,
     Terms,
+    /// Of the finished potential.
+    Size,
+    Height,
+    Tower,
+    Choices,
+}
+
+/// The bound that a finished potential passes, if any.
+pub(super) fn excess_of(graph: &Graph, potential: Expr) -> Option<Excess> {
+    let order = graph.reachable(&[potential]);
+    let mut heights = vec![[0; 3]; graph.len()];
+    for &e in &order {
+        let mut height = [0; 3];
+        for child in graph.children(e) {
+            for (highest, below) in height.iter_mut().zip(heights[child.index()]) {
+                *highest = below.max(*highest);
+            }
+        }
+        height[0] += 1;
+        height[1] += usize::from(matches!(graph.node(e), Node::Unary(..) | Node::Binary(..) | Node::Select(..)));
+        height[2] += match graph.node(e) {
+            Node::Select(..) => 2,
+            Node::Unary(Unary::Abs, _) | Node::Binary(Binary::Min | Binary::Max, ..) => 1,
+            _ => 0,
+        };
+        heights[e.index()] = height;
+    }
+    let [height, tower, choices] = heights[potential.index()];
+    match () {
+        () if order.len() > MAX_SIZE => Some(Excess::Size),
+        () if tower > MAX_TOWER => Some(Excess::Tower),
+        () if choices > 2 * MAX_CHOICES => Some(Excess::Choices),
+        () if height > MAX_HEIGHT => Some(Excess::Height),
+        () => None,
+    }
 }
 
 impl Budget {

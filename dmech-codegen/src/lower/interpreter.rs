@@ -72,10 +72,8 @@ impl<'m> Interpreter<'m> {
                 None
             }
         };
-        if let Some(phi) = phi
-            && self.depth_of(phi) > budget::MAX_EXPRESSION_DEPTH
-        {
-            self.report(body::expression_too_deep(&potential.ident));
+        if let Some(excess) = phi.and_then(|phi| budget::excess_of(&self.graph, phi)) {
+            self.report(body::excess(&potential.ident, excess));
         }
         if phi.is_none() && self.errors.is_empty() {
             self.report(body::not_understood(&potential.ident));
@@ -105,16 +103,6 @@ impl<'m> Interpreter<'m> {
             ArgumentRole::Time => Value::Number(self.parameter("t", "t", Source::Time)),
             ArgumentRole::Refused => Value::Unknown,
         }
-    }
-
-    /// How deep an expression is nested.
-    fn depth_of(&self, root: Formula) -> usize {
-        let mut depth = vec![0; self.graph.len()];
-        for e in self.graph.reachable(&[root]) {
-            let below = self.graph.children(e).iter().map(|c| depth[c.index()]).max();
-            depth[e.index()] = 1 + below.unwrap_or(0);
-        }
-        depth[root.index()]
     }
 
     /// Notes an error, once.

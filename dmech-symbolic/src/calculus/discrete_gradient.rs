@@ -45,10 +45,7 @@ impl TwoPoints {
 
     /// A condition at the two ends.
     pub(super) fn conditions(&mut self, graph: &mut Graph, condition: &Condition) -> (Condition, Condition) {
-        (
-            condition.map(&mut |e| self.at_a.apply(graph, e)),
-            condition.map(&mut |e| self.at_b.apply(graph, e)),
-        )
+        (condition.map(&mut |e| self.at_a.apply(graph, e)), condition.map(&mut |e| self.at_b.apply(graph, e)))
     }
 }
 
@@ -88,12 +85,7 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
 }
 
 /// The moving children of a node, each with its factor in Δnode = Σ factor·Δchild.
-fn secants(
-    graph: &mut Graph,
-    node: Expr,
-    ends: &mut TwoPoints,
-    moves: &dyn Fn(Expr) -> bool,
-) -> Vec<(Expr, Expr)> {
+fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(Expr) -> bool) -> Vec<(Expr, Expr)> {
     match graph.node(node).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Select(..) => Vec::new(),
         Node::Sum { terms, .. } => {
@@ -208,7 +200,8 @@ fn of_powf(
     // Far apart the powers do not cancel; and at u = 0 the logarithm is not finite but the power may be.
     let one = graph.one();
     let lowered = graph.sub(wa, one);
-    let power = graph.binary(Binary::Powf, ua, lowered);
+    let both = graph.mean(ua, ub);
+    let power = graph.binary(Binary::Powf, both, lowered);
     let limit = graph.mul(&[wa, power]);
     let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
     let rise = graph.sub(value_b, value_a);

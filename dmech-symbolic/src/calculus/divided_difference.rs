@@ -162,7 +162,8 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
         }
         // The engine's own primitives never stand in a potential.
         Sinc | SincSlope | Sinhc | SinhcSlope | Atanc | AtancSlope | Atanhc | AtanhcSlope => {
-            let (limit, quotient) = (slope(g, f, a), plain_quotient(g, f, a, b));
+            let middle = g.mean(a, b);
+            let (limit, quotient) = (slope(g, f, middle), plain_quotient(g, f, a, b));
             g.select(Condition::equal(a, b), limit, quotient)
         }
     }
@@ -204,7 +205,8 @@ pub(super) fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
     let sum = g.add(&[a, b]);
     let (zero, quotient) = (g.zero(), g.div(sum, below));
     let across = g.select(Condition::equal(below, zero), zero, quotient);
-    let (product, sign) = (g.mul(&[a, b]), g.unary(Unary::Signum, a));
+    let signs = [g.unary(Unary::Signum, a), g.unary(Unary::Signum, b)];
+    let (product, sign) = (g.mul(&[a, b]), g.mean(signs[0], signs[1]));
     g.select(Condition::less(zero, product), sign, across)
 }
 

@@ -45,17 +45,13 @@ fn across(graph: &mut Graph, condition: &Condition, whole: Expr, ends: &mut TwoP
         let toward_u = discrete_gradient(graph, gateway, ends);
         return toward_u.into_iter().map(|secant| graph.mul(&[quotient, secant])).collect();
     }
-    let (a, b): (Vec<_>, Vec<_>) = (
-        ends.a.iter().map(|&s| graph.symbol(s)).collect(),
-        ends.b.iter().map(|&s| graph.symbol(s)).collect(),
-    );
+    let (a, b): (Vec<_>, Vec<_>) =
+        (ends.a.iter().map(|&s| graph.symbol(s)).collect(), ends.b.iter().map(|&s| graph.symbol(s)).collect());
     let midpoint: Vec<_> = a.iter().zip(&b).map(|(&a, &b)| graph.mean(a, b)).collect();
     let gap: Vec<_> = a.iter().zip(&b).map(|(&a, &b)| graph.sub(b, a)).collect();
     let mut at_midpoint = Substitution::new(graph, ends.coordinates.iter().copied().zip(midpoint));
-    let slopes: Vec<_> = gradient(graph, whole, &ends.coordinates)
-        .into_iter()
-        .map(|slope| at_midpoint.apply(graph, slope))
-        .collect();
+    let slopes: Vec<_> =
+        gradient(graph, whole, &ends.coordinates).into_iter().map(|slope| at_midpoint.apply(graph, slope)).collect();
     let along: Vec<_> = slopes.iter().zip(&gap).map(|(&s, &d)| graph.mul(&[s, d])).collect();
     let along = graph.add(&along);
     let squares: Vec<_> = gap.iter().map(|&d| graph.square(d)).collect();

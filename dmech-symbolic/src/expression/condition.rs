@@ -3,7 +3,7 @@
 use super::{Expr, Graph};
 
 /// How two values are compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Relation {
     /// left < right
     Less,
@@ -13,8 +13,9 @@ pub enum Relation {
     Equal,
 }
 
-/// A condition on values of expressions.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+/// A condition on values of expressions. Conditions that are joined, and sides that are compared for equality, stand in a
+/// fixed order, so that it does not matter in which they were given.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Condition {
     /// A comparison of two expressions.
     Compare(Relation, Expr, Expr),
@@ -39,17 +40,19 @@ impl Condition {
 
     /// left = right
     pub fn equal(left: Expr, right: Expr) -> Self {
-        Self::Compare(Relation::Equal, left, right)
+        Self::Compare(Relation::Equal, left.min(right), left.max(right))
     }
 
     /// Both conditions.
     pub fn and(self, other: Self) -> Self {
-        Self::And(Box::new(self), Box::new(other))
+        let (one, two) = (self.clone().min(other.clone()), self.max(other));
+        Self::And(Box::new(one), Box::new(two))
     }
 
     /// At least one of the conditions.
     pub fn or(self, other: Self) -> Self {
-        Self::Or(Box::new(self), Box::new(other))
+        let (one, two) = (self.clone().min(other.clone()), self.max(other));
+        Self::Or(Box::new(one), Box::new(two))
     }
 
     /// The opposite condition.
@@ -76,10 +79,11 @@ impl Condition {
     /// The same condition on other expressions.
     pub fn map(&self, f: &mut impl FnMut(Expr) -> Expr) -> Self {
         match self {
+            Self::Compare(Relation::Equal, left, right) => Self::equal(f(*left), f(*right)),
             Self::Compare(relation, left, right) => Self::Compare(*relation, f(*left), f(*right)),
             Self::Not(inner) => Self::Not(Box::new(inner.map(f))),
-            Self::And(one, two) => Self::And(Box::new(one.map(f)), Box::new(two.map(f))),
-            Self::Or(one, two) => Self::Or(Box::new(one.map(f)), Box::new(two.map(f))),
+            Self::And(one, two) => one.map(f).and(two.map(f)),
+            Self::Or(one, two) => one.map(f).or(two.map(f)),
         }
     }
 

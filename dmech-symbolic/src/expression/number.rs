@@ -74,7 +74,8 @@ impl Number {
     /// √self where that is exact.
     pub fn exact_sqrt(self) -> Option<Self> {
         let root = self.value().sqrt();
-        (root * root == self.value() && Self::new(root).exact_product(Self::new(root)).is_some()).then(|| Self::new(root))
+        (root * root == self.value() && Self::new(root).exact_product(Self::new(root)).is_some())
+            .then(|| Self::new(root))
     }
 }
 

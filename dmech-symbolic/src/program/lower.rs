@@ -175,12 +175,20 @@ impl Lowering<'_> {
     }
 
     fn push(&mut self, operation: Operation) -> Value {
-        if let Some(&value) = self.index.get(&operation) {
+        // Addition and multiplication commute.
+        let key = match &operation {
+            Operation::Add(u, w) => Operation::Add(*u.min(w), *u.max(w)),
+            Operation::Mul(u, w) => Operation::Mul(*u.min(w), *u.max(w)),
+            Operation::MulAdd(u, w, x) => Operation::MulAdd(*u.min(w), *u.max(w), *x),
+            Operation::NegMulAdd(u, w, x) => Operation::NegMulAdd(*u.min(w), *u.max(w), *x),
+            _ => operation.clone(),
+        };
+        if let Some(&value) = self.index.get(&key) {
             return value;
         }
         let value = Value(self.operations.len() as u32);
-        self.operations.push(operation.clone());
-        self.index.insert(operation, value);
+        self.operations.push(operation);
+        self.index.insert(key, value);
         value
     }
 

@@ -109,16 +109,20 @@ pub(crate) fn too_deep(e: &impl ToTokens) -> Error {
     at(e, "this is nested too deeply to be read; bind an inner part to a name with `let`")
 }
 
-pub(crate) fn expression_too_deep(name: &Ident) -> Error {
-    at(name, "this potential applies function to function too many times to be differentiated, probably in a loop")
-}
-
 pub(crate) fn excess(e: &impl ToTokens, excess: Excess) -> Error {
     let message = match excess {
         Excess::Turns => "the loops of this law take more than 10000 turns; a law is unrolled into one formula, keep it small",
         Excess::Expressions => "this law unrolls into more than 100000 expressions; shorten its loops",
         Excess::Steps => "this law calls its helpers and loops too often to be unrolled; bind what is used twice with `let`",
         Excess::Terms => "the sums of this law unroll into too many terms; shorten its loops",
+        Excess::Size => "this potential unrolls into more than 4000 expressions, too many to be differentiated; shorten its loops",
+        Excess::Height | Excess::Tower => {
+            "this potential applies function to function too many times to be differentiated, probably in a loop"
+        }
+        Excess::Choices => {
+            "too many choices of this potential (`if`, `min`, `max`, `abs`) depend on each other to be differentiated; let \
+             each `if` add its own term to a sum"
+        }
     };
     at(e, message)
 }

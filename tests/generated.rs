@@ -99,7 +99,7 @@ fn solves<L: Potential<D>, const D: usize>(law: &L, q: [f64; D], v: [f64; D]) {
     let drift = v.map(|v| h * v);
     let zero = [0.0; D];
     for (g, frozen) in [(0.25 * h * h, law.gradient(q).map(|x| 0.25 * h * h * x)), (0.5 * h * h, zero)] {
-        let equation = Equation { q, a: q, drift, frozen, g, guess: drift, max_iterations: 50 };
+        let equation = Equation { frozen, ..Equation::new(q, drift, g) };
         let (fast, slow) = if frozen != zero {
             let dense = dmech::newton::dense(&equation, |b| (law.gradient(b), law.hessian(b)));
             (law.implicit_increment(&equation).unwrap(), dense.unwrap())

@@ -45,7 +45,7 @@ pub enum Error {
     /// The law has no finite value where the motion starts.
     #[error("the {quantity} of the law is {value} at the start, t = {time}")]
     Law {
-        /// `potential` or `gradient`.
+        /// `potential` or `force`.
         quantity: &'static str,
         /// Its value, or that of its worst component.
         value: f64,

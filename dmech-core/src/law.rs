@@ -47,24 +47,95 @@ pub trait Potential<const D: usize, R: Real = f64> {
     }
 }
 
-/// A law that a simulation can run: at each moment, for each mass, it is a [`Potential`].
+/// A force in D coordinates, F(q, v, t): the whole of a law, or what acts beside its potential.
 ///
-/// Every potential is a law that is the same at all times and for all masses; a law that names `t` or `m` gives
-/// the potential that holds then.
+/// `#[dmech::law]` implements it for a law with a `#[force]` and every scalar. `jac[i][j]` = ∂Fᵢ/∂(coordinate j).
+pub trait Force<const D: usize, R: Real = f64> {
+    /// F(q, v, t).
+    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D];
+    /// ∂F/∂q.
+    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D];
+    /// ∂F/∂v.
+    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D];
+}
+
+/// Nothing but the potential acts: no `#[force]`, no time, no mass in the law.
+///
+/// A potential written by hand declares it with `impl Conservative for MyLaw {}` and is then a [`Law`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not known to be a conservative law",
+    note = "a potential written by hand becomes a law with `impl Conservative for {Self} {{}}`"
+)]
+pub trait Conservative {}
+
+/// The force does not depend on the velocity, so that positions and velocities may stand half a step apart
+/// (Greenspan §3, last sentence).
+#[diagnostic::on_unimplemented(
+    message = "the force of `{Self}` depends on the velocity, and this scheme has no velocity where it needs the force",
+    label = "this scheme cannot step a velocity-dependent force",
+    note = "leap-frog and Kanatani's scheme place velocities half a step away from positions",
+    note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"
+)]
+pub trait VelocityIndependent {}
+
+#[diagnostic::do_not_recommend]
+impl<P: Conservative> VelocityIndependent for P {}
+
+/// What acts on a particle at one moment: a potential, and with it perhaps a force.
+///
+/// Written by the macro; a conservative potential is its own field.
+pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
+    /// A force acts beside the potential.
+    const FORCED: bool = false;
+    /// The energy m v²/2 + Φ is kept: there is no force, or it does no work at any velocity, as v × B.
+    const CONSERVES_ENERGY: bool = true;
+
+    /// ∇Φ(q) − F(q, v): minus all that acts.
+    #[inline(always)]
+    fn slope(&self, q: [R; D], _v: [R; D]) -> [R; D] {
+        self.gradient(q)
+    }
+
+    /// The share of the force at the start of a step in the mean that the energy-exact step takes: F(q, v)/2. Nothing
+    /// where the force is taken in the middle of the step because it does no work.
+    #[inline(always)]
+    fn half_force(&self, _q: [R; D], _v: [R; D]) -> [R; D] {
+        [R::ZERO; D]
+    }
+
+    /// Solves Δ + g ∇̄Φ(a, q + Δ) = c with the potential alone.
+    #[inline(always)]
+    fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.discrete_increment(equation)
+    }
+}
+
+impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Field<D, R> for &P {}
+
+/// A law that a simulation can run: at each moment, for each mass, it is a [`Field`].
+///
+/// Every [`Conservative`] potential is a law that is the same at all times and for all masses; a law with a force, or
+/// one that names `t` or `m`, gives the field that acts then.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in {D} coordinates over `{R}`",
+    note = "declare one with `#[dmech::law]` and a `#[potential]` or a `#[force]` of a position with {D} coordinates",
+    note = "a potential written by hand (`impl Potential<{D}> for …`) also needs `impl Conservative for … {{}}`"
+)]
 pub trait Law<const D: usize, R: Real = f64> {
-    /// The potential at one moment.
-    type Field<'a>: Potential<D, R>
+    /// What acts at one moment.
+    type Field<'a>: Field<D, R>
     where
         Self: 'a;
 
-    /// The law does not name the time: the energy is kept.
+    /// The law does not name the time.
     const AUTONOMOUS: bool = true;
 
-    /// The potential for a particle of mass `mass` at time `t`.
+    /// What acts on a particle of mass `mass` at time `t`.
     fn field(&self, mass: R, t: R) -> Self::Field<'_>;
 }
 
-impl<const D: usize, R: Real, P: Potential<D, R>> Law<D, R> for P {
+#[diagnostic::do_not_recommend]
+impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Law<D, R> for P {
     type Field<'a>
         = &'a P
     where

@@ -21,6 +21,7 @@ pub struct NoScheme;
 /// ```
 /// use dmech_core::prelude::*;
 /// # struct Spring { k: f64 }
+/// # impl Conservative for Spring {}
 /// # impl Potential<1> for Spring {
 /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
 /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }

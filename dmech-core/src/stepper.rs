@@ -3,7 +3,7 @@
 use dmech_scalar::{Mask, Real};
 
 use crate::error::Error;
-use crate::law::{Law, Potential};
+use crate::law::{Field, Law, Potential};
 use crate::newton::NotConverged;
 use crate::scheme::{Scheme, Stride};
 use crate::state::State;
@@ -33,8 +33,8 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         if !potential.finite().all() {
             return Err(Error::Law { quantity: "potential", value: potential.to_f64(), time: start.t });
         }
-        if let Some(value) = field.gradient(start.q).into_iter().find(|x| !x.finite().all()) {
-            return Err(Error::Law { quantity: "gradient", value: value.to_f64(), time: start.t });
+        if let Some(value) = field.slope(start.q, start.v).into_iter().find(|x| !x.finite().all()) {
+            return Err(Error::Law { quantity: "force", value: value.to_f64(), time: start.t });
         }
         drop(field);
         let memory = match scheme.begin(&law, &stride, &start) {

@@ -3,7 +3,7 @@
 use dmech_scalar::{Compensated, Real};
 
 use crate::invariant::{Drift, Invariant};
-use crate::law::{Law, Potential};
+use crate::law::{Field, Law, Potential};
 use crate::scheme::{Scheme, Stride};
 use crate::state::State;
 use crate::vector::dot;
@@ -79,10 +79,10 @@ impl<const D: usize, R: Real> Watch<D, R> {
     ) -> Option<f64> {
         let t = R::from_f64(state.t);
         let value = match invariant {
-            Invariant::Energy if L::AUTONOMOUS => {
+            Invariant::Energy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => {
                 law.field(stride.mass, t).potential(state.q) + stride.kinetic_energy(state.v)
             }
-            Invariant::DiscreteEnergy if L::AUTONOMOUS => scheme.discrete_energy(law, stride, t, memory)?,
+            Invariant::DiscreteEnergy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => scheme.discrete_energy(law, stride, t, memory)?,
             Invariant::WorkEnergy => (scheme.kinetic_energy(stride, memory) - self.work.hi) - self.work.lo,
             Invariant::AngularMomentum if L::Field::<'_>::CENTRAL && D == 2 => {
                 angular_momentum(stride.mass, state, 0, 1)

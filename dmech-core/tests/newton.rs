@@ -20,7 +20,7 @@ fn residual<const D: usize>(e: &Equation<D, f64>, found: &Increment<D, f64>, gra
 /// An equation as the schemes make it, with a guess that is off by `miss`.
 fn equation<const D: usize>(q: [f64; D], a: [f64; D], drift: [f64; D], g: f64, miss: f64) -> Equation<D, f64> {
     let guess = core::array::from_fn(|i| drift[i] + miss * (1.0 - 0.3 * i as f64));
-    Equation { q, a, drift, frozen: drift.map(|x| 0.1 * x), g, guess, max_iterations: 200 }
+    Equation { a, frozen: drift.map(|x| 0.1 * x), guess, ..Equation::new(q, drift, g) }
 }
 
 #[test]
@@ -76,29 +76,13 @@ fn of_several_roots_the_one_continuous_with_a_short_step_is_taken() {
         if r * r * (w - r) > g { low = r } else { high = r }
     }
     for start in [1.45, 1.2, 0.6, 0.3, 0.28, 0.1, 1e-3, 20.0] {
-        let e = Equation {
-            q: [1.7, 0.0],
-            a: [1.7, 0.0],
-            drift: [w - 1.7, 0.0],
-            frozen: [0.0; 2],
-            g,
-            guess: [start - 1.7, 0.0],
-            max_iterations: 200,
-        };
+        let e = Equation { guess: [start - 1.7, 0.0], ..Equation::new([1.7, 0.0], [w - 1.7, 0.0], g) };
         let r = e.end(SUN.implicit_increment(&e).unwrap().delta)[0];
         assert!((r - low).abs() < 1e-15, "from {start}: {r}, not {low}");
     }
     // By components, from starts off the root by more than the step.
     for start in [1.45, 1.2, 0.1, 1e-3, 20.0] {
-        let e = Equation {
-            q: [1.7, 0.0],
-            a: [1.7, 0.0],
-            drift: [w - 1.7, 0.0],
-            frozen: [0.0; 2],
-            g,
-            guess: [start - 1.7, 0.0],
-            max_iterations: 200,
-        };
+        let e = Equation { guess: [start - 1.7, 0.0], ..Equation::new([1.7, 0.0], [w - 1.7, 0.0], g) };
         let r = e.end(SUN_BY_COMPONENTS.implicit_increment(&e).unwrap().delta)[0];
         assert!((r - low).abs() < 1e-15, "from {start}: {r}, not {low}");
     }
@@ -108,15 +92,7 @@ fn of_several_roots_the_one_continuous_with_a_short_step_is_taken() {
 #[test]
 fn where_no_root_exists_the_work_is_bounded() {
     for limit in [1, 7, 50, 200] {
-        let e = Equation {
-            q: [1.0, 0.0],
-            a: [1.0, 0.0],
-            drift: [-0.2, 0.0],
-            frozen: [0.0; 2],
-            g: 0.5,
-            guess: [-0.2, 0.0],
-            max_iterations: limit,
-        };
+        let e = Equation { max_iterations: limit, ..Equation::new([1.0, 0.0], [-0.2, 0.0], 0.5) };
         for lost in [SUN.implicit_increment(&e).unwrap_err(), SUN_BY_COMPONENTS.implicit_increment(&e).unwrap_err()] {
             assert!(lost.iterations <= limit + 12, "{lost:?} of {limit}");
             assert!(lost.residual > 1e-6, "{lost:?}");

@@ -44,10 +44,15 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let where_clause = &model.generics.where_clause;
     let parameters = model.generics.params.iter();
     let generics = quote!(<#(#parameters,)* #scalar: #runtime::Real>);
+    let parameters = model.generics.params.iter();
+    let own_generics = quote!(<#(#parameters),*>);
     if !frozen {
         return quote! {
             const _: () = {
                 use #module as #runtime;
+
+                #[automatically_derived]
+                impl #own_generics #runtime::Conservative for #self_ty #where_clause {}
 
                 #[automatically_derived]
                 impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
@@ -80,6 +85,10 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                 }
             }
             #[automatically_derived]
+            impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
+            #[automatically_derived]
+            impl #generics #runtime::Field<#d, #scalar> for #moment<'_, #self_ty, #scalar> #where_clause {}
+            #[automatically_derived]
             impl #generics #runtime::Potential<#d, #scalar> for #moment<'_, #self_ty, #scalar> #where_clause {
                 #constants
                 #functions
@@ -94,6 +103,7 @@ pub(crate) fn stub(model: &Model) -> TokenStream {
     let d = Literal::usize_unsuffixed(model.dimension);
     let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
     let parameters = model.generics.params.iter();
+    let own_parameters = model.generics.params.iter();
     let function = |name: &str, arguments: &[&str], result: TokenStream| {
         let name = ident(name);
         let arguments = arguments.iter().map(|a| ident(a));
@@ -108,6 +118,8 @@ pub(crate) fn stub(model: &Model) -> TokenStream {
         function("discrete_gradient_jacobian", &["_a", "_b"], matrix),
     ];
     quote! {
+        #[automatically_derived]
+        impl<#(#own_parameters),*> #runtime::Conservative for #self_ty #where_clause {}
         #[automatically_derived]
         impl<#(#parameters,)* #scalar: #runtime::Real> #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
             #(#functions)*

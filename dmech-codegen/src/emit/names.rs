@@ -26,8 +26,8 @@ impl Names {
     pub(super) fn new(graph: &Graph, variables: &Variables, parameters: &[Parameter]) -> Self {
         let mut of = HashMap::new();
         let mut taken: HashSet<String> = ARGUMENTS.iter().map(|&name| name.to_owned()).collect();
-        let Variables { q, v, c, a, b, delta, rhs, g, s, s_a, s_b } = variables;
-        let fixed = [q, v, a, b, delta, rhs].into_iter().flatten().chain([c, g, s, s_a, s_b]);
+        let Variables { q, v, c, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b } = variables;
+        let fixed = [q, v, a, b, delta, rhs, drift].into_iter().flatten().chain([c, g, rate, t_end, s, s_a, s_b]);
         for &symbol in fixed {
             of.insert(symbol, graph.name(symbol).to_owned());
             taken.insert(graph.name(symbol).to_owned());

@@ -25,6 +25,12 @@ pub struct Equation<const D: usize, R: Real> {
     pub frozen: [R; D],
     /// The coefficient of the unknown force, growing with h².
     pub g: R,
+    /// The velocity at the start of the step; forces may depend on that at its end, v + rate (Δ − drift).
+    pub v: [R; D],
+    /// 2/h.
+    pub rate: R,
+    /// The time at the end of the step.
+    pub t_end: R,
     /// Where to start.
     pub guess: [R; D],
     /// How many iterations are allowed.
@@ -32,6 +38,23 @@ pub struct Equation<const D: usize, R: Real> {
 }
 
 impl<const D: usize, R: Real> Equation<D, R> {
+    /// Δ + g G(q + Δ) = drift, from the guess Δ = drift; other parts are set by `Equation { …, ..Equation::new(…) }`.
+    pub fn new(q: [R; D], drift: [R; D], g: R) -> Self {
+        let zero = [R::ZERO; D];
+        Equation {
+            q,
+            a: q,
+            drift,
+            frozen: zero,
+            g,
+            v: zero,
+            rate: R::ZERO,
+            t_end: R::ZERO,
+            guess: drift,
+            max_iterations: 200,
+        }
+    }
+
     /// The known side, drift − frozen.
     #[inline]
     pub fn known(&self) -> [R; D] {
@@ -61,6 +84,8 @@ impl<const D: usize, R: Real> Equation<D, R> {
             drift: self.drift.map(|x| theta * x),
             frozen: self.frozen.map(|x| theta2 * x),
             g: theta2 * self.g,
+            // With no step at all the velocity is that of the start.
+            rate: R::select(theta.equal(R::ZERO), || R::ZERO, || self.rate / theta),
             ..*self
         }
     }

@@ -5,9 +5,9 @@ use dmech_scalar::{CompensatedVector, Real};
 use super::{Effort, Method, Newton, Scheme, Stride};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Law, Potential};
+use crate::law::{Field, Law, Potential};
 use crate::newton::{Equation, Increment, NotConverged};
-use crate::vector::{difference, dot, finite, sum};
+use crate::vector::{difference, dot, finite, scaled, sum};
 
 /// The energy-exact step (LaBudde–Greenspan): mean velocity, and the force as a discrete gradient.
 ///
@@ -18,6 +18,10 @@ use crate::vector::{difference, dot, finite, sum};
 /// | order | energy | angular momentum | symplectic | reversible | per step |
 /// |---|---|---|---|---|---|
 /// | 2 | exact, for any sequence of steps | exact (central laws) | no | yes | 1 nonlinear solve |
+///
+/// Beside a force the second equation is m (v′ − v)/h = −∇̄Φ + (F + F′)/2: the change of energy is the work of that force,
+/// exactly. A force that does no work at any velocity, as v × B, is taken at the mean position and mean velocity
+/// instead, where it does none in the step either.
 ///
 /// Multiplying the second equation by Δq = q′ − q gives K′ − K = −(Φ′ − Φ). Position and velocity are compensated
 /// sums: their rounding would otherwise be the largest error of the energy, and grow in proportion to the time.
@@ -53,7 +57,7 @@ pub struct DiscreteGradientMemory<const D: usize, R = f64> {
     pub q: CompensatedVector<D, R>,
     /// Velocity.
     pub v: CompensatedVector<D, R>,
-    /// ∇̄Φ of the last three steps, the newest first; ∇Φ before the first step.
+    /// ∇̄Φ less the mean force of the last three steps, the newest first; ∇Φ − F before the first step.
     gradients: [[R; D]; 3],
 }
 
@@ -77,7 +81,7 @@ impl Method for DiscreteGradient {
     }
 }
 
-/// Δq and the mean force of one step from q with velocity v.
+/// Δq and the mean slope ∇̄Φ − (F + F′)/2 of one step from q with velocity v.
 #[inline(always)]
 pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     law: &L,
@@ -91,10 +95,21 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     let half = R::from_f64(0.5);
     let g = half * stride.fall;
     let drift = stride.drift(v);
-    let frozen = [R::ZERO; D];
-    let guess = newton.guess((stride.dt, v.hi), frozen, g, gradients);
-    let equation = Equation { q, a: q, drift, frozen, g, guess, max_iterations: newton.limit() };
-    law.field(stride.mass, half.mul_add(stride.dt, t)).discrete_increment(&equation)
+    let zero = [R::ZERO; D];
+    let guess = newton.guess((stride.dt, v.hi), zero, g, gradients);
+    let field = law.field(stride.mass, half.mul_add(stride.dt, t));
+    let (rate, t_end, max_iterations) = (stride.rate, t + stride.dt, newton.limit());
+    let v = v.hi;
+    if !<L::Field<'_> as Field<D, R>>::FORCED {
+        let equation = Equation { q, a: q, drift, frozen: zero, g, v, rate, t_end, guess, max_iterations };
+        return field.discrete_increment(&equation);
+    }
+    // The unknown side has the force at the end; that at the start is known.
+    let half_force = law.field(stride.mass, t).half_force(q, v);
+    let frozen = scaled(-g, half_force);
+    let equation = Equation { q, a: q, drift, frozen, g, v, rate, t_end, guess, max_iterations };
+    let found = field.discrete_increment(&equation)?;
+    Ok(Increment { gradient: difference(found.gradient, half_force), ..found })
 }
 
 impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient {
@@ -102,7 +117,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
 
     fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
         let State { t, q, v } = *start;
-        let gradient = law.field(stride.mass, R::from_f64(t)).gradient(q);
+        let gradient = law.field(stride.mass, R::from_f64(t)).slope(q, v);
         let (q, v) = (CompensatedVector::new(q), CompensatedVector::new(v));
         Ok(DiscreteGradientMemory { q, v, gradients: [gradient; 3] })
     }
@@ -136,7 +151,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
         stride.kinetic_energy(memory.v.value())
     }
 
-    /// −∇̄Φ(q, q′)·Δq.
+    /// (−∇̄Φ(q, q′) + (F + F′)/2)·Δq.
     fn work(&self, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
         let moved = sum(difference(after.q.hi, before.q.hi), difference(after.q.lo, before.q.lo));
         -dot(after.gradients[0], moved)

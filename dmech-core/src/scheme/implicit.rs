@@ -5,14 +5,14 @@ use dmech_scalar::Real;
 use super::{Effort, Method, Newton, Scheme, Stride};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Law, Potential};
+use crate::law::{Field, Law, Potential};
 use crate::newton::{Equation, NotConverged};
 use crate::vector::{add_scaled, difference, dot, finite, scaled, sum};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
 /// ```text
-/// (v′ + v)/2 = (q′ − q)/h,   (v′ − v)/h = (a(q′) + a(q))/2
+/// (v′ + v)/2 = (q′ − q)/h,   (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2
 /// ```
 ///
 /// | order | energy | angular momentum | symplectic | reversible | per step |
@@ -51,7 +51,7 @@ pub struct ImplicitMemory<const D: usize, R = f64> {
     pub q: [R; D],
     /// Velocity.
     pub v: [R; D],
-    /// ∇Φ at the last three positions, the newest first.
+    /// ∇Φ − F in the last three states, the newest first.
     gradients: [[R; D]; 3],
 }
 
@@ -74,7 +74,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
 
     fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
         let State { t, q, v } = *start;
-        let gradient = law.field(stride.mass, R::from_f64(t)).gradient(q);
+        let gradient = law.field(stride.mass, R::from_f64(t)).slope(q, v);
         Ok(ImplicitMemory { q, v, gradients: [gradient; 3] })
     }
 
@@ -86,8 +86,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
         let drift = scaled(stride.dt, v);
         let frozen = scaled(g, gradient);
         let guess = self.newton.guess((stride.dt, v), frozen, g, gradients);
-        let equation = Equation { q, a: q, drift, frozen, g, guess, max_iterations: self.newton.limit() };
-        let found = law.field(stride.mass, t + stride.dt).implicit_increment(&equation)?;
+        let t_end = t + stride.dt;
+        let max_iterations = self.newton.limit();
+        let equation = Equation { q, a: q, drift, frozen, g, v, rate: stride.rate, t_end, guess, max_iterations };
+        let found = law.field(stride.mass, t_end).implicit_increment(&equation)?;
         *memory = ImplicitMemory {
             q: sum(q, found.delta),
             v: add_scaled(v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient)),

@@ -5,8 +5,8 @@ use dmech_scalar::{CompensatedVector, Real};
 use super::{Effort, Method, Newton, Scheme, Stride, discrete_gradient};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Law, Potential};
-use crate::newton::{Equation, NotConverged};
+use crate::law::{Field, Law, Potential, VelocityIndependent};
+use crate::newton::{Equation, Increment, NotConverged};
 use crate::vector::{add_scaled, difference, dot, finite, scaled};
 
 /// The energy-exact central difference (Kanatani (2.11)–(2.12) with the force of (3.7)).
@@ -117,14 +117,14 @@ impl Method for Kanatani {
     }
 }
 
-impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Kanatani {
+impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R> for Kanatani {
     type Memory = KanataniMemory<D, R>;
 
     fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
         let State { t, q, v } = *start;
         let t = R::from_f64(t);
         let field = law.field(stride.mass, t);
-        let gradient = field.gradient(q);
+        let gradient = field.slope(q, v);
         let z = match self.start {
             Start::Formula => field.kick(R::from_f64(-0.5) * stride.kick, q, v),
             Start::BackwardStep => {
@@ -154,11 +154,24 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Kanatani {
         let KanataniMemory { q_before, q, z, gradients } = *memory;
         let g = stride.fall;
         let drift = stride.drift(&z);
-        let frozen = [R::ZERO; D];
-        let guess = self.newton.guess((stride.dt, z.value()), frozen, g, gradients);
-        let equation =
-            Equation { q: q.value(), a: q_before, drift, frozen, g, guess, max_iterations: self.newton.limit() };
-        let found = law.field(stride.mass, t).discrete_increment(&equation)?;
+        let zero = [R::ZERO; D];
+        let guess = self.newton.guess((stride.dt, z.value()), zero, g, gradients);
+        let equation = Equation {
+            a: q_before,
+            guess,
+            t_end: t + stride.dt,
+            max_iterations: self.newton.limit(),
+            ..Equation::new(q.value(), drift, g)
+        };
+        let field = law.field(stride.mass, t);
+        let found = if <L::Field<'_> as Field<D, R>>::FORCED {
+            // A force beside the potential is that at the position now.
+            let force = scaled(R::from_f64(2.0), field.half_force(q.value(), z.value()));
+            let found = field.potential_increment(&Equation { frozen: scaled(-g, force), ..equation })?;
+            Increment { gradient: difference(found.gradient, force), ..found }
+        } else {
+            field.discrete_increment(&equation)?
+        };
         let (mut q_next, mut z_next) = (q, z);
         q_next.add(found.delta);
         stride.kick_compensated(&mut z_next, found.gradient);

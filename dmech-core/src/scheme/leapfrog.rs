@@ -5,7 +5,7 @@ use dmech_scalar::Real;
 use super::{Effort, Method, Scheme, Stride};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Law, Potential};
+use crate::law::{Law, Potential, VelocityIndependent};
 use crate::newton::NotConverged;
 use crate::vector::{add_scaled, difference, dot, finite, scaled, sum};
 
@@ -55,7 +55,7 @@ impl Method for Leapfrog {
     }
 }
 
-impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Leapfrog {
+impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R> for Leapfrog {
     type Memory = LeapfrogMemory<D, R>;
 
     fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {

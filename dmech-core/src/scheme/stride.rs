@@ -15,6 +15,8 @@ pub struct Stride<R> {
     pub kick: R,
     /// h²/m, what a kick moves the particle in one step.
     pub fall: R,
+    /// 2/h, by which the velocity at the end of a step follows from the increment.
+    pub rate: R,
     /// The part of `kick` by which dt·kick exceeds `fall`, in exact arithmetic.
     excess: R,
 }
@@ -24,7 +26,7 @@ impl<R: Real> Stride<R> {
     pub fn new(dt: R, mass: R) -> Self {
         let kick = dt / mass;
         let (fall, rest) = exact_product(dt, kick);
-        Stride { dt, mass, kick, fall, excess: rest / dt }
+        Stride { dt, mass, kick, fall, rate: R::from_f64(2.0) / dt, excess: rest / dt }
     }
 
     /// The same mass and γ times the step; γ may be negative.

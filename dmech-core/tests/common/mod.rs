@@ -14,6 +14,8 @@ pub struct Kepler<const ONE_UNKNOWN: bool> {
 pub const SUN: Kepler<true> = Kepler { k: 1.0 };
 pub const SUN_BY_COMPONENTS: Kepler<false> = Kepler { k: 1.0 };
 
+impl<const ONE_UNKNOWN: bool> Conservative for Kepler<ONE_UNKNOWN> {}
+
 impl<const ONE_UNKNOWN: bool, R: Real> Potential<2, R> for Kepler<ONE_UNKNOWN> {
     const CENTRAL: bool = true;
 
@@ -91,6 +93,8 @@ pub struct Spring {
     pub k: f64,
 }
 
+impl Conservative for Spring {}
+
 impl<const D: usize, R: Real> Potential<D, R> for Spring {
     const CENTRAL: bool = true;
     const LINEAR: bool = true;
@@ -134,6 +138,8 @@ pub struct Quartic {
     pub k: f64,
     pub lambda: f64,
 }
+
+impl Conservative for Quartic {}
 
 impl<const D: usize> Potential<D> for Quartic {
     const CENTRAL: bool = true;
@@ -179,6 +185,8 @@ pub struct Pendulum {
     pub k: f64,
 }
 
+impl Conservative for Pendulum {}
+
 impl<R: Real> Potential<1, R> for Pendulum {
     fn potential(&self, [q]: [R; 1]) -> R {
         -R::from_f64(self.k) * q.cos()
@@ -206,6 +214,8 @@ pub struct Coupled {
     pub k: [f64; 3],
     pub lambda: f64,
 }
+
+impl Conservative for Coupled {}
 
 impl Potential<3> for Coupled {
     fn potential(&self, q: [f64; 3]) -> f64 {
@@ -249,6 +259,10 @@ pub struct DrivenSpring {
     pub epsilon: f64,
     pub omega: f64,
 }
+
+impl VelocityIndependent for DrivenSpring {}
+
+impl<const D: usize> dmech_core::Field<D> for Spring {}
 
 impl Law<1> for DrivenSpring {
     type Field<'a> = Spring;

@@ -79,6 +79,22 @@ impl Number {
     }
 }
 
+/// Combines numbers two by two until no two of them have an exact combination: what is left, in a fixed order, is not
+/// changed by doing it again.
+pub(super) fn combined(mut numbers: Vec<Number>, combine: fn(Number, Number) -> Option<Number>) -> Vec<Number> {
+    numbers.sort_unstable();
+    let pair = |numbers: &[Number]| {
+        let pairs = (0..numbers.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        pairs.into_iter().find_map(|(i, j)| Some((i, j, combine(numbers[i], numbers[j])?)))
+    };
+    while let Some((i, j, number)) = pair(&numbers) {
+        numbers.remove(j);
+        numbers[i] = number;
+        numbers.sort_unstable();
+    }
+    numbers
+}
+
 impl std::fmt::Debug for Number {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{}", self.value())

@@ -11,6 +11,7 @@
 //! | (c/d) a = e a where e = c/d is exact | all |
 //! | 0·a = 0 | a finite |
 
+use super::number::combined;
 use super::{Expr, Graph, Node, Number, Unary};
 
 impl Graph {
@@ -132,8 +133,8 @@ impl Gathering {
         }
     }
 
-    /// The product of the numbers where it is exact. Where it is not, the numbers become factors, all but powers of two:
-    /// so the outcome depends neither on their order nor on what has been multiplied before.
+    /// The product of the numbers where it is exact. Where it is not, they become factors, all but powers of two, so that a
+    /// product built in another order is the same.
     fn fold_numbers(&mut self, graph: &mut Graph) -> Number {
         let mut numbers = std::mem::take(&mut self.numbers);
         if numbers.contains(&Number::ZERO) {
@@ -143,21 +144,28 @@ impl Gathering {
         numbers.iter_mut().filter(|c| c.value() < 0.0).for_each(|c| *c = c.negated());
         numbers.sort_unstable();
         self.divide_by_numbers(graph, &mut numbers);
-        let mut coefficient = match numbers.iter().try_fold(Number::ONE, |product, &c| product.exact_product(c)) {
-            Some(product) => {
-                let mut product = [product];
-                self.divide_by_numbers(graph, &mut product);
-                product[0]
+        let (powers, others): (Vec<_>, Vec<_>) = numbers.into_iter().partition(|c| c.is_power_of_two());
+        let mut coefficient = Number::ONE;
+        let mut apart = combined(others, Number::exact_product);
+        if let [only] = apart[..] {
+            coefficient = only;
+            apart.clear();
+        }
+        for power in powers {
+            match coefficient.exact_product(power) {
+                Some(product) => coefficient = product,
+                None => apart.push(power), // Out of range.
             }
-            None => {
-                let (powers, others): (Vec<_>, Vec<_>) = numbers.into_iter().partition(|c| c.is_power_of_two());
-                for c in others {
-                    let number = graph.intern(Node::Number(c));
-                    self.raise(number, 1);
-                }
-                Number::new(powers.into_iter().map(Number::value).product())
-            }
-        };
+        }
+        if apart.is_empty() {
+            let mut whole = [coefficient];
+            self.divide_by_numbers(graph, &mut whole);
+            coefficient = whole[0];
+        }
+        for c in apart {
+            let number = graph.intern(Node::Number(c));
+            self.raise(number, 1);
+        }
         if negative {
             coefficient = coefficient.negated();
         }

@@ -6,7 +6,10 @@
 //! | −(a + b) = −a − b inside a sum | all |
 //! | c t + d t = (c + d) t where c + d is exact | all |
 //! | 0 + a = a; 0·t = 0 | t finite |
+//!
+//! Numbers that have no exact sum stand among the terms, so that a sum built in another order is the same.
 
+use super::number::combined;
 use super::{Expr, Graph, Node, Number};
 
 impl Graph {
@@ -39,10 +42,12 @@ impl Graph {
         for &(c, e) in summands {
             self.flatten_into(c, e, &mut constants, &mut terms);
         }
-        // All or none, so that the outcome does not depend on what has been added before.
-        constants.sort_unstable();
-        let exact = constants.iter().try_fold(Number::ZERO, |sum, &c| sum.exact_sum(c));
-        let constant = exact.unwrap_or(Number::ZERO);
+        let constants = combined(constants, Number::exact_sum);
+        let (constant, apart) = match constants[..] {
+            [] => (Number::ZERO, vec![]),
+            [constant] => (constant, vec![]),
+            _ => (Number::ZERO, constants),
+        };
         terms.sort_by_key(|&(_, t)| t);
         let mut merged: Vec<(Number, Expr)> = vec![];
         for (c, t) in terms {
@@ -53,8 +58,8 @@ impl Graph {
                 None => merged.push((c, t)),
             }
         }
-        if exact.is_none() {
-            for c in constants.into_iter().filter(|&c| c != Number::ZERO) {
+        if !apart.is_empty() {
+            for c in apart {
                 let sign = if c.value() < 0.0 { Number::ONE.negated() } else { Number::ONE };
                 merged.push((sign, self.number(c.value().abs())));
             }
@@ -77,7 +82,13 @@ impl Graph {
             },
             Node::Sum { constant, terms: inner } if unit => {
                 constants.push(if c == Number::ONE { constant } else { constant.negated() });
-                terms.extend(inner.iter().map(|&(d, t)| (if c == Number::ONE { d } else { d.negated() }, t)));
+                for &(d, t) in &inner {
+                    let d = if c == Number::ONE { d } else { d.negated() };
+                    match self.node(t) {
+                        Node::Number(_) => self.flatten_into(d, t, constants, terms),
+                        _ => terms.push((d, t)),
+                    }
+                }
             }
             Node::Product { coefficient, factors } if coefficient != Number::ONE => {
                 let (c, bare) = match c.exact_product(coefficient) {

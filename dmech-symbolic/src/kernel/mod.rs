@@ -1,4 +1,8 @@
-//! The programs that schemes need of a potential, made for its structure.
+//! The programs that schemes need of a law, made for its structure.
+
+mod forced;
+
+pub use forced::{ForceFormulas, ForcedKernels};
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};
@@ -25,6 +29,12 @@ pub struct Variables {
     pub rhs: Vec<Symbol>,
     /// The coefficient of the unknown force.
     pub g: Symbol,
+    /// h v: the part of the increment that the velocity makes.
+    pub drift: Vec<Symbol>,
+    /// 2/h, so that the velocity at the end of a step is v + (2/h)(Δ − h v).
+    pub rate: Symbol,
+    /// The time at the end of a step.
+    pub t_end: Symbol,
     /// Squared distances from the centre: of a position, of the two ends.
     pub s: Symbol,
     /// |a|².
@@ -97,9 +107,10 @@ impl Variables {
         let v = list(&|i| if dimension <= 3 { format!("v{}", letter(i)) } else { format!("v{i}") });
         let (a, b) = (list(&|i| end_name("a", i)), list(&|i| end_name("b", i)));
         let (delta, rhs) = (list(&|i| format!("delta{i}")), list(&|i| format!("rhs{i}")));
+        let drift = list(&|i| format!("drift{i}"));
         let [s, s_a, s_b] = ["s", "sa", "sb"].map(|name| graph.coordinate(name));
-        let [c, g] = ["c", "g"].map(|name| graph.parameter(name));
-        Self { q, v, c, a, b, delta, rhs, g, s, s_a, s_b }
+        let [c, g, rate, t_end] = ["c", "g", "rate", "t_end"].map(|name| graph.parameter(name));
+        Self { q, v, c, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b }
     }
 }
 

@@ -1,0 +1,217 @@
+//! Programs for laws with a force beside, or in place of, a potential.
+//!
+//! The velocity at the end of a step is eliminated by (v + v′)/2 = Δ/h (Greenspan (2.1)), v′ = v + (2/h)(Δ − h v); its
+//! share of the Jacobian is (2/h) ∂F/∂v.
+
+use crate::calculus::{self, TwoPoints};
+use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
+use crate::program::Program;
+
+use super::{Variables, correction};
+
+/// Everything generated for a force.
+#[derive(Clone, Debug)]
+pub struct ForcedKernels {
+    /// Expressions, for display and tests.
+    pub formulas: ForceFormulas,
+    /// F(q, v).
+    pub force: Program,
+    /// ∂F/∂q, row by row.
+    pub force_dq: Program,
+    /// ∂F/∂v, row by row.
+    pub force_dv: Program,
+    /// ∇Φ − F.
+    pub slope: Program,
+    /// v − c (∇Φ − F).
+    pub kick: Program,
+    /// One Newton correction of the trapezoidal step, with the end velocity eliminated.
+    pub implicit: Program,
+    /// One Newton correction of the energy-exact step: ∇̄Φ and the mean force, or where the force does no work the force
+    /// at the mean position and mean velocity.
+    pub discrete: Program,
+    /// The force depends on the velocity.
+    pub depends_on_velocity: bool,
+    /// F·v = 0 for every v: the force turns the velocity and does no work.
+    pub workless: bool,
+}
+
+/// The formulas behind the programs.
+#[derive(Clone, Debug)]
+pub struct ForceFormulas {
+    /// F(q, v).
+    pub force: Vec<Expr>,
+    /// ∂F/∂q.
+    pub force_dq: Vec<Vec<Expr>>,
+    /// ∂F/∂v.
+    pub force_dv: Vec<Vec<Expr>>,
+}
+
+impl ForcedKernels {
+    /// Derives everything from Φ and F, written in `variables.q` and `variables.v`; `time` is the symbol of the time
+    /// where the law names it.
+    pub fn new(graph: &mut Graph, phi: Expr, force: &[Expr], time: Option<Symbol>, variables: &Variables) -> Self {
+        let Variables { q, v, a, b, .. } = variables;
+        let gradient = calculus::gradient(graph, phi, q);
+        let force_dq = calculus::jacobian(graph, force, q);
+        let force_dv = calculus::jacobian(graph, force, v);
+        let depends_on_velocity = force.iter().any(|&f| graph.depends_on(f, v));
+        let workless = depends_on_velocity && does_no_work(graph, force, v);
+        let slope: Vec<_> = gradient.iter().zip(force).map(|(&g, &f)| graph.sub(g, f)).collect();
+        let kick = super::kick(graph, &slope, variables);
+
+        let end = Point::at_end(graph, variables);
+        let implicit = {
+            let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
+            forced_correction(graph, &here, variables)
+        };
+        let discrete = {
+            let mut ends = TwoPoints::new(graph, q, a, b);
+            let conservative = calculus::discrete_gradient(graph, phi, &mut ends);
+            let point = if workless { Point::in_the_middle(graph, variables) } else { end };
+            let later = time.filter(|_| !workless).map(|t| (t, graph.symbol(variables.t_end)));
+            let mut at_end_time = Substitution::new(graph, later);
+            let share = if workless { 1.0 } else { 0.5 };
+            let total: Vec<_> = conservative
+                .iter()
+                .zip(force)
+                .map(|(&slope, &f)| {
+                    let placed = point.place(graph, f, variables);
+                    let placed = at_end_time.apply(graph, placed);
+                    let placed = graph.scale(share, placed);
+                    graph.sub(slope, placed)
+                })
+                .collect();
+            forced_correction(graph, &total, variables)
+        };
+        Self {
+            force: Program::schedule(graph, force),
+            force_dq: Program::schedule(graph, &force_dq.concat()),
+            force_dv: Program::schedule(graph, &force_dv.concat()),
+            slope: Program::schedule(graph, &slope),
+            kick,
+            implicit,
+            discrete,
+            depends_on_velocity,
+            workless,
+            formulas: ForceFormulas { force: force.to_vec(), force_dq, force_dv },
+        }
+    }
+}
+
+/// Where in a step a force is taken.
+struct Point {
+    position: Vec<Expr>,
+    velocity: Vec<Expr>,
+}
+
+impl Point {
+    /// (q′, v′), with v′ = v + (2/h)(Δ − h v).
+    fn at_end(graph: &mut Graph, variables: &Variables) -> Self {
+        let velocity = turned_velocity(graph, variables, 1.0);
+        Self { position: variables.b.iter().map(|&b| graph.symbol(b)).collect(), velocity }
+    }
+
+    /// ((q + q′)/2, (v + v′)/2).
+    fn in_the_middle(graph: &mut Graph, variables: &Variables) -> Self {
+        let velocity = turned_velocity(graph, variables, 0.5);
+        let ends = variables.a.iter().zip(&variables.b);
+        let position = ends
+            .map(|(&a, &b)| {
+                let (a, b) = (graph.symbol(a), graph.symbol(b));
+                graph.mean(a, b)
+            })
+            .collect();
+        Self { position, velocity }
+    }
+
+    fn place(&self, graph: &mut Graph, e: Expr, variables: &Variables) -> Expr {
+        let positions = variables.q.iter().copied().zip(self.position.iter().copied());
+        let velocities = variables.v.iter().copied().zip(self.velocity.iter().copied());
+        let pairs: Vec<_> = positions.chain(velocities).collect();
+        Substitution::new(graph, pairs).apply(graph, e)
+    }
+}
+
+/// v + share (2/h)(Δ − h v).
+fn turned_velocity(graph: &mut Graph, variables: &Variables, share: f64) -> Vec<Expr> {
+    let rate = graph.symbol(variables.rate);
+    let Variables { v, delta, drift, .. } = variables;
+    v.iter()
+        .zip(delta)
+        .zip(drift)
+        .map(|((&v, &delta), &drift)| {
+            let (v, delta, drift) = (graph.symbol(v), graph.symbol(delta), graph.symbol(drift));
+            let turned = graph.sub(delta, drift);
+            let turned = graph.mul(&[rate, turned]);
+            let turned = graph.scale(share, turned);
+            graph.add(&[v, turned])
+        })
+        .collect()
+}
+
+/// The correction for a force that depends on Δ through the end b = q + Δ and through the end velocity.
+fn forced_correction(graph: &mut Graph, force: &[Expr], variables: &Variables) -> Program {
+    let by_position = calculus::jacobian(graph, force, &variables.b);
+    let by_increment = calculus::jacobian(graph, force, &variables.delta);
+    let jacobian: Vec<Vec<_>> = by_position
+        .iter()
+        .zip(&by_increment)
+        .map(|(p, d)| p.iter().zip(d).map(|(&p, &d)| graph.add(&[p, d])).collect())
+        .collect();
+    correction(graph, force, &jacobian, false, variables)
+}
+
+/// Whether F·v vanishes identically: decided on the expression, products over sums expanded.
+fn does_no_work(graph: &mut Graph, force: &[Expr], velocity: &[Symbol]) -> bool {
+    let powers: Vec<_> = force
+        .iter()
+        .zip(velocity)
+        .map(|(&f, &v)| {
+            let v = graph.symbol(v);
+            graph.mul(&[f, v])
+        })
+        .collect();
+    let expanded: Vec<_> = powers.iter().map(|&e| expand(graph, e)).collect();
+    let power = graph.add(&expanded);
+    graph.is_zero(power)
+}
+
+/// a (b + c) = a b + a c, where a sum stands to the first power; only to recognise a zero.
+fn expand(graph: &mut Graph, e: Expr) -> Expr {
+    const LARGEST: usize = 4096;
+    match graph.node(e).clone() {
+        Node::Sum { constant, terms } => {
+            let mut summands = vec![graph.number(constant.value())];
+            for &(c, t) in &terms {
+                let t = expand(graph, t);
+                summands.push(graph.scale(c.value(), t));
+            }
+            graph.add(&summands)
+        }
+        Node::Product { coefficient, factors } => {
+            let sum = factors.iter().position(|&(f, n)| n == 1 && matches!(graph.node(f), Node::Sum { .. }));
+            let Some(i) = sum else { return e };
+            let Node::Sum { constant, terms } = graph.node(factors[i].0).clone() else { return e };
+            if terms.len() * factors.len() > LARGEST {
+                return e;
+            }
+            let mut rest = factors.to_vec();
+            rest.remove(i);
+            let rest = graph.product_of(coefficient, rest);
+            let one = graph.one();
+            let parts: Vec<_> = terms
+                .iter()
+                .copied()
+                .chain([(constant, one)])
+                .filter(|(c, _)| *c != Number::ZERO)
+                .map(|(c, t)| {
+                    let product = graph.mul(&[t, rest]);
+                    let product = graph.scale(c.value(), product);
+                    expand(graph, product)
+                })
+                .collect();
+            graph.add(&parts)
+        }
+        _ => e,
+    }
+}

@@ -18,7 +18,7 @@ mod model;
 pub use lower::{Lowered, Parameter, Source};
 pub use model::Model;
 
-use dmech_symbolic::kernel::Kernels;
+use dmech_symbolic::kernel::{ForcedKernels, Kernels};
 use proc_macro2::TokenStream;
 
 use model::Parsed;
@@ -29,8 +29,10 @@ pub struct Derivation {
     pub model: Model,
     /// The declared potential as an expression.
     pub lowered: Lowered,
-    /// The programs derived from it.
+    /// The programs derived from its potential.
     pub kernels: Kernels,
+    /// The programs derived from its force.
+    pub forced: Option<ForcedKernels>,
 }
 
 /// The attribute `#[dmech::law]` on an inherent impl block: the block as it was, and what is derived from it.
@@ -49,26 +51,34 @@ pub fn derive(item: TokenStream) -> TokenStream {
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
     let model = model::from_impl(TokenStream::new(), item).model?;
-    let (lowered, kernels) = kernels(&model)?;
-    Ok(Derivation { model, lowered, kernels })
+    match derive_all(model) {
+        Ok(derivation) => Ok(*derivation),
+        Err((_, errors)) => Err(errors),
+    }
 }
 
-fn kernels(model: &Model) -> Result<(Lowered, Kernels), Vec<syn::Error>> {
-    let mut lowered = lower::lower(model)?;
-    let kernels = Kernels::new(&mut lowered.graph, lowered.potential, &lowered.variables);
-    Ok((lowered, kernels))
+fn derive_all(model: Model) -> Result<Box<Derivation>, (Box<Model>, Vec<syn::Error>)> {
+    let mut lowered = match lower::lower(&model) {
+        Ok(lowered) => lowered,
+        Err(errors) => return Err((Box::new(model), errors)),
+    };
+    let Lowered { graph, variables, potential, force, parameters } = &mut lowered;
+    let kernels = Kernels::new(graph, *potential, variables);
+    let time = parameters.iter().find(|p| matches!(p.source, Source::Time)).map(|p| p.symbol);
+    let forced = force.as_ref().map(|force| ForcedKernels::new(graph, *potential, force, time, variables));
+    Ok(Box::new(Derivation { model, lowered, kernels, forced }))
 }
 
 fn expand(Parsed { item, model }: Parsed) -> TokenStream {
     let mut tokens = item;
     let errors = match model {
         Err(errors) => errors,
-        Ok(model) => match kernels(&model) {
-            Ok((lowered, kernels)) => {
-                tokens.extend(emit::implementation(&Derivation { model, lowered, kernels }));
+        Ok(model) => match derive_all(model) {
+            Ok(derivation) => {
+                tokens.extend(emit::implementation(&derivation));
                 return tokens;
             }
-            Err(errors) => {
+            Err((model, errors)) => {
                 tokens.extend(emit::stub(&model));
                 errors
             }

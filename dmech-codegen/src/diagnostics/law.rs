@@ -90,15 +90,15 @@ pub(crate) fn later_role(attribute: &impl ToTokens) -> Error {
     at(
         attribute,
         format!(
-            "`{}` cannot be run by this version, which runs one `#[potential]` per law; state the law by its potential \
-             energy, or remove the attribute and keep the method as an ordinary one",
+            "`{}` cannot be run by this version, which runs a `#[potential]` and a `#[force]` of one particle; state the law by \
+             them, or remove the attribute and keep the method as an ordinary one",
             text(attribute)
         ),
     )
 }
 
 pub(crate) fn role_arguments(attribute: &impl ToTokens) -> Error {
-    at(attribute, "`#[potential]` on a method takes no arguments; the method says it all")
+    at(attribute, "the role of a method takes no arguments; the method says it all")
 }
 
 pub(crate) fn conditional_potential(cfg: &impl ToTokens) -> Error {
@@ -109,18 +109,59 @@ pub(crate) fn conditional_potential(cfg: &impl ToTokens) -> Error {
     )
 }
 
-pub(crate) fn second_potential(second: &Ident, first: &Ident) -> Error {
+pub(crate) fn two_roles(attribute: &impl ToTokens) -> Error {
+    at(attribute, "a method has one role; state the potential and the force in two methods")
+}
+
+pub(crate) fn other_dimension(name: &Ident, own: usize, other: usize) -> Error {
+    at(name, format!("`{name}` has {own} coordinates and the potential of this law has {other}"))
+}
+
+pub(crate) fn no_position_or_velocity(whole: &impl ToTokens) -> Error {
+    at(
+        whole,
+        "a force is a function of position and velocity; give it an argument `q: [f64; D]`, `v: [f64; D]` or both",
+    )
+}
+
+pub(crate) fn no_force_returned(whole: &impl ToTokens) -> Error {
+    at(whole, "a force returns its components in the form of the position; add `-> [f64; D]`")
+}
+
+pub(crate) fn wrong_force(ty: &impl ToTokens) -> Error {
+    at(
+        ty,
+        format!("`{}` cannot be a force; it is written like the position: `f64`, `[f64; D]` or `SVector<f64, D>`", text(ty)),
+    )
+}
+
+pub(crate) fn force_of_other_dimension(ty: &impl ToTokens, own: usize, other: usize) -> Error {
+    at(ty, format!("this has {own} components, and {other} are named before; position, velocity and force have as many"))
+}
+
+pub(crate) fn unknown_force_argument(pattern: &impl ToTokens) -> Error {
+    at(
+        pattern,
+        format!(
+            "`{}` is not an argument a force can have; expected one of: `q` (position), `v` (velocity), `m` (mass), `t` \
+             (time). Parameters are fields of the law: `self.k`",
+            text(pattern)
+        ),
+    )
+}
+
+pub(crate) fn second_of_its_role(second: &Ident, first: &Ident, what: &str) -> Error {
     at(
         second,
         format!(
-            "`{second}` is a second potential, and a law has one; `{first}` is marked already. Add the two in one method, \
+            "`{second}` is a second {what}, and a law has one; `{first}` is marked already. Add the two in one method, \
              with the other as a helper"
         ),
     )
 }
 
-pub(crate) fn first_potential(first: &Ident) -> Error {
-    at(first, format!("`{first}` is the first `#[potential]` of this law"))
+pub(crate) fn first_of_its_role(first: &Ident, what: &str) -> Error {
+    at(first, format!("`{first}` is the first `#[{what}]` of this law"))
 }
 
 pub(crate) fn second_closure(attribute: &impl ToTokens) -> Error {
@@ -128,10 +169,7 @@ pub(crate) fn second_closure(attribute: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn no_closure(name: &Ident) -> Error {
-    at(
-        name,
-        format!("the potential of `{name}` is not stated; write `#[potential(|q: [f64; 2]| …)]` below the derive"),
-    )
+    at(name, format!("the potential of `{name}` is not stated; write `#[potential(|q: [f64; 2]| …)]` below the derive"))
 }
 
 pub(crate) fn not_a_closure(tokens: &impl ToTokens) -> Error {
@@ -168,7 +206,10 @@ pub(crate) fn other_receiver(receiver: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn no_position(whole: &impl ToTokens) -> Error {
-    at(whole, "a potential is a function of the position; give it an argument `q: f64`, `q: [f64; D]` or `q: SVector<f64, D>`")
+    at(
+        whole,
+        "a potential is a function of the position; give it an argument `q: f64`, `q: [f64; D]` or `q: SVector<f64, D>`",
+    )
 }
 
 pub(crate) fn named_twice(pattern: &impl ToTokens) -> Error {
@@ -194,7 +235,10 @@ pub(crate) fn velocity_argument(pattern: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn position_in_pieces(pattern: &impl ToTokens) -> Error {
-    at(pattern, format!("the position is one argument, `q`; take it to pieces in the body: `let {} = q;`", text(pattern)))
+    at(
+        pattern,
+        format!("the position is one argument, `q`; take it to pieces in the body: `let {} = q;`", text(pattern)),
+    )
 }
 
 pub(crate) fn position_by_reference(ty: &impl ToTokens) -> Error {

@@ -1,5 +1,6 @@
 //! The impl block, and what stands in for it where the law has errors.
 
+use dmech_symbolic::expression::Expr;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -9,44 +10,54 @@ use crate::lower::{Lowered, Source};
 use crate::model::Model;
 use crate::Derivation;
 
-/// `impl Potential<D, R> for Law`, with everything derived from Φ.
+/// The traits of mechanics for the user's type, with everything derived from its potential and force.
+///
+/// A conservative law is a `Potential` and no more. One that names `m` or `t`, or has a force, is a law whose field at a
+/// moment is a hidden struct; what can be had without mass and time is implemented for the type itself too.
 pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
-    let Derivation { model, lowered, kernels } = derivation;
-    let Lowered { graph, variables, parameters, .. } = lowered;
+    let Derivation { model, lowered, kernels, forced } = derivation;
+    let Lowered { graph, variables, potential, force, parameters } = lowered;
     let scalar = scalar_name(model);
     let module = module(model);
     let runtime = ident("dmech_v1");
     let d = Literal::usize_unsuffixed(model.dimension);
-    let sources = || parameters.iter().map(|p| &p.source);
-    let frozen = sources().any(|s| matches!(s, Source::Mass | Source::Time));
-    let autonomous = !sources().any(|s| matches!(s, Source::Time));
+    let names = |roots: &[Expr], source: fn(&Source) -> bool| {
+        parameters.iter().any(|p| source(&p.source) && roots.iter().any(|&e| graph.depends_on(e, &[p.symbol])))
+    };
+    let (is_mass, is_time) = (|s: &Source| matches!(s, Source::Mass), |s: &Source| matches!(s, Source::Time));
+    let phi = [*potential];
+    let forces = force.as_deref().unwrap_or_default();
+    let potential_is_bare = !names(&phi, is_mass) && !names(&phi, is_time);
+    let conservative = forced.is_none() && potential_is_bare;
     let receiver = Ident::new("self", Span::call_site());
     let self_ty = &model.self_ty;
-    let method = &model.potential.ident;
-    let printer = Printer {
-        declared: model.fields.is_none().then(|| quote!(<#self_ty>::#method)),
+    let declared = model.fields.is_none().then(|| model.formulas().map(|f| &f.ident).collect::<Vec<_>>());
+    let mention: Vec<_> = declared.iter().flatten().map(|method| quote!(<#self_ty>::#method)).collect();
+    let printer = |law: TokenStream| Printer {
         graph,
+        declared: mention.clone(),
         names: Names::new(graph, variables, parameters),
         variables,
         parameters,
         scalar: scalar.clone(),
         runtime: quote!(#runtime),
         dimension: d.clone(),
-        law: if frozen { quote!(#receiver.law) } else { quote!(#receiver) },
+        law,
     };
-    let functions = printer.functions(kernels);
-    let central = kernels.structure.central.is_some();
-    let linear = kernels.structure.constant_hessian;
+    let (bare, momentary) = (printer(quote!(#receiver)), printer(quote!(#receiver.law)));
+    let central = kernels.structure.central.is_some() && forced.is_none();
+    let linear = kernels.structure.constant_hessian && forced.is_none();
     let constants = quote! {
         const CENTRAL: bool = #central;
         const LINEAR: bool = #linear;
     };
     let where_clause = &model.generics.where_clause;
-    let parameters = model.generics.params.iter();
-    let generics = quote!(<#(#parameters,)* #scalar: #runtime::Real>);
-    let parameters = model.generics.params.iter();
-    let own_generics = quote!(<#(#parameters),*>);
-    if !frozen {
+    let own = model.generics.params.iter();
+    let own_generics = quote!(<#(#own),*>);
+    let own = model.generics.params.iter();
+    let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
+    if conservative {
+        let functions = bare.functions(kernels);
         return quote! {
             const _: () = {
                 use #module as #runtime;
@@ -62,36 +73,82 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             };
         };
     }
-    // A law that names m or t is a potential only at one moment, for one mass.
-    let moment = ident("Moment");
-    let law_parameter = ident("Law");
+    let of_itself = (model.potential.is_some() && potential_is_bare).then(|| {
+        let functions = bare.pointwise(kernels);
+        quote! {
+            #[automatically_derived]
+            impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
+                #constants
+                #functions
+            }
+        }
+    });
+    let force_of_itself = forced.as_ref().filter(|_| !names(forces, is_mass)).map(|forced| {
+        let functions = bare.force_functions(forced);
+        quote! {
+            #[automatically_derived]
+            impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
+                #functions
+            }
+        }
+    });
+    let (potential_functions, field_functions) = match forced {
+        Some(forced) => {
+            let (pointwise, steps) = (momentary.pointwise(kernels), momentary.forced_steps(forced));
+            let field = momentary.field_functions(kernels, forced);
+            let workless = forced.workless;
+            let capabilities = quote! {
+                const FORCED: bool = true;
+                const CONSERVES_ENERGY: bool = #workless;
+            };
+            (quote!(#pointwise #steps), quote!(#capabilities #field))
+        }
+        None => (momentary.functions(kernels), TokenStream::new()),
+    };
+    let velocity_independent = !forced.as_ref().is_some_and(|forced| forced.depends_on_velocity);
+    let velocity_independent = velocity_independent.then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
+        }
+    });
+    let autonomous = !names(&phi, is_time) && !names(forces, is_time);
+    let (moment, law, mass, t) = (ident("Moment"), ident("Law"), ident("mass"), ident("t"));
     quote! {
         const _: () = {
             use #module as #runtime;
 
-            pub struct #moment<'law, #law_parameter, #scalar> {
-                law: &'law #law_parameter,
+            #of_itself
+            #force_of_itself
+            #velocity_independent
+
+            /// The law at one moment, for one mass.
+            #[allow(dead_code)]
+            pub struct #moment<'law, #law, #scalar> {
+                law: &'law #law,
                 mass: #scalar,
                 t: #scalar,
             }
+
             #[automatically_derived]
-            #[allow(unused_variables)]
             impl #generics #runtime::Law<#d, #scalar> for #self_ty #where_clause {
                 type Field<'law> = #moment<'law, Self, #scalar> where Self: 'law;
                 const AUTONOMOUS: bool = #autonomous;
-                #[inline]
-                fn field(&self, mass: #scalar, t: #scalar) -> Self::Field<'_> {
-                    #moment { law: self, mass, t }
+                #[inline(always)]
+                fn field(&self, #mass: #scalar, #t: #scalar) -> Self::Field<'_> {
+                    #moment { law: self, mass: #mass, t: #t }
                 }
             }
-            #[automatically_derived]
-            impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
-            #[automatically_derived]
-            impl #generics #runtime::Field<#d, #scalar> for #moment<'_, #self_ty, #scalar> #where_clause {}
+
             #[automatically_derived]
             impl #generics #runtime::Potential<#d, #scalar> for #moment<'_, #self_ty, #scalar> #where_clause {
                 #constants
-                #functions
+                #potential_functions
+            }
+
+            #[automatically_derived]
+            impl #generics #runtime::Field<#d, #scalar> for #moment<'_, #self_ty, #scalar> #where_clause {
+                #field_functions
             }
         };
     }

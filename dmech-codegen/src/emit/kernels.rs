@@ -1,7 +1,7 @@
 //! The functions of the implementation, one for each kernel.
 
 use dmech_symbolic::expression::{Graph, Symbol};
-use dmech_symbolic::kernel::{Kernels, Step, Variables};
+use dmech_symbolic::kernel::{ForcedKernels, Kernels, Step, Variables};
 use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
@@ -21,15 +21,38 @@ pub(super) struct Printer<'a> {
     pub(super) runtime: TokenStream,
     /// D, as it is to be printed.
     pub(super) dimension: Literal,
-    /// The user's method, if there is one.
-    pub(super) declared: Option<TokenStream>,
+    /// The user's methods.
+    pub(super) declared: Vec<TokenStream>,
     /// How a method of the implementation reaches the law itself: `self` or `self.law`.
     pub(super) law: TokenStream,
 }
 
 impl Printer<'_> {
-    /// All functions of `Potential`.
+    /// All functions of `Potential` for a conservative law.
     pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
+        let doc = super::document::Documents::new(self.graph, kernels);
+        let pointwise = self.pointwise(kernels);
+        let kick = self.kick(&kernels.kick);
+        let implicit = self.step("implicit_increment", &kernels.implicit, false);
+        let exact = self.step("discrete_increment", &kernels.discrete, true);
+        let [.., kick_doc, implicit_doc, exact_doc] = doc.texts;
+        quote! {
+            #pointwise
+            #(#[doc = #kick_doc])* #kick
+            #(#[doc = #implicit_doc])* #implicit
+            #(#[doc = #exact_doc])* #exact
+        }
+    }
+
+    /// v − c times what acts.
+    pub(super) fn kick(&self, program: &Program) -> TokenStream {
+        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
+        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
+        self.function("kick", &arguments, &[variables.c], quote!([#scalar; #d]), Shape::Vector, program)
+    }
+
+    /// The functions of `Potential` that are taken at a point, or between two.
+    pub(super) fn pointwise(&self, kernels: &Kernels) -> TokenStream {
         let Self { scalar, variables, .. } = self;
         let d = &self.dimension;
         let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
@@ -39,9 +62,6 @@ impl Printer<'_> {
         let potential = self.function("potential", &q, &[], quote!(#scalar), Shape::Scalar, &kernels.potential);
         let gradient = self.function("gradient", &q, &[], vector.clone(), Shape::Vector, &kernels.gradient);
         let hessian = self.function("hessian", &q, &[], matrix.clone(), Shape::Matrix, &kernels.hessian);
-        let kick_arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
-        let kick =
-            self.function("kick", &kick_arguments, &[variables.c], vector.clone(), Shape::Vector, &kernels.kick);
         let discrete =
             self.function("discrete_gradient", &ends, &[], vector, Shape::Vector, &kernels.discrete_gradient);
         let jacobian = self.function(
@@ -52,20 +72,56 @@ impl Printer<'_> {
             Shape::Matrix,
             &kernels.discrete_gradient_jacobian,
         );
-        let implicit = self.step("implicit_increment", &kernels.implicit, false);
-        let exact = self.step("discrete_increment", &kernels.discrete, true);
-        let [potential_doc, gradient_doc, hessian_doc, kick_doc, discrete_doc, jacobian_doc, implicit_doc, exact_doc] =
-            doc.texts;
+        let [potential_doc, gradient_doc, hessian_doc, discrete_doc, jacobian_doc, ..] = doc.texts;
         quote! {
             #(#[doc = #potential_doc])* #potential
             #(#[doc = #gradient_doc])* #gradient
             #(#[doc = #hessian_doc])* #hessian
             #(#[doc = #discrete_doc])* #discrete
             #(#[doc = #jacobian_doc])* #jacobian
-            #(#[doc = #kick_doc])* #kick
-            #(#[doc = #implicit_doc])* #implicit
-            #(#[doc = #exact_doc])* #exact
         }
+    }
+
+    /// The functions of `Force`: they take the time as an argument.
+    pub(super) fn force_functions(&self, forced: &ForcedKernels) -> TokenStream {
+        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
+        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+        let time = self.parameters.iter().find(|p| matches!(p.source, Source::Time)).map(|p| p.symbol);
+        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
+        let list = [
+            ("force", &vector, Shape::Vector, &forced.force),
+            ("force_dq", &matrix, Shape::Matrix, &forced.force_dq),
+            ("force_dv", &matrix, Shape::Matrix, &forced.force_dv),
+        ];
+        let functions = list.map(|(name, result, shape, program)| {
+            let used = time.is_some_and(|t| program.symbols().contains(&t));
+            let t = underscored(&time.map_or_else(|| ident("t"), |t| self.names.symbol(t)), used);
+            self.signed_function(name, &arguments, &[], Some(&t), result.clone(), shape, program)
+        });
+        quote!(#(#functions)*)
+    }
+
+    /// The functions of `Field` that a law with a force needs.
+    pub(super) fn field_functions(&self, kernels: &Kernels, forced: &ForcedKernels) -> TokenStream {
+        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
+        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
+        let vector = quote!([#scalar; #d]);
+        let slope = self.function("slope", &arguments, &[], vector.clone(), Shape::Vector, &forced.slope);
+        let half = self.function("half_force", &arguments, &[], vector, Shape::Vector, &forced.half_force);
+        let potential = self.step("potential_increment", &kernels.discrete, true);
+        quote!(#slope #half #potential)
+    }
+
+    /// The steps of a law with a force.
+    pub(super) fn forced_steps(&self, forced: &ForcedKernels) -> TokenStream {
+        let wrap = |program: &Program, linear: bool| match linear {
+            true => Step::Linear(program.clone()),
+            false => Step::Newton(program.clone()),
+        };
+        let kick = self.kick(&forced.kick);
+        let implicit = self.step("implicit_increment", &wrap(&forced.implicit, forced.implicit_is_linear), false);
+        let exact = self.step("discrete_increment", &wrap(&forced.discrete, forced.discrete_is_linear), true);
+        quote!(#kick #implicit #exact)
     }
 
     fn function(
@@ -73,6 +129,21 @@ impl Printer<'_> {
         name: &str,
         arrays: &[(&str, &[Symbol])],
         scalars: &[Symbol],
+        result: TokenStream,
+        shape: Shape,
+        program: &Program,
+    ) -> TokenStream {
+        self.signed_function(name, arrays, scalars, None, result, shape, program)
+    }
+
+    /// A function of arrays; scalars come before them, the time after.
+    #[expect(clippy::too_many_arguments)]
+    fn signed_function(
+        &self,
+        name: &str,
+        arrays: &[(&str, &[Symbol])],
+        scalars: &[Symbol],
+        time: Option<&Ident>,
         result: TokenStream,
         shape: Shape,
         program: &Program,
@@ -86,7 +157,7 @@ impl Printer<'_> {
         });
         let bound: Vec<_> = arrays.iter().map(|(_, symbols)| self.pattern(symbols, &used)).collect();
         // A law that is only run counts as used.
-        let mention = self.declared.as_ref().filter(|_| matches!(shape, Shape::Scalar));
+        let mention = self.declared.iter().filter(|_| matches!(shape, Shape::Scalar));
         let mention = mention.map(|path| quote!(let _ = #path;));
         let signature = arrays.iter().zip(&bound).map(|(&(array, _), pattern)| {
             let array = underscored(&ident(array), pattern.is_some());
@@ -96,13 +167,14 @@ impl Printer<'_> {
             let (array, pattern) = (ident(array), pattern.as_ref()?);
             Some(quote!(let #pattern = #array;))
         });
-        let parameters = self.bind_parameters(&used);
+        let parameters = self.bind_parameters(&used, time.is_some());
+        let time = time.map(|t| quote!(, #t: #scalar));
         let Body { statements, outputs } = body(program, &self.names, scalar);
         let value = shape.gather(&outputs, self.variables.q.len());
         quote! {
             #[inline]
-            fn #name(&#receiver, #(#scalars,)* #(#signature),*) -> #result {
-                #mention
+            fn #name(&#receiver, #(#scalars,)* #(#signature),* #time) -> #result {
+                #(#mention)*
                 #(#unpack)*
                 #parameters
                 #statements
@@ -123,7 +195,7 @@ impl Printer<'_> {
         Some(quote!([#(#names),*]))
     }
 
-    fn bind_parameters(&self, used: &[Symbol]) -> TokenStream {
+    fn bind_parameters(&self, used: &[Symbol], time_is_given: bool) -> TokenStream {
         let scalar = &self.scalar;
         let used = self.parameters.iter().filter(|p| used.contains(&p.symbol));
         used.map(|parameter| {
@@ -137,6 +209,7 @@ impl Printer<'_> {
                     let receiver = receiver();
                     quote!(let #name = #receiver.mass;)
                 }
+                Source::Time if time_is_given => TokenStream::new(),
                 Source::Time => {
                     let receiver = receiver();
                     quote!(let #name = #receiver.t;)
@@ -154,7 +227,7 @@ impl Printer<'_> {
             Step::Linear(program) | Step::Newton(program) | Step::Central(program) => program,
         };
         let used = program.symbols();
-        let parameters = self.bind_parameters(&used);
+        let parameters = self.bind_parameters(&used, false);
         let Body { statements, outputs } = body(program, &self.names, scalar);
         let solution = if let Step::Central(_) = step {
             let solver = ident(if between { "discrete" } else { "implicit" });
@@ -184,17 +257,23 @@ impl Printer<'_> {
                 Some(quote!(let #pattern = #array;))
             });
             let known = self.pattern(&variables.rhs, &used).map(|pattern| quote!(let #pattern = #equation.known();));
-            let g = used.contains(&variables.g).then(|| {
-                let g = self.names.symbol(variables.g);
-                quote!(let #g = #equation.g;)
+            let velocities = [("v", &variables.v), ("drift", &variables.drift)].map(|(field, symbols)| {
+                let field = ident(field);
+                self.pattern(symbols, &used).map(|pattern| quote!(let #pattern = #equation.#field;))
             });
-            let closure_equation = underscored(&equation, known.is_some() || g.is_some());
+            let scalars = [variables.g, variables.rate, variables.t_end].map(|symbol| {
+                let name = self.names.symbol(symbol);
+                used.contains(&symbol).then(|| quote!(let #name = #equation.#name;))
+            });
+            let needs_equation = known.is_some() || velocities.iter().chain(&scalars).any(Option::is_some);
+            let closure_equation = underscored(&equation, needs_equation);
             let (delta, gradient) = outputs.split_at(variables.q.len());
             quote! {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
                     #(#unpack)*
                     #known
-                    #g
+                    #(#velocities)*
+                    #(#scalars)*
                     #statements
                     #runtime::newton::Correction { delta: [#(#delta),*], gradient: [#(#gradient),*] }
                 })

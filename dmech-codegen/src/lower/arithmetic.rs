@@ -126,9 +126,7 @@ impl<'m> Interpreter<'m> {
                     _ => Value::Number(self.numbers(operator, left, right)),
                 }
             }
-            (left, right) => {
-                self.refuse(body::no_such_operation(whole, operator.sign(), &left.kind(), &right.kind()))
-            }
+            (left, right) => self.refuse(body::no_such_operation(whole, operator.sign(), &left.kind(), &right.kind())),
         }
     }
 

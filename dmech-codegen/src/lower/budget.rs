@@ -19,7 +19,7 @@ const MAX_HEIGHT: usize = 400;
 /// How many functions may be applied to each other: f(f(f(…))).
 const MAX_TOWER: usize = 24;
 /// How many choices may depend on each other.
-const MAX_CHOICES: usize = 8;
+const MAX_CHOICES: usize = 6;
 /// How large an integer exponent may become.
 pub(super) const MAX_EXPONENT: i32 = 4096;
 /// How many comparisons one condition may join.

@@ -35,7 +35,13 @@ pub(super) fn arity(name: &str) -> Option<usize> {
 
 impl<'m> Interpreter<'m> {
     /// `x.f(…)` or `f64::f(x, …)`
-    pub(super) fn function(&mut self, name: &Ident, receiver: Given<'m>, arguments: Vec<Given<'m>>, e: &'m Expr) -> Value {
+    pub(super) fn function(
+        &mut self,
+        name: &Ident,
+        receiver: Given<'m>,
+        arguments: Vec<Given<'m>>,
+        e: &'m Expr,
+    ) -> Value {
         let text = name.to_string();
         let Some(expected) = arity(&text) else {
             return self.refuse(body::unknown_function(name));

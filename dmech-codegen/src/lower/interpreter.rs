@@ -8,7 +8,7 @@ use quote::ToTokens;
 use syn::{Expr, Lit};
 
 use crate::diagnostics::body;
-use crate::model::{ArgumentRole, Model, Shape};
+use crate::model::{ArgumentRole, Formula as Role, Model, Shape};
 
 use super::budget::{self, Budget, Excess};
 use super::lowered::{Lowered, Parameter, Source};
@@ -55,48 +55,108 @@ impl<'m> Interpreter<'m> {
         }
     }
 
+    /// The law as expressions, or what is wrong with its bodies.
     pub(super) fn run(mut self) -> Result<Lowered, Vec<syn::Error>> {
-        let potential = &self.model.potential;
-        for argument in &potential.arguments {
-            let value = self.argument(argument.role);
-            self.bind(&argument.pattern, value, At::Other(&argument.pattern));
-        }
-        self.calls.push(potential.ident.to_string());
-        let value = self.function_body(&potential.body);
-        let result = super::statement::result_of(&potential.body);
-        let phi = match result {
-            Some(e) => self.number(value, e),
-            None if value.is_unknown() => None,
-            None => {
-                self.report(body::no_result(&potential.ident));
-                None
+        let model = self.model;
+        let potential = match &model.potential {
+            Some(potential) => {
+                let value = self.read(potential);
+                self.result(value, Shape::Number, potential).map(|components| components[0])
             }
+            None => Some(self.graph.zero()),
         };
-        if let Some(excess) = phi.and_then(|phi| budget::excess_of(&self.graph, phi)) {
-            self.report(body::excess(&potential.ident, excess));
-        }
-        if phi.is_none() && self.errors.is_empty() {
-            self.report(body::not_understood(&potential.ident));
-        }
-        match phi {
-            Some(potential) if self.errors.is_empty() => {
+        let force = match &model.force {
+            Some((force, shape)) => {
+                let value = self.read(force);
+                self.result(value, *shape, force).map(Some)
+            }
+            None => Some(None),
+        };
+        match (potential, force) {
+            (Some(potential), Some(force)) if self.errors.is_empty() => {
                 let Self { graph, variables, mut parameters, .. } = self;
-                // What was read and then cancelled is no parameter of the potential.
-                parameters.retain(|parameter| graph.depends_on(potential, &[parameter.symbol]));
-                Ok(Lowered { graph, variables, potential, parameters })
+                let roots: Vec<_> = std::iter::once(potential).chain(force.iter().flatten().copied()).collect();
+                // What was read and then cancelled is no parameter of the law.
+                parameters.retain(|parameter| roots.iter().any(|&root| graph.depends_on(root, &[parameter.symbol])));
+                Ok(Lowered { graph, variables, potential, force, parameters })
             }
             _ => Err(self.errors),
         }
     }
 
+    /// The value of a whole body: one number, or as many as there are coordinates.
+    fn result(&mut self, value: Value, shape: Shape, of: &'m Role) -> Option<Vec<Formula>> {
+        let at = super::statement::result_of(&of.body);
+        let unknown = value.is_unknown();
+        let components = match (at, shape) {
+            (None, _) => {
+                if !unknown {
+                    self.report(body::no_result(&of.ident));
+                }
+                None
+            }
+            (Some(e), Shape::Number) => self.number(value, e).map(|x| vec![x]),
+            (Some(e), _) => self.components(value, e),
+        };
+        for &component in components.iter().flatten() {
+            if let Some(excess) = budget::excess_of(&self.graph, component) {
+                self.report(body::excess(&of.ident, excess));
+            }
+        }
+        if components.is_none() && self.errors.is_empty() {
+            self.report(body::not_understood(&of.ident));
+        }
+        components
+    }
+
+    /// The components of a force.
+    fn components(&mut self, value: Value, at: &'m Expr) -> Option<Vec<Formula>> {
+        let dimension = self.model.dimension;
+        let components = match value {
+            Value::Vector(components) => Some(components),
+            Value::Array(elements) => {
+                let numbers = elements.into_iter().enumerate().map(|(i, x)| self.number(x, &At::Code(at).part(i)));
+                numbers.collect::<Option<Vec<_>>>()
+            }
+            Value::Field(field) => Some(self.field_vector(&field, dimension)),
+            Value::Unknown => None,
+            other => {
+                self.report(body::expected_number(at, &other.kind()));
+                None
+            }
+        };
+        components.filter(|components| components.len() == dimension)
+    }
+
+    /// What is wrong with the bodies of a law whose signature is refused already.
+    pub(super) fn mistakes(mut self) -> Vec<syn::Error> {
+        for formula in self.model.formulas() {
+            self.read(formula);
+        }
+        self.errors
+    }
+
+    fn read(&mut self, formula: &'m Role) -> Value {
+        self.scope = Scope::default();
+        self.calls.clear();
+        for argument in &formula.arguments {
+            let value = self.argument(argument.role);
+            self.bind(&argument.pattern, value, At::Other(&argument.pattern));
+        }
+        self.calls.push(formula.ident.to_string());
+        self.function_body(&formula.body)
+    }
+
     fn argument(&mut self, role: ArgumentRole) -> Value {
         match role {
-            ArgumentRole::Position(shape) => {
-                let q: Vec<_> = self.variables.q.clone().into_iter().map(|s| self.graph.symbol(s)).collect();
+            ArgumentRole::Position(shape) | ArgumentRole::Velocity(shape) => {
+                let position = matches!(role, ArgumentRole::Position(_));
+                let symbols = if position { self.variables.q.clone() } else { self.variables.v.clone() };
+                let x: Vec<_> = symbols.into_iter().map(|s| self.graph.symbol(s)).collect();
                 match shape {
-                    Shape::Number => q.first().map_or(Value::Unknown, |&x| Value::Number(x)),
-                    Shape::Array => Value::Array(q.into_iter().map(Value::Number).collect()),
-                    Shape::Vector => Value::Vector(q),
+                    Shape::Number => x.first().map_or(Value::Unknown, |&x| Value::Number(x)),
+                    Shape::Array => Value::Array(x.into_iter().map(Value::Number).collect()),
+                    Shape::Vector => Value::Vector(x),
                 }
             }
             ArgumentRole::Mass => Value::Number(self.parameter("m", "m", Source::Mass)),

@@ -10,8 +10,10 @@ pub struct Lowered {
     pub graph: Graph,
     /// Position, velocity, ends of a step …
     pub variables: Variables,
-    /// Φ in `variables.q`.
+    /// Φ in `variables.q`; 0 where the law is a force and nothing else.
     pub potential: Expr,
+    /// F in `variables.q` and `variables.v`.
+    pub force: Option<Vec<Expr>>,
     /// What else the potential reads, in order of first use.
     pub parameters: Vec<Parameter>,
 }

@@ -7,6 +7,7 @@
 //! | [`pattern`] | what `let` and arguments bind; type annotations |
 //! | [`assign`] | `=`, `+=` and their places |
 //! | [`branch`] | `if`, comparisons, `&&`, `\|\|`, `!` |
+//! | [`merge`] | joins what two branches leave behind |
 //! | [`arithmetic`] | `+ - * / %` on numbers, integers, vectors |
 //! | [`function`] | the functions of `f64` |
 //! | [`vector`] | nalgebra's vectors |
@@ -27,6 +28,7 @@ mod field;
 mod function;
 mod interpreter;
 mod lowered;
+mod merge;
 mod name;
 mod pattern;
 mod scope;
@@ -46,4 +48,9 @@ pub use lowered::{Lowered, Parameter, Source};
 /// The law as expressions, or everything in its body that cannot be differentiated or understood.
 pub(crate) fn lower(model: &Model) -> Result<Lowered, Vec<syn::Error>> {
     interpreter::Interpreter::new(model).run()
+}
+
+/// What is wrong with the body of a law that is refused for its signature.
+pub(crate) fn mistakes(model: &Model) -> Vec<syn::Error> {
+    interpreter::Interpreter::new(model).mistakes()
 }

@@ -8,7 +8,6 @@ use crate::diagnostics::body;
 use crate::model::{ArgumentRole, Known, Sibling, known_type};
 
 use super::interpreter::Interpreter;
-use super::scope::Scope;
 use super::value::{At, Field, Value};
 
 impl<'m> Interpreter<'m> {
@@ -41,23 +40,24 @@ impl<'m> Interpreter<'m> {
         if text == "self" {
             return Value::Law;
         }
-        let error = if self.model.generics.params.iter().any(|p| matches!(p, GenericParam::Const(c) if c.ident == *name)) {
-            body::const_parameter(name)
-        } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
-            body::imported_constant(name)
-        } else if self.calls.len() > 1 {
-            body::unknown_in_helper(name)
-        } else {
-            let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
-            let declared: Vec<_> = self.model.potential.arguments.iter().filter(|a| position(a.role)).collect();
-            let declares_m = self.model.names_mass;
-            match text.as_str() {
-                "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),
-                "t" => body::undeclared_argument(name, "time"),
-                "v" => body::velocity(name),
-                _ => body::unknown_name(name, !declared.is_empty()),
-            }
-        };
+        let error =
+            if self.model.generics.params.iter().any(|p| matches!(p, GenericParam::Const(c) if c.ident == *name)) {
+                body::const_parameter(name)
+            } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
+                body::imported_constant(name)
+            } else if self.calls.len() > 1 {
+                body::unknown_in_helper(name)
+            } else {
+                let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
+                let declared: Vec<_> = self.model.formulas().flat_map(|formula| &formula.arguments).filter(|a| position(a.role)).collect();
+                let declares_m = self.model.names_mass;
+                match text.as_str() {
+                    "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),
+                    "t" => body::undeclared_argument(name, "time"),
+                    "v" => body::velocity(name),
+                    _ => body::unknown_name(name, !declared.is_empty()),
+                }
+            };
         self.refuse(error)
     }
 
@@ -113,7 +113,7 @@ impl<'m> Interpreter<'m> {
 
     /// Runs with no variables in sight, as a function of its own does.
     pub(super) fn in_new_scope<T>(&mut self, run: impl FnOnce(&mut Self) -> T) -> T {
-        let outer = std::mem::replace(&mut self.scope, Scope::default());
+        let outer = std::mem::take(&mut self.scope);
         let result = run(self);
         self.scope = outer;
         result

@@ -239,9 +239,9 @@ impl<'m> Interpreter<'m> {
         });
         let integers = items.iter().all(|item| matches!(item, Value::Integer(_)));
         if integers && (stated == Some(Known::Integer) || !items.is_empty() && stated.is_none()) {
-            let numbers = items.iter().map(|item| if let Value::Integer(n) = item { *n } else { 0 });
-            let total = numbers.fold(Some(if is_sum { 0_i128 } else { 1 }), |total, n| {
-                if is_sum { total?.checked_add(n) } else { total?.checked_mul(n) }
+            let mut numbers = items.iter().map(|item| if let Value::Integer(n) = item { *n } else { 0 });
+            let total = numbers.try_fold(if is_sum { 0_i128 } else { 1 }, |total, n| {
+                if is_sum { total.checked_add(n) } else { total.checked_mul(n) }
             });
             return total.map_or_else(|| self.refuse(body::integer_overflow(e)), Value::Integer);
         }
@@ -249,6 +249,9 @@ impl<'m> Interpreter<'m> {
             let mut items = items.into_iter();
             let first = items.next().unwrap_or(Value::Unknown);
             return items.fold(first, |sum, item| self.combine(Operator::Add, sum, item, e, e, e));
+        }
+        if integers && !items.is_empty() {
+            return self.refuse(body::integer_terms(&call.receiver));
         }
         let at: &dyn ToTokens = &*call.receiver;
         let numbers: Vec<_> = items.into_iter().map(|item| self.number(item, at)).collect();
@@ -262,8 +265,24 @@ impl<'m> Interpreter<'m> {
 
 fn is_adaptor(name: &str) -> bool {
     [
-        "iter", "into_iter", "by_ref", "len", "count", "rev", "enumerate", "map", "flat_map", "zip", "chain", "windows",
-        "skip", "take", "step_by", "fold", "sum", "product",
+        "iter",
+        "into_iter",
+        "by_ref",
+        "len",
+        "count",
+        "rev",
+        "enumerate",
+        "map",
+        "flat_map",
+        "zip",
+        "chain",
+        "windows",
+        "skip",
+        "take",
+        "step_by",
+        "fold",
+        "sum",
+        "product",
     ]
     .contains(&name)
 }

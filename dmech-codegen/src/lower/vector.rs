@@ -20,7 +20,8 @@ pub(super) fn component(name: &str) -> Option<usize> {
 
 /// Methods that only a vector has.
 pub(super) fn is_vector_method(name: &str) -> bool {
-    let own = ["norm", "norm_squared", "magnitude", "magnitude_squared", "dot", "cross", "normalize", "metric_distance"];
+    let own =
+        ["norm", "norm_squared", "magnitude", "magnitude_squared", "dot", "cross", "normalize", "metric_distance"];
     own.contains(&name) || ["component_mul", "component_div"].contains(&name)
 }
 

@@ -8,7 +8,8 @@ use syn::{parse_quote, token};
 
 use crate::diagnostics::law;
 
-use super::{ArgumentRole, Model, Parsed, Potential, arguments, finish, nesting, signature};
+use super::roles::Role;
+use super::{Argument, ArgumentRole, Formula, Model, Parsed, arguments, finish, nesting, signature};
 
 /// Reads the struct that the derive stands on.
 pub(crate) fn from_derive(item: TokenStream) -> Parsed {
@@ -56,8 +57,10 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
     let closure = closure?;
     check_closure(&closure, errors);
     let typed: Vec<PatType> = closure.inputs.iter().filter_map(|input| typed(input, errors)).collect();
-    let arguments = signature::arguments(typed.iter(), &BTreeMap::new(), errors);
-    if arguments.dimension == 0 && arguments.list.is_empty() && typed.len() == closure.inputs.len() {
+    let mut arguments = signature::arguments(typed.iter(), Role::Potential, &BTreeMap::new(), errors);
+    let untyped = closure.inputs.iter().filter(|input| !matches!(input, Pat::Type(_)));
+    arguments.list.extend(untyped.map(|pattern| Argument { role: ArgumentRole::Refused, pattern: pattern.clone() }));
+    if arguments.dimension == 0 && !arguments.names(ArgumentRole::Refused) {
         errors.push(law::no_position(&closure));
     }
     let (_, ty_generics, _) = item.generics.split_for_impl();
@@ -70,11 +73,12 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
         names_mass: arguments.names(ArgumentRole::Mass),
         names_time: arguments.names(ArgumentRole::Time),
         docs: item.attrs.iter().filter(|a| a.path().is_ident("doc")).cloned().collect(),
-        potential: Potential {
+        potential: Some(Formula {
             ident: attribute.path().segments[0].ident.clone(),
             arguments: arguments.list,
             body: block(*closure.body),
-        },
+        }),
+        force: None,
         methods: BTreeMap::new(),
         constants: BTreeMap::new(),
         fields: Some(fields(&item.fields)),

@@ -8,7 +8,7 @@ use syn::{Attribute, ImplItem, ImplItemFn, Item, ItemImpl, Path, Type};
 use crate::diagnostics::law;
 
 use super::roles::{self, Role};
-use super::{ArgumentRole, Model, Parsed, Potential, Sibling, arguments, finish, nesting, signature};
+use super::{ArgumentRole, Formula, Model, Parsed, Sibling, arguments, finish, nesting, signature};
 
 /// Reads the block that the attribute stands on.
 pub(crate) fn from_impl(attribute: TokenStream, item: TokenStream) -> Parsed {
@@ -49,25 +49,40 @@ fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<M
     for item in items {
         members.take(item, errors);
     }
-    let Members { potential, methods, constants, had_role } = members;
-    let Some(method) = potential else {
+    let Members { potential, force, methods, constants, had_role } = members;
+    if potential.is_none() && force.is_none() {
         if !had_role {
             errors.push(law::no_role(&self_ty));
         }
         return None;
+    }
+    let docs = potential.iter().chain(&force).flat_map(|method| method.attrs.clone());
+    let docs = docs.filter(|a| a.path().is_ident("doc")).collect();
+    let mut dimension = 0;
+    let mut names = Vec::new();
+    let mut read = |method: ImplItemFn, role: Role, errors: &mut Vec<syn::Error>| {
+        let checked = signature::check(&method, role, &constants, errors);
+        if dimension != 0 && checked.dimension != 0 && checked.dimension != dimension {
+            errors.push(law::other_dimension(&method.sig.ident, checked.dimension, dimension));
+        }
+        dimension = dimension.max(checked.dimension);
+        names.extend(checked.list.iter().map(|argument| argument.role));
+        let formula = Formula { ident: method.sig.ident, arguments: checked.list, body: method.block };
+        (formula, checked.result)
     };
-    let arguments = signature::check(&method, &constants, errors);
-    let ImplItemFn { attrs, sig, block, .. } = method;
+    let potential = potential.map(|method| read(method, Role::Potential, errors).0);
+    let force = force.map(|method| read(method, Role::Force, errors));
     Some(Model {
         self_ty: *self_ty,
         generics,
         krate,
         name,
-        dimension: arguments.dimension,
-        names_mass: arguments.names(ArgumentRole::Mass),
-        names_time: arguments.names(ArgumentRole::Time),
-        docs: attrs.into_iter().filter(|a| a.path().is_ident("doc")).collect(),
-        potential: Potential { ident: sig.ident, arguments: arguments.list, body: block },
+        dimension,
+        names_mass: names.contains(&ArgumentRole::Mass),
+        names_time: names.contains(&ArgumentRole::Time),
+        docs,
+        potential,
+        force,
         methods,
         constants,
         fields: None,
@@ -88,6 +103,7 @@ fn type_name(ty: &Type) -> Option<String> {
 #[derive(Default)]
 struct Members {
     potential: Option<ImplItemFn>,
+    force: Option<ImplItemFn>,
     methods: BTreeMap<String, Sibling<ImplItemFn>>,
     constants: BTreeMap<String, Sibling<syn::ImplItemConst>>,
     had_role: bool,
@@ -108,33 +124,40 @@ impl Members {
     }
 
     fn take_method(&mut self, method: ImplItemFn, errors: &mut Vec<syn::Error>) {
-        let mut is_potential = false;
+        let mut given = None;
         for attribute in &method.attrs {
             let Some(role) = Role::of(attribute) else { continue };
             self.had_role = true;
-            if role != Role::Potential {
+            if matches!(role, Role::Pair | Role::PairForce) {
                 errors.push(law::later_role(attribute));
                 continue;
             }
             if attribute.meta.require_path_only().is_err() {
                 errors.push(law::role_arguments(attribute));
             }
-            is_potential = true;
+            if given.is_some_and(|other| other != role) {
+                errors.push(law::two_roles(attribute));
+            }
+            given = Some(role);
         }
-        if !is_potential {
+        let Some(role) = given else {
             let conditional = is_conditional(&method.attrs);
             insert(&mut self.methods, method.sig.ident.to_string(), method, conditional);
             return;
-        }
+        };
         if let Some(cfg) = method.attrs.iter().find(|a| is_cfg(a)) {
             errors.push(law::conditional_potential(cfg));
         }
-        match &self.potential {
+        let (slot, what) = match role {
+            Role::Force => (&mut self.force, "force"),
+            _ => (&mut self.potential, "potential"),
+        };
+        match slot {
             Some(first) => {
-                errors.push(law::second_potential(&method.sig.ident, &first.sig.ident));
-                errors.push(law::first_potential(&first.sig.ident));
+                errors.push(law::second_of_its_role(&method.sig.ident, &first.sig.ident, what));
+                errors.push(law::first_of_its_role(&first.sig.ident, what));
             }
-            None => self.potential = Some(method),
+            None => *slot = Some(method),
         }
     }
 }

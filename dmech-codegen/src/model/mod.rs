@@ -50,8 +50,10 @@ pub struct Model {
     pub names_time: bool,
     /// The doc comments of the potential.
     pub docs: Vec<Attribute>,
-    /// The potential itself.
-    pub(crate) potential: Potential,
+    /// The potential, if the law has one.
+    pub(crate) potential: Option<Formula>,
+    /// The force, if the law has one, and how its value is written.
+    pub(crate) force: Option<(Formula, Shape)>,
     /// The other methods of the block, by name.
     pub(crate) methods: BTreeMap<String, Sibling<ImplItemFn>>,
     /// The constants of the block, by name.
@@ -60,8 +62,8 @@ pub struct Model {
     pub(crate) fields: Option<Vec<(String, Type)>>,
 }
 
-/// The method, or closure, with the role `potential`.
-pub(crate) struct Potential {
+/// A method, or closure, with a role.
+pub(crate) struct Formula {
     /// Its name; that of the attribute for the derive.
     pub(crate) ident: Ident,
     /// Its arguments in order.
@@ -83,6 +85,8 @@ pub(crate) struct Argument {
 pub(crate) enum ArgumentRole {
     /// The position, `q`.
     Position(Shape),
+    /// The velocity, `v`.
+    Velocity(Shape),
     /// The mass, `m`.
     Mass,
     /// The time, `t`.
@@ -91,7 +95,7 @@ pub(crate) enum ArgumentRole {
     Refused,
 }
 
-/// How a position is written.
+/// How a position, a velocity or a force is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shape {
     /// `f64`
@@ -111,18 +115,23 @@ pub(crate) enum Sibling<T> {
 }
 
 impl Model {
+    /// The methods with a role.
+    pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
+        self.potential.iter().chain(self.force.iter().map(|(force, _)| force))
+    }
+
     /// The names under which the body may call the law's own type: `Self`, `Kepler`.
     pub(crate) fn is_own_type(&self, ident: &Ident) -> bool {
         ident == "Self" || *ident == self.name
     }
 }
 
-/// A law that has errors is lowered all the same, so that those in its body show in the same run.
+/// The body of a law that is refused is read all the same, so that its mistakes show in the same run.
 fn finish(model: Option<Model>, mut errors: Vec<syn::Error>) -> Result<Model, Vec<syn::Error>> {
     match model {
         Some(model) if errors.is_empty() => Ok(model),
         Some(model) => {
-            errors.extend(lower::lower(&model).err().unwrap_or_default());
+            errors.extend(lower::mistakes(&model));
             Err(errors)
         }
         None => Err(errors),

@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use quote::ToTokens;
-use syn::{Expr, FnArg, ImplItemConst, ImplItemFn, Lit, Pat, PatType, ReceiverKind, ReturnType, Safety, Type};
+use syn::{Expr, FnArg, ImplItemConst, ImplItemFn, Lit, Pat, PatType, ReceiverKind, ReturnType, Safety, Signature, Type};
 
 use crate::diagnostics::law;
 
+use super::roles::Role;
 use super::types::Length;
 use super::{Argument, ArgumentRole, Known, Shape, Sibling, known_type};
 
@@ -17,6 +18,8 @@ const MAX_DIMENSION: usize = 64;
 pub(super) struct Arguments {
     pub(super) list: Vec<Argument>,
     pub(super) dimension: usize,
+    /// How the value is written.
+    pub(super) result: Shape,
 }
 
 impl Arguments {
@@ -25,9 +28,10 @@ impl Arguments {
     }
 }
 
-/// Checks that a method can be a potential.
+/// Checks that a method can be a potential, or a force.
 pub(super) fn check(
     method: &ImplItemFn,
+    role: Role,
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
     errors: &mut Vec<syn::Error>,
 ) -> Arguments {
@@ -59,11 +63,15 @@ pub(super) fn check(
         FnArg::Typed(typed) => Some(typed),
         FnArg::Receiver(_) => None,
     });
-    let arguments = arguments(typed, constants, errors);
+    let mut arguments = arguments(typed, role, constants, errors);
     if arguments.dimension == 0 && !arguments.list.iter().any(|argument| argument.role == ArgumentRole::Refused) {
-        errors.push(law::no_position(&signature.ident));
+        let missing = if role == Role::Force { law::no_position_or_velocity } else { law::no_position };
+        errors.push(missing(&signature.ident));
     }
-    returns_number(&signature.output, &signature.ident, errors);
+    match role {
+        Role::Force => arguments.result = returns_force(signature, arguments.dimension, constants, errors),
+        _ => returns_number(&signature.output, &signature.ident, errors),
+    }
     arguments
 }
 
@@ -80,15 +88,40 @@ pub(super) fn returns_number(output: &ReturnType, whole: &impl ToTokens, errors:
     }
 }
 
-/// Reads `q: [f64; 2], m: f64, t: f64`.
+/// Checks that a force is returned in a form that a position can have, with as many components.
+fn returns_force(
+    signature: &Signature,
+    dimension: usize,
+    constants: &BTreeMap<String, Sibling<ImplItemConst>>,
+    errors: &mut Vec<syn::Error>,
+) -> Shape {
+    let ReturnType::Type(_, ty) = &signature.output else {
+        errors.push(law::no_force_returned(&signature.ident));
+        return Shape::Array;
+    };
+    match position(ty, constants) {
+        Ok((shape, count)) if dimension == 0 || count == dimension => shape,
+        Ok((shape, count)) => {
+            errors.push(law::force_of_other_dimension(ty, count, dimension));
+            shape
+        }
+        Err(_) => {
+            errors.push(law::wrong_force(ty));
+            Shape::Array
+        }
+    }
+}
+
+/// Reads `q: [f64; 2], m: f64, t: f64`, and of a force `v: [f64; 2]` too.
 pub(super) fn arguments<'a>(
     typed: impl Iterator<Item = &'a PatType>,
+    role: Role,
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
     errors: &mut Vec<syn::Error>,
 ) -> Arguments {
-    let mut arguments = Arguments { list: vec![], dimension: 0 };
+    let mut arguments = Arguments { list: vec![], dimension: 0, result: Shape::Number };
     for PatType { pat, ty, .. } in typed {
-        let role = match argument(pat, ty, constants, &mut arguments.dimension) {
+        let role = match argument(pat, ty, role, constants, &mut arguments.dimension) {
             Ok(role) => role,
             Err(error) => {
                 errors.push(error);
@@ -106,6 +139,7 @@ pub(super) fn arguments<'a>(
 fn argument(
     pat: &Pat,
     ty: &Type,
+    of: Role,
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
     dimension: &mut usize,
 ) -> Result<ArgumentRole, syn::Error> {
@@ -115,14 +149,18 @@ fn argument(
         _ => return Err(law::unknown_argument(pat)),
     };
     match name.as_str() {
-        "q" => {
+        "v" if of != Role::Force => Err(law::velocity_argument(pat)),
+        "q" | "v" => {
             let (shape, count) = position(ty, constants)?;
+            if *dimension != 0 && *dimension != count {
+                return Err(law::force_of_other_dimension(ty, count, *dimension));
+            }
             *dimension = count;
-            Ok(ArgumentRole::Position(shape))
+            Ok(if name == "q" { ArgumentRole::Position(shape) } else { ArgumentRole::Velocity(shape) })
         }
         "m" => number(ty, "mass", &name).map(|()| ArgumentRole::Mass),
         "t" => number(ty, "time", &name).map(|()| ArgumentRole::Time),
-        "v" => Err(law::velocity_argument(pat)),
+        _ if of == Role::Force => Err(law::unknown_force_argument(pat)),
         _ => Err(law::unknown_argument(pat)),
     }
 }
@@ -134,10 +172,7 @@ fn number(ty: &Type, quantity: &str, name: &str) -> Result<(), syn::Error> {
     }
 }
 
-fn position(
-    ty: &Type,
-    constants: &BTreeMap<String, Sibling<ImplItemConst>>,
-) -> Result<(Shape, usize), syn::Error> {
+fn position(ty: &Type, constants: &BTreeMap<String, Sibling<ImplItemConst>>) -> Result<(Shape, usize), syn::Error> {
     if matches!(ty, Type::Reference(_)) {
         return Err(law::position_by_reference(ty));
     }

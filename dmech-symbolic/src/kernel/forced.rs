@@ -22,6 +22,8 @@ pub struct ForcedKernels {
     pub force_dv: Program,
     /// ∇Φ − F.
     pub slope: Program,
+    /// F/2, the share of the start of a step in the mean force; 0 where the force does no work.
+    pub half_force: Program,
     /// v − c (∇Φ − F).
     pub kick: Program,
     /// One Newton correction of the trapezoidal step, with the end velocity eliminated.
@@ -29,6 +31,10 @@ pub struct ForcedKernels {
     /// One Newton correction of the energy-exact step: ∇̄Φ and the mean force, or where the force does no work the force
     /// at the mean position and mean velocity.
     pub discrete: Program,
+    /// The trapezoidal step is linear in the increment.
+    pub implicit_is_linear: bool,
+    /// The energy-exact step is linear in the increment.
+    pub discrete_is_linear: bool,
     /// The force depends on the velocity.
     pub depends_on_velocity: bool,
     /// F·v = 0 for every v: the force turns the velocity and does no work.
@@ -58,13 +64,15 @@ impl ForcedKernels {
         let workless = depends_on_velocity && does_no_work(graph, force, v);
         let slope: Vec<_> = gradient.iter().zip(force).map(|(&g, &f)| graph.sub(g, f)).collect();
         let kick = super::kick(graph, &slope, variables);
+        let share = if workless { 0.0 } else { 0.5 };
+        let half_force: Vec<_> = force.iter().map(|&f| graph.scale(share, f)).collect();
 
         let end = Point::at_end(graph, variables);
-        let implicit = {
+        let (implicit, implicit_is_linear) = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
             forced_correction(graph, &here, variables)
         };
-        let discrete = {
+        let (discrete, discrete_is_linear) = {
             let mut ends = TwoPoints::new(graph, q, a, b);
             let conservative = calculus::discrete_gradient(graph, phi, &mut ends);
             let point = if workless { Point::in_the_middle(graph, variables) } else { end };
@@ -88,9 +96,12 @@ impl ForcedKernels {
             force_dq: Program::schedule(graph, &force_dq.concat()),
             force_dv: Program::schedule(graph, &force_dv.concat()),
             slope: Program::schedule(graph, &slope),
+            half_force: Program::schedule(graph, &half_force),
             kick,
             implicit,
             discrete,
+            implicit_is_linear,
+            discrete_is_linear,
             depends_on_velocity,
             workless,
             formulas: ForceFormulas { force: force.to_vec(), force_dq, force_dv },
@@ -150,7 +161,9 @@ fn turned_velocity(graph: &mut Graph, variables: &Variables, share: f64) -> Vec<
 }
 
 /// The correction for a force that depends on Δ through the end b = q + Δ and through the end velocity.
-fn forced_correction(graph: &mut Graph, force: &[Expr], variables: &Variables) -> Program {
+///
+/// The second value says whether the equation is linear: then one correction from Δ = 0 solves it.
+fn forced_correction(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Program, bool) {
     let by_position = calculus::jacobian(graph, force, &variables.b);
     let by_increment = calculus::jacobian(graph, force, &variables.delta);
     let jacobian: Vec<Vec<_>> = by_position
@@ -158,7 +171,9 @@ fn forced_correction(graph: &mut Graph, force: &[Expr], variables: &Variables) -
         .zip(&by_increment)
         .map(|(p, d)| p.iter().zip(d).map(|(&p, &d)| graph.add(&[p, d])).collect())
         .collect();
-    correction(graph, force, &jacobian, false, variables)
+    let unknowns: Vec<_> = variables.b.iter().chain(&variables.delta).copied().collect();
+    let linear = !jacobian.iter().flatten().any(|&e| graph.depends_on(e, &unknowns));
+    (correction(graph, force, &jacobian, false, variables), linear)
 }
 
 /// Whether F·v vanishes identically: decided on the expression, products over sums expanded.

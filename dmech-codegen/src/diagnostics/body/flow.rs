@@ -47,6 +47,10 @@ pub(crate) fn let_else(token: &impl ToTokens) -> Error {
     at(token, "`let … else` has no use in a formula; bind names, arrays and tuples of names")
 }
 
+pub(crate) fn no_else(token: &impl ToTokens) -> Error {
+    at(token, "an `if` that has a value needs an `else` with the value elsewhere: `else { 0.0 }`")
+}
+
 pub(crate) fn branches_differ(e: &impl ToTokens, yes: &str, no: &str) -> Error {
     at(e, format!("the branches of this `if` must go together; one is {yes}, the other {no}"))
 }
@@ -111,11 +115,17 @@ pub(crate) fn too_deep(e: &impl ToTokens) -> Error {
 
 pub(crate) fn excess(e: &impl ToTokens, excess: Excess) -> Error {
     let message = match excess {
-        Excess::Turns => "the loops of this law take more than 10000 turns; a law is unrolled into one formula, keep it small",
+        Excess::Turns => {
+            "the loops of this law take more than 10000 turns; a law is unrolled into one formula, keep it small"
+        }
         Excess::Expressions => "this law unrolls into more than 100000 expressions; shorten its loops",
-        Excess::Steps => "this law calls its helpers and loops too often to be unrolled; bind what is used twice with `let`",
+        Excess::Steps => {
+            "this law calls its helpers and loops too often to be unrolled; bind what is used twice with `let`"
+        }
         Excess::Terms => "the sums of this law unroll into too many terms; shorten its loops",
-        Excess::Size => "this potential unrolls into more than 4000 expressions, too many to be differentiated; shorten its loops",
+        Excess::Size => {
+            "this potential unrolls into more than 4000 expressions, too many to be differentiated; shorten its loops"
+        }
         Excess::Height | Excess::Tower => {
             "this potential applies function to function too many times to be differentiated, probably in a loop"
         }

@@ -18,7 +18,9 @@ pub(crate) fn unknown_helper(name: &Ident, law: &str) -> Error {
 pub(crate) fn conditional_sibling(name: &Ident) -> Error {
     at(
         name,
-        format!("which `{name}` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once"),
+        format!(
+            "which `{name}` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once"
+        ),
     )
 }
 
@@ -45,7 +47,10 @@ pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {
 pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool) -> Error {
     let name = text(path);
     if is_helper {
-        return at(path, format!("`{name}` is a helper of this block; call it as `self.{name}(…)` or `Self::{name}(…)`"));
+        return at(
+            path,
+            format!("`{name}` is a helper of this block; call it as `self.{name}(…)` or `Self::{name}(…)`"),
+        );
     }
     at(
         path,

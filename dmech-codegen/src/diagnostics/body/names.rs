@@ -71,7 +71,9 @@ pub(crate) fn foreign_constant(e: &impl ToTokens, path: &str) -> Error {
 pub(crate) fn unknown_constant(name: &Ident, law: &str) -> Error {
     at(
         name,
-        format!("`{name}` is not a constant of this block; declare it beside the potential: `impl {law} {{ const {name}: f64 = …; }}`"),
+        format!(
+            "`{name}` is not a constant of this block; declare it beside the potential: `impl {law} {{ const {name}: f64 = …; }}`"
+        ),
     )
 }
 
@@ -85,7 +87,8 @@ pub(crate) fn unknown_field(member: &impl ToTokens, declared: &str) -> Error {
 }
 
 pub(crate) fn no_field(member: &impl ToTokens, base: &impl ToTokens, found: &str) -> Error {
-    let hint = if found.starts_with("an array") { format!("; write an index, `{}[0]`", text(base)) } else { String::new() };
+    let hint =
+        if found.starts_with("an array") { format!("; write an index, `{}[0]`", text(base)) } else { String::new() };
     at(member, format!("{found} has no part `{}`{hint}", text(member)))
 }
 
@@ -110,7 +113,8 @@ pub(crate) fn pattern_mismatch(pattern: &impl ToTokens, found: &str, is_vector: 
 }
 
 pub(crate) fn wrong_count(pattern: &impl ToTokens, names: usize, values: usize) -> Error {
-    at(pattern, format!("this pattern has {names} parts and the value has {values}"))
+    let plural = if names == 1 { "" } else { "s" };
+    at(pattern, format!("this pattern has {names} part{plural} and the value has {values}"))
 }
 
 pub(crate) fn not_a_place(e: &impl ToTokens) -> Error {

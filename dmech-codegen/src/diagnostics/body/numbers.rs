@@ -38,7 +38,9 @@ pub(crate) fn expected_number(e: &dyn ToTokens, found: &str) -> Error {
 pub(crate) fn expected_integer(e: &dyn ToTokens, found: &str) -> Error {
     at(
         &e.to_token_stream(),
-        format!("an integer that is known when the macro runs is expected here (a literal, a constant of this block, a loop index); this is {found}"),
+        format!(
+            "an integer that is known when the macro runs is expected here (a literal, a constant of this block, a loop index); this is {found}"
+        ),
     )
 }
 
@@ -99,8 +101,8 @@ pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn no_such_operation(e: &impl ToTokens, sign: &str, left: &str, right: &str) -> Error {
-    let both_arrays = left.starts_with("an array") && right.starts_with("an array");
-    let hint = match (both_arrays, left == right && left.starts_with("a vector")) {
+    let with_array = [left, right].iter().any(|side| side.starts_with("an array"));
+    let hint = match (with_array, left == right && left.starts_with("a vector")) {
         (true, _) => "; arrays have no arithmetic, write it for each component or use nalgebra's vectors",
         (_, true) => "; write `dot`, `cross` or `component_mul`",
         _ => "",

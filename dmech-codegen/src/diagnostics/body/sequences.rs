@@ -64,10 +64,16 @@ pub(crate) fn iter_mut(name: &Ident) -> Error {
     at(name, "change elements by their index: `for i in 0..3 { a[i] += … }`")
 }
 
+pub(crate) fn integer_terms(e: &impl ToTokens) -> Error {
+    at(e, "these terms are integers and numbers are expected here; write them with `as f64`")
+}
+
 pub(crate) fn filter(name: &Ident) -> Error {
     at(
         name,
-        format!("`{name}` would change the number of terms; write the condition into the term: `.map(|i| if … {{ … }} else {{ 0.0 }})`"),
+        format!(
+            "`{name}` would change the number of terms; write the condition into the term: `.map(|i| if … {{ … }} else {{ 0.0 }})`"
+        ),
     )
 }
 
@@ -78,7 +84,9 @@ pub(crate) fn unknown_array_function(name: &Ident) -> Error {
 pub(crate) fn vector_function_of_array(name: &Ident, length: usize) -> Error {
     at(
         name,
-        format!("arrays have no `{name}`; write it out, or take nalgebra's vector as the position: `q: SVector<f64, {length}>`"),
+        format!(
+            "arrays have no `{name}`; write it out, or take nalgebra's vector as the position: `q: SVector<f64, {length}>`"
+        ),
     )
 }
 

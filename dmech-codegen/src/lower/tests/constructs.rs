@@ -147,7 +147,7 @@ laws! {
         fn split(d: [f64; 2]) -> (f64, f64) { return (d[0], d[1] * d[1]); }
         fn well(&self, x: f64) -> f64 { let k = self.k; Self::square(x * x - k) }
         fn square(x: f64) -> f64 { x * x }
-        pub const fn depth(&self) -> f64 { self.k }
+        pub(crate) const fn depth(&self) -> f64 { self.k }
     }
     mass_and_time [k: f64 = 0.9] ([f64; 1], m: f64, t: f64) {
         fn energy(&self, q: [f64; 1], m: f64, t: f64) -> f64 {

@@ -106,7 +106,10 @@ fn towers_of_functions() {
 /// Choices that depend on each other are bounded; those that each add a term are not nested at all.
 #[test]
 fn choices_upon_choices() {
-    refused_with(&body("f64", "let mut s = q; for i in 0..20 { if s > i as f64 { s = s * 2.0; } } s"), "depend on each other");
+    refused_with(
+        &body("f64", "let mut s = q; for i in 0..20 { if s > i as f64 { s = s * 2.0; } } s"),
+        "depend on each other",
+    );
     refused_with(&body("[f64; 20]", "q.iter().fold(0.0, |s, x| (s + x).abs())"), "depend on each other");
     assert!(lower_text(&body("[f64; 12]", "q.iter().fold(0.0, |s, &x| x.max(s))")).is_ok());
     let contacts = "let mut s = q[0]; for i in 0..64 { if q[i] > 0.1 { s += q[i] * q[i]; } else { s -= q[i]; } } s";
@@ -131,7 +134,10 @@ fn helpers_upon_helpers() {
 #[test]
 fn conditions_upon_conditions() {
     refused_with(
-        &body("f64", "let mut c = q > 0.0; for i in 0..100 { c = c && q > 1.0 || c && q < 2.0; } if c { q } else { 0.0 }"),
+        &body(
+            "f64",
+            "let mut c = q > 0.0; for i in 0..100 { c = c && q > 1.0 || c && q < 2.0; } if c { q } else { 0.0 }",
+        ),
         "joins too many",
     );
     refused_with(
@@ -145,6 +151,9 @@ fn recursion() {
     let text = "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { self.f(q) }
         fn f(&self, x: f64) -> f64 { Self::g(x) } fn g(x: f64) -> f64 { Law::f(self, x) } }";
     refused_with(text, "calls itself");
-    refused_with("impl Law { const A: f64 = 2.0 * Self::A; #[potential] fn energy(&self, q: f64) -> f64 { q.powi(Self::B) }
-        const B: i32 = Self::B; }", "calls itself");
+    refused_with(
+        "impl Law { const A: f64 = 2.0 * Self::A; #[potential] fn energy(&self, q: f64) -> f64 { q.powi(Self::B) }
+        const B: i32 = Self::B; }",
+        "calls itself",
+    );
 }

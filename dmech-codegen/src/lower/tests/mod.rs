@@ -6,7 +6,6 @@ mod functions;
 mod limits;
 mod mutations;
 mod parameters;
-mod probe;
 mod refusals;
 mod vectors;
 

@@ -31,9 +31,9 @@ const LAWS: [&str; 4] = [
 ];
 
 const WORDS: [&str; 48] = [
-    "q", "self", "Self", "x", "0", "1", "2.0", "1e308", "-", "+", "*", "/", "%", ".", "..", "=", "+=", "==", "<", "&", "&&", "!", "?",
-    ";", ",", "if", "else", "for", "in", "let", "mut", "return", "fn", "sum", "powi", "norm", "as", "f64", "i32", "K", "_", "|", "[0]",
-    "(q)", "{ q }", "{ }", "()", "[]",
+    "q", "self", "Self", "x", "0", "1", "2.0", "1e308", "-", "+", "*", "/", "%", ".", "..", "=", "+=", "==", "<", "&",
+    "&&", "!", "?", ";", ",", "if", "else", "for", "in", "let", "mut", "return", "fn", "sum", "powi", "norm", "as",
+    "f64", "i32", "K", "_", "|", "[0]", "(q)", "{ q }", "{ }", "()", "[]",
 ];
 
 struct Random(u64);
@@ -56,7 +56,9 @@ fn flatten(tokens: TokenStream, words: &mut Vec<String>) {
                 flatten(group.stream(), words);
                 words.push(close.to_owned());
             }
-            TokenTree::Punct(p) if p.spacing() == proc_macro2::Spacing::Joint => words.push(format!("{}\u{1}", p.as_char())),
+            TokenTree::Punct(p) if p.spacing() == proc_macro2::Spacing::Joint => {
+                words.push(format!("{}\u{1}", p.as_char()))
+            }
             token => words.push(token.to_string()),
         }
     }
@@ -102,7 +104,9 @@ fn damaged_laws_never_panic() {
                 Ok(()) => accepted += 1,
                 Err(errors) => {
                     assert!(!errors.is_empty(), "refused without a word: {text}");
-                    messages.extend(errors.iter().map(|error| error.to_string().split('`').next_back().unwrap_or("").to_owned()));
+                    messages.extend(
+                        errors.iter().map(|error| error.to_string().split('`').next_back().unwrap_or("").to_owned()),
+                    );
                     refused += 1;
                 }
             }

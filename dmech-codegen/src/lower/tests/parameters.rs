@@ -61,10 +61,7 @@ fn mass_and_time_only_where_they_count() {
 fn constants_are_read_through_the_type() {
     let text = "impl Law<3> { const G: f64 = crate::G; const K: [f64; 2] = [1.0, 2.0];
         #[potential] fn energy(&self, q: f64) -> f64 { Self::G * q + Self::K.iter().sum::<f64>() * q * q } }";
-    assert_parameters(
-        text,
-        &[("G", "<Law<3>>::G"), ("K_0", "<Law<3>>::K[0]"), ("K_1", "<Law<3>>::K[1]")],
-    );
+    assert_parameters(text, &[("G", "<Law<3>>::G"), ("K_0", "<Law<3>>::K[0]"), ("K_1", "<Law<3>>::K[1]")]);
 }
 
 #[test]

@@ -67,9 +67,10 @@ fn constructors_and_elements() {
     assert_vector("q.iter().map(|x| x.sin()).sum::<f64>() + q.map(|x| x * x).y + q[1]", |q, _, _| {
         q.iter().map(|x| x.sin()).sum::<f64>() + q[1] * q[1] + q[1]
     });
-    assert_vector("let mut s = 0.0; for i in 0..q.len() { s += q[i] * i as f64; } for x in q.iter() { s *= x; } s", |q, _, _| {
-        (q[1] + 2.0 * q[2]) * q[0] * q[1] * q[2]
-    });
+    assert_vector(
+        "let mut s = 0.0; for i in 0..q.len() { s += q[i] * i as f64; } for x in q.iter() { s *= x; } s",
+        |q, _, _| (q[1] + 2.0 * q[2]) * q[0] * q[1] * q[2],
+    );
 }
 
 #[test]

@@ -59,6 +59,12 @@ pub trait Force<const D: usize, R: Real = f64> {
     fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D];
 }
 
+/// The derivation of a law in readable mathematics, written by the macro.
+pub trait Derivation {
+    /// Potential, gradient, Hessian, discrete gradient, force, the structure that was found, and what the kernels cost.
+    fn derivation(&self) -> &'static str;
+}
+
 /// Nothing but the potential acts: no `#[force]`, no time, no mass in the law.
 ///
 /// A potential written by hand declares it with `impl Conservative for MyLaw {}` and is then a [`Law`].

@@ -25,7 +25,7 @@ pub use dmech_scalar as scalar;
 pub use dmech_scalar::{Mask, Real};
 pub use error::{Error, Interrupted};
 pub use invariant::{Drift, Invariant, Kept};
-pub use law::{Conservative, Field, Force, Law, Potential, VelocityIndependent};
+pub use law::{Conservative, Derivation, Field, Force, Law, Potential, VelocityIndependent};
 pub use report::Report;
 pub use run::Run;
 pub use scheme::{DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start};
@@ -35,7 +35,7 @@ pub use stepper::Stepper;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {
-    pub use crate::law::{Conservative, Force, Law, Potential, VelocityIndependent};
+    pub use crate::law::{Conservative, Derivation, Force, Law, Potential, VelocityIndependent};
     pub use crate::scheme::{
         DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
     };

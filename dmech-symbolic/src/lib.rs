@@ -21,7 +21,7 @@
 //! let half = g.number(0.5);
 //! let phi = g.mul(&[half, kx, qx, qx]);
 //! let gradient = calculus::gradient(&mut g, phi, &[x]);
-//! assert_eq!(g.display(gradient[0]).to_string(), "x·k");
+//! assert_eq!(g.display(gradient[0]).to_string(), "k·x");
 //! ```
 #![forbid(unsafe_code)]
 

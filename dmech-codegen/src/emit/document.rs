@@ -4,6 +4,9 @@ use dmech_symbolic::expression::{Expr, Graph};
 use dmech_symbolic::kernel::Kernels;
 use dmech_symbolic::program::Program;
 
+use crate::Derivation;
+use crate::lower::Source;
+
 /// The paragraphs above each function, in the order of the implementation.
 pub(super) struct Documents {
     pub(super) texts: [Vec<String>; 8],
@@ -45,6 +48,105 @@ impl Documents {
             ],
         }
     }
+}
+
+/// The whole derivation as a text.
+pub(super) fn derivation(derivation: &Derivation) -> String {
+    let Derivation { model, lowered, kernels, forced } = derivation;
+    let graph = &lowered.graph;
+    let dimension = model.dimension;
+    let name = |i: usize| subscript(i, dimension);
+    let mut text = Text { lines: vec![format!("{}, {}", model.name, count(dimension, "coordinate"))], graph };
+    if model.potential.is_some() {
+        let formulas = &kernels.formulas;
+        text.formula("Φ".to_owned(), formulas.potential);
+        for (i, &e) in formulas.gradient.iter().enumerate() {
+            text.formula(format!("∂Φ/∂{}", name(i)), e);
+        }
+        for (i, row) in formulas.hessian.iter().enumerate() {
+            for (j, &e) in row.iter().enumerate().skip(i) {
+                text.formula(format!("∂²Φ/∂{}∂{}", name(i), name(j)), e);
+            }
+        }
+        for (i, &e) in formulas.discrete_gradient.iter().enumerate() {
+            text.formula(format!("∇̄Φ{}(a, b)", name(i)), e);
+        }
+    }
+    if let Some(forced) = forced {
+        let formulas = &forced.formulas;
+        for (i, &e) in formulas.force.iter().enumerate() {
+            text.formula(format!("F{}", name(i)), e);
+        }
+        for (what, rows) in [("∂", &formulas.force_dq), ("∂v", &formulas.force_dv)] {
+            for (i, row) in rows.iter().enumerate() {
+                for (j, &e) in row.iter().enumerate().filter(|(_, e)| !graph.is_zero(**e)) {
+                    text.formula(format!("∂F{}/{what}{}", name(i), name(j)), e);
+                }
+            }
+        }
+    }
+    text.lines.push("structure".to_owned());
+    for found in structure(derivation) {
+        text.lines.push(format!("  {found}"));
+    }
+    text.lines.push("cost".to_owned());
+    let mut costs = vec![("kick", &kernels.kick)];
+    if model.potential.is_some() {
+        costs.extend([("gradient", &kernels.gradient), ("hessian", &kernels.hessian)]);
+        costs.push(("discrete gradient", &kernels.discrete_gradient));
+    }
+    if let Some(forced) = forced {
+        costs[0].1 = &forced.kick;
+        costs.push(("force", &forced.force));
+    }
+    for (what, program) in costs {
+        text.lines.push(format!("  {what:<18} {}", program.cost()));
+    }
+    text.lines.join("\n")
+}
+
+/// What the engine found out about a law, in words.
+fn structure(derivation: &Derivation) -> Vec<&'static str> {
+    let Derivation { lowered, kernels, forced, .. } = derivation;
+    let mut found = vec![];
+    match forced {
+        Some(forced) => {
+            if forced.workless {
+                found.push("F·v = 0: the force does no work, the energy is kept");
+            } else if forced.depends_on_velocity {
+                found.push("the force depends on the velocity");
+            } else {
+                found.push("the force does not depend on the velocity");
+            }
+        }
+        None if kernels.structure.constant_hessian => found.push("linear: implicit steps need no iteration"),
+        None if kernels.structure.central.is_some() => found.push("central: implicit steps have one scalar unknown"),
+        None if kernels.structure.diagonal_hessian && kernels.formulas.gradient.len() > 1 => {
+            found.push("the coordinates do not interact: implicit steps are solved one by one");
+        }
+        None => found.push("no special structure: Newton in all coordinates"),
+    }
+    if lowered.parameters.iter().any(|p| matches!(p.source, Source::Time)) {
+        found.push("names the time: the energy is not kept");
+    }
+    found
+}
+
+/// Lines of formulas.
+struct Text<'a> {
+    lines: Vec<String>,
+    graph: &'a Graph,
+}
+
+impl Text<'_> {
+    fn formula(&mut self, left: String, right: Expr) {
+        let right = shortened(self.graph.display(right).to_string());
+        self.lines.push(format!("  {left} = {right}"));
+    }
+}
+
+fn count(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
 /// Long formulas explain nothing.

@@ -52,15 +52,30 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         const LINEAR: bool = #linear;
     };
     let where_clause = &model.generics.where_clause;
+    let text = super::document::derivation(derivation);
+    let derivation = |own_generics: &TokenStream| {
+        let receiver = Ident::new("self", Span::call_site());
+        quote! {
+            #[automatically_derived]
+            impl #own_generics #runtime::Derivation for #self_ty #where_clause {
+                fn derivation(&#receiver) -> &'static str {
+                    #text
+                }
+            }
+        }
+    };
     let own = model.generics.params.iter();
     let own_generics = quote!(<#(#own),*>);
     let own = model.generics.params.iter();
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
+    let derivation = derivation(&own_generics);
     if conservative {
         let functions = bare.functions(kernels);
         return quote! {
             const _: () = {
                 use #module as #runtime;
+
+                #derivation
 
                 #[automatically_derived]
                 impl #own_generics #runtime::Conservative for #self_ty #where_clause {}
@@ -118,6 +133,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         const _: () = {
             use #module as #runtime;
 
+            #derivation
             #of_itself
             #force_of_itself
             #velocity_independent

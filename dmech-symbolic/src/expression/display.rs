@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Formatter};
 
-use super::{Binary, Condition, Expr, Graph, Node, Relation, Unary};
+use super::{Binary, Condition, Expr, Graph, Node, Relation, Role, Unary};
 
 /// Shows an expression.
 #[derive(Clone, Copy, Debug)]
@@ -110,7 +110,13 @@ impl<'a> Display<'a> {
 
     /// |c| times the factors of e, negative powers below a stroke.
     fn write_product(self, f: &mut Formatter<'_>, c: f64, e: Expr) -> fmt::Result {
-        let (_, factors) = self.graph.factors(e);
+        let (_, mut factors) = self.graph.factors(e);
+        // Numbers and parameters before what moves: 3·gm·x.
+        factors.sort_by_key(|(f, _)| match self.graph.node(*f) {
+            Node::Number(_) => 0,
+            Node::Symbol(s) if self.graph.role(*s) == Role::Parameter => 1,
+            _ => 2,
+        });
         let numbers = |above: bool| factors.iter().filter(move |(_, n)| (*n > 0) == above);
         let (above, below) = (numbers(true).count(), numbers(false).count());
         let mut dot = false;

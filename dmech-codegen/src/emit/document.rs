@@ -1,5 +1,7 @@
 //! The derivation as documentation of the generated functions.
 
+use std::fmt::Write;
+
 use dmech_symbolic::expression::{Expr, Graph};
 use dmech_symbolic::kernel::Kernels;
 use dmech_symbolic::program::Program;
@@ -16,7 +18,7 @@ impl Documents {
     pub(super) fn new(graph: &Graph, kernels: &Kernels) -> Self {
         let formulas = &kernels.formulas;
         let dimension = formulas.gradient.len();
-        let show = |e: Expr| shortened(graph.display(e).to_string());
+        let show = |e: Expr| shown(graph, e);
         let component = |list: &[Expr], what: &str| -> Vec<String> {
             list.iter().enumerate().map(|(i, &e)| format!(" {what}{} = {}", subscript(i, dimension), show(e))).collect()
         };
@@ -140,7 +142,7 @@ struct Text<'a> {
 
 impl Text<'_> {
     fn formula(&mut self, left: String, right: Expr) {
-        let right = shortened(self.graph.display(right).to_string());
+        let right = shown(self.graph, right);
         self.lines.push(format!("  {left} = {right}"));
     }
 }
@@ -150,11 +152,28 @@ fn count(n: usize, what: &str) -> String {
 }
 
 /// Long formulas explain nothing.
-fn shortened(formula: String) -> String {
-    const LONGEST: usize = 400;
-    match formula.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{} …", &formula[..end]),
-        None => formula,
+fn shown(graph: &Graph, e: Expr) -> String {
+    let mut page = Page { text: String::new(), left: 400 };
+    // What does not fit is not even computed: written out, a formula can be far larger than its graph.
+    if write!(page, "{}", graph.display(e)).is_err() {
+        page.text.push_str(" …");
+    }
+    page.text
+}
+
+/// A text that refuses more than so many characters.
+struct Page {
+    text: String,
+    left: usize,
+}
+
+impl Write for Page {
+    fn write_str(&mut self, part: &str) -> std::fmt::Result {
+        for character in part.chars() {
+            self.left = self.left.checked_sub(1).ok_or(std::fmt::Error)?;
+            self.text.push(character);
+        }
+        Ok(())
     }
 }
 

@@ -3,9 +3,10 @@
 use dmech_symbolic::expression::Expr;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
+use syn::GenericParam;
 
 use super::kernels::Printer;
-use super::names::{Names, ident};
+use super::names::{Names, ident, runtime};
 use crate::lower::{Lowered, Source};
 use crate::model::Model;
 use crate::Derivation;
@@ -19,7 +20,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let Lowered { graph, variables, potential, force, parameters } = lowered;
     let scalar = scalar_name(model);
     let module = module(model);
-    let runtime = ident("dmech_v1");
+    let runtime = runtime();
     let d = Literal::usize_unsuffixed(model.dimension);
     let names = |roots: &[Expr], source: fn(&Source) -> bool| {
         parameters.iter().any(|p| source(&p.source) && roots.iter().any(|&e| graph.depends_on(e, &[p.symbol])))
@@ -64,9 +65,9 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             }
         }
     };
-    let own = model.generics.params.iter();
+    let own = parameters_of(model);
     let own_generics = quote!(<#(#own),*>);
-    let own = model.generics.params.iter();
+    let own = parameters_of(model);
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
     let derivation = derivation(&own_generics);
     if conservative {
@@ -175,8 +176,8 @@ pub(crate) fn stub(model: &Model) -> TokenStream {
     let (scalar, runtime) = (scalar_name(model), module(model));
     let d = Literal::usize_unsuffixed(model.dimension);
     let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
-    let parameters = model.generics.params.iter();
-    let own_parameters = model.generics.params.iter();
+    let parameters = parameters_of(model);
+    let own_parameters = parameters_of(model);
     let function = |name: &str, arguments: &[&str], result: TokenStream| {
         let name = ident(name);
         let arguments = arguments.iter().map(|a| ident(a));
@@ -204,6 +205,18 @@ pub(crate) fn stub(model: &Model) -> TokenStream {
 fn module(model: &Model) -> TokenStream {
     let krate = &model.krate;
     quote!(#krate::__private::v1)
+}
+
+/// The generic parameters of the law as an impl block declares them: a struct's may have defaults, a block's not.
+fn parameters_of(model: &Model) -> impl Iterator<Item = GenericParam> + '_ {
+    model.generics.params.iter().cloned().map(|mut parameter| {
+        match &mut parameter {
+            GenericParam::Type(ty) => (ty.eq_token, ty.default) = (None, None),
+            GenericParam::Const(constant) => (constant.eq_token, constant.default) = (None, None),
+            GenericParam::Lifetime(_) => {}
+        }
+        parameter
+    })
 }
 
 /// R, unless the user's own type or generics have that name.

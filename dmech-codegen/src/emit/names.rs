@@ -14,6 +14,11 @@ pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
+/// The hidden module of the facade, as generated code imports it.
+pub(super) fn runtime() -> Ident {
+    ident("dmech_v1")
+}
+
 /// The identifiers of a law's symbols.
 pub(super) struct Names {
     of: HashMap<Symbol, String>,
@@ -34,11 +39,11 @@ impl Names {
         }
         taken.extend(["a", "b"].map(str::to_owned));
         for parameter in parameters {
-            let mut name = graph.name(parameter.symbol).to_owned();
-            while !usable(&name) || !taken.insert(name.clone()) {
-                name.insert_str(0, "law_");
-            }
-            of.insert(parameter.symbol, name);
+            let plain = graph.name(parameter.symbol).to_lowercase();
+            let candidates = [plain.clone(), format!("law_{plain}")].into_iter();
+            let numbered = (0..).map(|i| format!("law_{i}"));
+            let name = candidates.chain(numbered).find(|name| usable(name) && taken.insert(name.clone()));
+            of.insert(parameter.symbol, name.unwrap_or_default());
         }
         Self { of }
     }
@@ -62,9 +67,9 @@ impl Names {
     }
 }
 
-/// A lower-case name that is neither a keyword nor one of the names t0, t1, … of values without a name.
+/// A name without capitals that is neither a keyword nor one of the names t0, t1, … of values without a name.
 fn usable(name: &str) -> bool {
     let temporary = name.strip_prefix('t').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
-    let plain = name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_');
+    let plain = !name.bytes().any(|b| b.is_ascii_uppercase());
     !temporary && plain && syn::parse_str::<Ident>(name).is_ok()
 }

@@ -101,6 +101,8 @@ fn call(receiver: Fragment, method: &str, arguments: Vec<Fragment>) -> Fragment 
 
 /// A condition as a mask.
 pub(super) fn mask(test: &Test, of: &mut dyn FnMut(Value) -> Fragment) -> TokenStream {
+    // By their full path: the trait of masks need not be in scope where the law stands.
+    let runtime = super::names::runtime();
     match test {
         Test::Compare(relation, left, right) => {
             let method = match relation {
@@ -112,15 +114,15 @@ pub(super) fn mask(test: &Test, of: &mut dyn FnMut(Value) -> Fragment) -> TokenS
         }
         Test::Not(inner) => {
             let inner = mask(inner, of);
-            quote!(#inner.not())
+            quote!(#runtime::Mask::not(#inner))
         }
         Test::And(one, two) => {
             let (one, two) = (mask(one, of), mask(two, of));
-            quote!(#one.and(#two))
+            quote!(#runtime::Mask::and(#one, #two))
         }
         Test::Or(one, two) => {
             let (one, two) = (mask(one, of), mask(two, of));
-            quote!(#one.or(#two))
+            quote!(#runtime::Mask::or(#one, #two))
         }
     }
 }

@@ -42,6 +42,11 @@
 //! assert_eq!(Spring { k: 4.0 }.gradient([0.5]), [2.0]);
 //! ```
 //!
+//! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
+//! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog` and
+//! `Kanatani` refuse a force that depends on the velocity when the program is compiled. [`Derivation::derivation`] shows
+//! everything that was derived in readable mathematics.
+//!
 //! # The schemes
 //!
 //! | scheme | order | keeps | costs |
@@ -56,6 +61,9 @@
 pub use dmech_core::*;
 pub use dmech_macros::{Law, law};
 
+/// Well-known laws with their domains, invariants, sources and exact solutions.
+pub mod models;
+
 /// What `use dmech::prelude::*;` brings: traits, schemes, simulations and what they return.
 pub mod prelude {
     pub use dmech_core::prelude::*;
@@ -68,3 +76,7 @@ pub mod __private {
         pub use dmech_core::{Conservative, Derivation, Field, Force, Law, Mask, Potential, Real, VelocityIndependent, newton};
     }
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -211,8 +211,8 @@ fn module(model: &Model) -> TokenStream {
 fn parameters_of(model: &Model) -> impl Iterator<Item = GenericParam> + '_ {
     model.generics.params.iter().cloned().map(|mut parameter| {
         match &mut parameter {
-            GenericParam::Type(ty) => (ty.eq_token, ty.default) = (None, None),
-            GenericParam::Const(constant) => (constant.eq_token, constant.default) = (None, None),
+            GenericParam::Type(ty) => ty.default = None,
+            GenericParam::Const(constant) => constant.default = None,
             GenericParam::Lifetime(_) => {}
         }
         parameter

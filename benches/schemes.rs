@@ -46,7 +46,10 @@ impl Pendulum {
 type Loop = Box<dyn FnMut(u64) -> f64>;
 
 #[inline(never)]
-fn advance<L: Law<D>, S: Scheme<L, D>, const D: usize>(stepper: &mut Stepper<L, S, D>, steps: u64) -> Result<(), Error> {
+fn advance<L: Law<D>, S: Scheme<L, D>, const D: usize>(
+    stepper: &mut Stepper<L, S, D>,
+    steps: u64,
+) -> Result<(), Error> {
     stepper.advance(steps)
 }
 

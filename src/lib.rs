@@ -73,7 +73,9 @@ pub mod prelude {
 #[doc(hidden)]
 pub mod __private {
     pub mod v1 {
-        pub use dmech_core::{Conservative, Derivation, Field, Force, Law, Mask, Potential, Real, VelocityIndependent, newton};
+        pub use dmech_core::{
+            Conservative, Derivation, Field, Force, Law, Mask, Potential, Real, VelocityIndependent, newton,
+        };
     }
 }
 

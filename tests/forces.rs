@@ -144,7 +144,8 @@ fn work_is_the_change_of_kinetic_energy_for_every_scheme() {
 #[test]
 fn a_force_that_does_no_work_keeps_the_energy() {
     let start = State::new([0.7, -0.4], [0.3, 0.9]);
-    let run = Simulation::new(BOTTLE, start).scheme(DiscreteGradient).dt(0.02).record_every(100).run(1_000_000).unwrap();
+    let run =
+        Simulation::new(BOTTLE, start).scheme(DiscreteGradient).dt(0.02).record_every(100).run(1_000_000).unwrap();
     let drift = run.drift(Invariant::Energy).expect("v × B does no work").max_relative();
     println!("{drift:.1e} over 10⁶ steps");
     assert!(drift < 1e-13 && drift > 0.0, "{drift:e}");

@@ -1,7 +1,7 @@
 //! Generated code does what the engine says, bit for bit.
 
-use dmech::newton::Equation;
 use dmech::Real;
+use dmech::newton::Equation;
 use dmech::prelude::*;
 use dmech_codegen::{Derivation, Source};
 use dmech_symbolic::expression::Symbol;

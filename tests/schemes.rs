@@ -82,12 +82,8 @@ fn what_is_kept_exactly_is_kept_to_round_off_and_what_is_bounded_does_not_drift(
             let run = run.unwrap_or_else(|interrupted| panic!("{interrupted}"));
             let scale = energy_scale(&law, &start);
             let name = concat!(stringify!($scheme), " on ", stringify!($law));
-            let invariants = [
-                Invariant::Energy,
-                Invariant::DiscreteEnergy,
-                Invariant::WorkEnergy,
-                Invariant::AngularMomentum,
-            ];
+            let invariants =
+                [Invariant::Energy, Invariant::DiscreteEnergy, Invariant::WorkEnergy, Invariant::AngularMomentum];
             for invariant in invariants {
                 let Some(drift) = run.drift(invariant) else {
                     continue;

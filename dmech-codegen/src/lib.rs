@@ -69,10 +69,15 @@ fn derive_all(model: Model) -> Result<Box<Derivation>, (Box<Model>, Vec<syn::Err
     Ok(Box::new(Derivation { model, lowered, kernels, forced }))
 }
 
-fn expand(Parsed { item, model }: Parsed) -> TokenStream {
+fn expand(Parsed { item, model, refused }: Parsed) -> TokenStream {
     let mut tokens = item;
     let errors = match model {
-        Err(errors) => errors,
+        Err(errors) => {
+            if let Some(model) = refused.filter(|model| model.dimension > 0) {
+                tokens.extend(emit::stub(&model));
+            }
+            errors
+        }
         Ok(model) => match derive_all(model) {
             Ok(derivation) => {
                 tokens.extend(emit::implementation(&derivation));

@@ -19,6 +19,7 @@ mod watch;
 
 pub mod newton;
 pub mod scheme;
+pub mod verify;
 
 pub use csv::Columns;
 pub use dmech_scalar as scalar;
@@ -32,6 +33,7 @@ pub use scheme::{DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
 pub use stepper::Stepper;
+pub use verify::verify;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {
@@ -39,6 +41,7 @@ pub mod prelude {
     pub use crate::scheme::{
         DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
     };
+    pub use crate::verify::verify;
     pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper};
     pub use dmech_scalar::Real as _;
 }

@@ -83,16 +83,17 @@ impl<L, X, S> Simulation<L, X, S> {
     }
 }
 
-impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S>
-where
-    L: Law<D, R>,
-    S: Scheme<L, D, R>,
-{
+// The bounds stand on the methods and not on the block: a scheme that does not fit the law is then told in words.
+impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
     /// A stepper, which neither records nor allocates.
     ///
     /// # Errors
     /// [`Error`] for input that is refused.
-    pub fn stepper(self) -> Result<Stepper<L, S, D, R>, Error> {
+    pub fn stepper(self) -> Result<Stepper<L, S, D, R>, Error>
+    where
+        L: Law<D, R>,
+        S: Scheme<L, D, R>,
+    {
         let dt = self.dt.ok_or(Error::MissingTimeStep)?;
         Stepper::new(self.law, self.scheme, self.start, dt, self.mass)
     }
@@ -102,7 +103,11 @@ where
     /// # Errors
     /// [`Interrupted`] with everything recorded so far: input that is refused, a step that does not converge, a state
     /// that is not finite.
-    pub fn run(self, steps: u64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>> {
+    pub fn run(self, steps: u64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
+    where
+        L: Law<D, R>,
+        S: Scheme<L, D, R>,
+    {
         self.record(|_, _| Ok(steps))
     }
 
@@ -111,7 +116,11 @@ where
     ///
     /// # Errors
     /// As [`run`](Simulation::run).
-    pub fn run_until(self, end: f64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>> {
+    pub fn run_until(self, end: f64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
+    where
+        L: Law<D, R>,
+        S: Scheme<L, D, R>,
+    {
         self.record(|start, dt| {
             let n = (end - start) / dt;
             // Beyond 2⁵³ the time t₀ + k h no longer distinguishes steps.
@@ -125,7 +134,11 @@ where
     fn record(
         self,
         count: impl FnOnce(f64, f64) -> Result<u64, Error>,
-    ) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>> {
+    ) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
+    where
+        L: Law<D, R>,
+        S: Scheme<L, D, R>,
+    {
         let (start, record_every, mass, dt) = (self.start, self.record_every, self.mass, self.dt);
         let mut run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };

@@ -82,7 +82,9 @@ impl<const D: usize, R: Real> Watch<D, R> {
             Invariant::Energy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => {
                 law.field(stride.mass, t).potential(state.q) + stride.kinetic_energy(state.v)
             }
-            Invariant::DiscreteEnergy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => scheme.discrete_energy(law, stride, t, memory)?,
+            Invariant::DiscreteEnergy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => {
+                scheme.discrete_energy(law, stride, t, memory)?
+            }
             Invariant::WorkEnergy => (scheme.kinetic_energy(stride, memory) - self.work.hi) - self.work.lo,
             Invariant::AngularMomentum if L::Field::<'_>::CENTRAL && D == 2 => {
                 angular_momentum(stride.mass, state, 0, 1)

@@ -10,7 +10,13 @@ use dmech_core::prelude::*;
 const PERIOD: f64 = core::f64::consts::TAU;
 
 /// Largest relative change over 1e5 steps of a 200th of a period, from the apocentre.
-fn keeps<L: Law<2> + VelocityIndependent + Copy, S: Scheme<L, 2>>(law: L, scheme: S, energy: Invariant, eccentricity: f64, bound: f64) {
+fn keeps<L: Law<2> + VelocityIndependent + Copy, S: Scheme<L, 2>>(
+    law: L,
+    scheme: S,
+    energy: Invariant,
+    eccentricity: f64,
+    bound: f64,
+) {
     let run =
         Simulation::new(law, from_apocentre(eccentricity)).scheme(scheme).dt(PERIOD / 200.0).run(100_000).unwrap();
     for invariant in [energy, Invariant::AngularMomentum] {

@@ -28,8 +28,8 @@ impl Structure {
     pub fn of(graph: &mut Graph, phi: Expr, hessian: &[Vec<Expr>], coordinates: &[Symbol]) -> Self {
         let moves = graph.dependence(coordinates);
         let constant_hessian = hessian.iter().flatten().all(|e| !moves[e.index()]);
-        let diagonal_hessian = (0..coordinates.len())
-            .all(|i| (0..coordinates.len()).all(|j| i == j || graph.is_zero(hessian[i][j])));
+        let diagonal_hessian =
+            (0..coordinates.len()).all(|i| (0..coordinates.len()).all(|j| i == j || graph.is_zero(hessian[i][j])));
         let central = if coordinates.len() > 1 { central(graph, phi, coordinates) } else { None };
         Self { constant_hessian, diagonal_hessian, central }
     }

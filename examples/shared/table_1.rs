@@ -116,7 +116,10 @@ pub(crate) fn agrees(value: f64, printed: &str) -> bool {
 ///
 /// # Errors
 /// Those of the runs.
-pub(crate) fn five_schemes<L: Law<2> + Copy>(law: L, dt: f64) -> Result<[Run<State<2>>; 5], Interrupted<State<2>>> {
+pub(crate) fn five_schemes<L: Law<2> + VelocityIndependent + Copy>(
+    law: L,
+    dt: f64,
+) -> Result<[Run<State<2>>; 5], Interrupted<State<2>>> {
     let planet = Simulation::new(law, PLANET).dt(dt);
     Ok([
         planet.clone().scheme(Explicit).run_until(END)?,

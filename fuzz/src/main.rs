@@ -43,19 +43,22 @@ fn main() {
         };
         let clock = Instant::now();
         let witness = Witness(&text);
-        let expanded = if *is_derive {
-            dmech_codegen::derive(tokens)
-        } else {
-            dmech_codegen::law(TokenStream::new(), tokens)
-        };
+        let expanded =
+            if *is_derive { dmech_codegen::derive(tokens) } else { dmech_codegen::law(TokenStream::new(), tokens) };
         let is_refused = expanded.to_string().contains("compile_error");
         drop(witness);
-        if is_refused { refused += 1 } else { accepted += 1 }
+        if is_refused {
+            refused += 1
+        } else {
+            accepted += 1
+        }
         if clock.elapsed() > slowest {
             (slowest, slow_law) = (clock.elapsed(), text);
         }
     }
-    println!("{runs} runs, seed {seed}: {accepted} accepted, {refused} refused, {unreadable} not even tokens, no panic");
+    println!(
+        "{runs} runs, seed {seed}: {accepted} accepted, {refused} refused, {unreadable} not even tokens, no panic"
+    );
     println!("slowest {:.1} ms: {slow_law}", slowest.as_secs_f64() * 1e3);
     assert!(accepted > runs / 100 && refused > runs / 10, "there was little to read");
 }

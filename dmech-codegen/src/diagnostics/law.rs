@@ -131,12 +131,18 @@ pub(crate) fn no_force_returned(whole: &impl ToTokens) -> Error {
 pub(crate) fn wrong_force(ty: &impl ToTokens) -> Error {
     at(
         ty,
-        format!("`{}` cannot be a force; it is written like the position: `f64`, `[f64; D]` or `SVector<f64, D>`", text(ty)),
+        format!(
+            "`{}` cannot be a force; it is written like the position: `f64`, `[f64; D]` or `SVector<f64, D>`",
+            text(ty)
+        ),
     )
 }
 
 pub(crate) fn force_of_other_dimension(ty: &impl ToTokens, own: usize, other: usize) -> Error {
-    at(ty, format!("this has {own} components, and {other} are named before; position, velocity and force have as many"))
+    at(
+        ty,
+        format!("this has {own} components, and {other} are named before; position, velocity and force have as many"),
+    )
 }
 
 pub(crate) fn unknown_force_argument(pattern: &impl ToTokens) -> Error {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use dmech_symbolic::expression::{Expr, Graph};
-use dmech_symbolic::kernel::Kernels;
+use dmech_symbolic::kernel::{Kernels, Step};
 use dmech_symbolic::program::Program;
 
 use crate::Derivation;
@@ -32,23 +32,34 @@ impl Documents {
             text
         };
         let cost = |program: &Program| program.cost().to_string();
-        let solution = |what: &str| vec![format!(" {what}")];
+        let increment = |what: &str, step: &Step| vec![format!(" The increment Δ of {what}. {}", way(step))];
         Self {
             texts: [
                 block("The potential.", vec![format!(" Φ = {}", show(formulas.potential))], cost(&kernels.potential)),
                 block("The gradient.", component(&formulas.gradient, "∂Φ/∂"), cost(&kernels.gradient)),
                 vec![format!(" The Hessian. Cost: {}.", cost(&kernels.hessian))],
-                solution("v − c ∇Φ(q)."),
                 block(
                     "The discrete gradient, exact for any gap between the ends a and b.",
                     component(&formulas.discrete_gradient, "∇̄Φ"),
                     cost(&kernels.discrete_gradient),
                 ),
                 vec![format!(" ∂∇̄Φ/∂b. Cost: {}.", cost(&kernels.discrete_gradient_jacobian))],
-                solution("The increment of the trapezoidal step."),
-                solution("The increment of the energy-exact steps."),
+                vec![" v − c ∇Φ(q).".to_owned()],
+                increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit),
+                increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete),
             ],
         }
+    }
+}
+
+/// How a step is solved, which follows from the structure of the law.
+fn way(step: &Step) -> &'static str {
+    match step {
+        Step::Linear(_) => "It is linear in Δ: one solve, no iteration.",
+        Step::Central(_) => {
+            "The force is along q: one unknown, s = |q + Δ|²; here its coefficient and two derivatives."
+        }
+        Step::Newton(_) => "One Newton correction.",
     }
 }
 

@@ -7,9 +7,9 @@ use syn::GenericParam;
 
 use super::kernels::Printer;
 use super::names::{Names, ident, runtime};
+use crate::Derivation;
 use crate::lower::{Lowered, Source};
 use crate::model::Model;
-use crate::Derivation;
 
 /// The traits of mechanics for the user's type, with everything derived from its potential and force.
 ///
@@ -59,7 +59,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         quote! {
             #[automatically_derived]
             impl #own_generics #runtime::Derivation for #self_ty #where_clause {
-                fn derivation(&#receiver) -> &'static str {
+                fn derivation(&#receiver) -> &'static ::core::primitive::str {
                     #text
                 }
             }
@@ -73,6 +73,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     if conservative {
         let functions = bare.functions(kernels);
         return quote! {
+            #[allow(clippy::approx_constant)]
             const _: () = {
                 use #module as #runtime;
 
@@ -131,7 +132,8 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
     let (moment, law, mass, t) = (ident("Moment"), ident("Law"), ident("mass"), ident("t"));
     quote! {
-        const _: () = {
+        #[allow(clippy::approx_constant)]
+            const _: () = {
             use #module as #runtime;
 
             #derivation
@@ -191,11 +193,29 @@ pub(crate) fn stub(model: &Model) -> TokenStream {
         function("discrete_gradient", &["_a", "_b"], vector),
         function("discrete_gradient_jacobian", &["_a", "_b"], matrix),
     ];
+    let own_generics = quote!(<#(#own_parameters),*>);
+    let generics = quote!(<#(#parameters,)* #scalar: #runtime::Real>);
+    let force = model.force.is_some().then(|| {
+        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+        let names = ["force", "force_dq", "force_dv"].map(ident);
+        let results = [&vector, &matrix, &matrix];
+        quote! {
+            #[automatically_derived]
+            impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
+                #(fn #names(&self, _q: #vector, _v: #vector, _t: #scalar) -> #results { ::core::unreachable!() })*
+            }
+        }
+    });
     quote! {
         #[automatically_derived]
-        impl<#(#own_parameters),*> #runtime::Conservative for #self_ty #where_clause {}
+        impl #own_generics #runtime::Derivation for #self_ty #where_clause {
+            fn derivation(&self) -> &'static ::core::primitive::str { ::core::unreachable!() }
+        }
+        #force
         #[automatically_derived]
-        impl<#(#parameters,)* #scalar: #runtime::Real> #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
+        impl #own_generics #runtime::Conservative for #self_ty #where_clause {}
+        #[automatically_derived]
+        impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
             #(#functions)*
         }
     }

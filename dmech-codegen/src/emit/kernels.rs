@@ -250,7 +250,8 @@ impl Printer<'_> {
             if between {
                 arrays.insert(0, ("a", &variables.a));
             }
-            let bound: Vec<_> = arrays.iter().map(|(array, symbols)| (ident(array), self.pattern(symbols, &used))).collect();
+            let bound: Vec<_> =
+                arrays.iter().map(|(array, symbols)| (ident(array), self.pattern(symbols, &used))).collect();
             let arguments = bound.iter().map(|(array, pattern)| underscored(array, pattern.is_some()));
             let unpack = bound.iter().filter_map(|(array, pattern)| {
                 let pattern = pattern.as_ref()?;

@@ -69,7 +69,8 @@ impl Names {
 
 /// A name without capitals that is neither a keyword nor one of the names t0, t1, … of values without a name.
 fn usable(name: &str) -> bool {
-    let temporary = name.strip_prefix('t').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
+    let temporary =
+        name.strip_prefix('t').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
     let plain = !name.bytes().any(|b| b.is_ascii_uppercase());
     !temporary && plain && syn::parse_str::<Ident>(name).is_ok()
 }

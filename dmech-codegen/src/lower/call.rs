@@ -127,7 +127,8 @@ impl<'m> Interpreter<'m> {
             let known_wrong = self.scope.bindings[found].value.is_unknown();
             return if known_wrong { Value::Unknown } else { self.refuse(body::not_a_function(path)) };
         }
-        let is_own = self.model.methods.contains_key(&name) || self.model.formulas().any(|formula| formula.ident == *name);
+        let is_own =
+            self.model.methods.contains_key(&name) || self.model.formulas().any(|formula| formula.ident == *name);
         self.refuse(body::foreign_function(path, is_own))
     }
 
@@ -138,7 +139,9 @@ impl<'m> Interpreter<'m> {
         let method = match model.methods.get(&text) {
             Some(Sibling::One(method)) => method,
             Some(Sibling::Conditional) => return self.refuse(body::conditional_sibling(name)),
-            None if model.formulas().any(|formula| formula.ident == *name) => return self.refuse(body::recursion(name)),
+            None if model.formulas().any(|formula| formula.ident == *name) => {
+                return self.refuse(body::recursion(name));
+            }
             None => return self.refuse(body::unknown_helper(name, &model.name)),
         };
         if self.calls.contains(&text) {

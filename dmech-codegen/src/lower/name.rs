@@ -49,7 +49,8 @@ impl<'m> Interpreter<'m> {
                 body::unknown_in_helper(name)
             } else {
                 let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
-                let declared: Vec<_> = self.model.formulas().flat_map(|formula| &formula.arguments).filter(|a| position(a.role)).collect();
+                let declared: Vec<_> =
+                    self.model.formulas().flat_map(|formula| &formula.arguments).filter(|a| position(a.role)).collect();
                 let declares_m = self.model.names_mass;
                 match text.as_str() {
                     "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),

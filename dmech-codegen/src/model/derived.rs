@@ -15,7 +15,7 @@ use super::{Argument, ArgumentRole, Formula, Model, Parsed, arguments, finish, n
 pub(crate) fn from_derive(item: TokenStream) -> Parsed {
     let mut errors = vec![];
     let model = read(item, &mut errors);
-    Parsed { item: TokenStream::new(), model: finish(model, errors) }
+    finish(TokenStream::new(), model, errors)
 }
 
 fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {

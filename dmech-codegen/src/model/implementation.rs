@@ -15,7 +15,7 @@ pub(crate) fn from_impl(attribute: TokenStream, item: TokenStream) -> Parsed {
     let mut errors = vec![];
     let krate = arguments::parse(attribute, &mut errors);
     let model = read(item.clone(), krate, &mut errors);
-    Parsed { item: roles::strip(item), model: finish(model, errors) }
+    finish(roles::strip(item), model, errors)
 }
 
 fn read(item: TokenStream, krate: Path, errors: &mut Vec<syn::Error>) -> Option<Model> {

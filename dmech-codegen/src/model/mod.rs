@@ -30,6 +30,8 @@ pub(crate) struct Parsed {
     pub(crate) item: TokenStream,
     /// The law, or everything that is wrong with it.
     pub(crate) model: Result<Model, Vec<syn::Error>>,
+    /// What could be read of a law that is wrong: what its author calls need not look missing.
+    pub(crate) refused: Option<Box<Model>>,
 }
 
 /// A law that has been checked.
@@ -127,13 +129,13 @@ impl Model {
 }
 
 /// The body of a law that is refused is read all the same, so that its mistakes show in the same run.
-fn finish(model: Option<Model>, mut errors: Vec<syn::Error>) -> Result<Model, Vec<syn::Error>> {
+fn finish(item: TokenStream, model: Option<Model>, mut errors: Vec<syn::Error>) -> Parsed {
     match model {
-        Some(model) if errors.is_empty() => Ok(model),
+        Some(model) if errors.is_empty() => Parsed { item, model: Ok(model), refused: None },
         Some(model) => {
             errors.extend(lower::mistakes(&model));
-            Err(errors)
+            Parsed { item, model: Err(errors), refused: Some(Box::new(model)) }
         }
-        None => Err(errors),
+        None => Parsed { item, model: Err(errors), refused: None },
     }
 }

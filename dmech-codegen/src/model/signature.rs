@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use quote::ToTokens;
-use syn::{Expr, FnArg, ImplItemConst, ImplItemFn, Lit, Pat, PatType, ReceiverKind, ReturnType, Safety, Signature, Type};
+use syn::{
+    Expr, FnArg, ImplItemConst, ImplItemFn, Lit, Pat, PatType, ReceiverKind, ReturnType, Safety, Signature, Type,
+};
 
 use crate::diagnostics::law;
 
@@ -173,8 +175,9 @@ fn number(ty: &Type, quantity: &str, name: &str) -> Result<(), syn::Error> {
 }
 
 fn position(ty: &Type, constants: &BTreeMap<String, Sibling<ImplItemConst>>) -> Result<(Shape, usize), syn::Error> {
-    if matches!(ty, Type::Reference(_)) {
-        return Err(law::position_by_reference(ty));
+    if let Type::Reference(reference) = ty {
+        let by_value = known_type(&reference.elem) != Known::Other;
+        return Err(if by_value { law::position_by_reference(ty) } else { law::wrong_position(ty) });
     }
     let (shape, length) = match known_type(ty) {
         Known::Float => return Ok((Shape::Number, 1)),

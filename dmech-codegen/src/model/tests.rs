@@ -245,9 +245,7 @@ fn roles() {
     );
     refused(
         "impl Law { #[force] fn «drag»(&self, t: f64) -> f64 { t } }",
-        &[
-            "a force is a function of position and velocity; give it an argument `q: [f64; D]`, `v: [f64; D]` or both",
-        ],
+        &["a force is a function of position and velocity; give it an argument `q: [f64; D]`, `v: [f64; D]` or both"],
     );
     refused(
         "impl Law { #[force] fn drag(&self, q: [f64; 2], v: «[f64; 3]») -> [f64; 2] { q } }",

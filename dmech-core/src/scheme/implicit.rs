@@ -7,7 +7,7 @@ use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential};
 use crate::newton::{Equation, NotConverged};
-use crate::vector::{add_scaled, difference, dot, finite, scaled, sum};
+use crate::vector::{add_scaled, dot, finite, scaled, sum};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
@@ -51,6 +51,8 @@ pub struct ImplicitMemory<const D: usize, R = f64> {
     pub q: [R; D],
     /// Velocity.
     pub v: [R; D],
+    /// q − q₋, the increment of the last step as it was solved for: a difference of positions has fewer digits.
+    moved: [R; D],
     /// ∇Φ − F in the last three states, the newest first.
     gradients: [[R; D]; 3],
 }
@@ -75,12 +77,12 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
     fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
         let State { t, q, v } = *start;
         let gradient = law.field(stride.mass, R::from_f64(t)).slope(q, v);
-        Ok(ImplicitMemory { q, v, gradients: [gradient; 3] })
+        Ok(ImplicitMemory { q, v, moved: [R::ZERO; D], gradients: [gradient; 3] })
     }
 
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let ImplicitMemory { q, v, gradients } = *memory;
+        let ImplicitMemory { q, v, gradients, .. } = *memory;
         let [gradient, before, _] = gradients;
         let g = R::from_f64(0.25) * stride.fall;
         let drift = scaled(stride.dt, v);
@@ -93,6 +95,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
         *memory = ImplicitMemory {
             q: sum(q, found.delta),
             v: add_scaled(v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient)),
+            moved: found.delta,
             gradients: [found.gradient, gradient, before],
         };
         Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
@@ -119,6 +122,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
 
     /// (F + F′)/2·Δq (2.7).
     fn work(&self, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
-        R::from_f64(-0.5) * dot(sum(before.gradients[0], after.gradients[0]), difference(after.q, before.q))
+        R::from_f64(-0.5) * dot(sum(before.gradients[0], after.gradients[0]), after.moved)
     }
 }

@@ -17,15 +17,15 @@ pub fn evaluate_all<R: Real>(graph: &Graph, roots: &[Expr], symbol: impl Fn(Symb
         values[e.index()] = match graph.node(e) {
             Node::Number(n) => R::from_f64(n.value()),
             Node::Symbol(s) => symbol(*s),
-            Node::Sum { constant, terms } => terms
-                .iter()
-                .fold(R::from_f64(constant.value()), |sum, &(c, t)| sum + R::from_f64(c.value()) * value(t)),
-            Node::Product { coefficient, factors } => factors
-                .iter()
-                .fold(R::from_f64(coefficient.value()), |product, &(f, n)| match n {
+            Node::Sum { constant, terms } => {
+                terms.iter().fold(R::from_f64(constant.value()), |sum, &(c, t)| sum + R::from_f64(c.value()) * value(t))
+            }
+            Node::Product { coefficient, factors } => {
+                factors.iter().fold(R::from_f64(coefficient.value()), |product, &(f, n)| match n {
                     ..0 => product / value(f).powi(-n),
                     _ => product * value(f).powi(n),
-                }),
+                })
+            }
             Node::Unary(f, u) => f.apply(value(*u)),
             Node::Binary(f, u, w) => f.apply(value(*u), value(*w)),
             Node::Select(condition, yes, no) => R::select(mask(condition, &value), || value(*yes), || value(*no)),

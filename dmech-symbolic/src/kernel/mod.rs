@@ -123,8 +123,7 @@ impl Kernels {
         let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
         let discrete_gradient = calculus::discrete_gradient(graph, phi, &mut ends);
         let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
-        let formulas =
-            Formulas { potential: phi, gradient, hessian, discrete_gradient, discrete_gradient_jacobian };
+        let formulas = Formulas { potential: phi, gradient, hessian, discrete_gradient, discrete_gradient_jacobian };
         let implicit = implicit_step(graph, &formulas, &structure, variables);
         let discrete = discrete_step(graph, &formulas, &structure, variables);
         let kick = kick(graph, &formulas.gradient, variables);
@@ -242,4 +241,3 @@ fn correction(
         .collect();
     Program::schedule(graph, &[delta, updated].concat())
 }
-

@@ -117,9 +117,7 @@ impl Atoms {
                 let latest = below.iter().map(|(e, n)| latency::power(ready_of[e.index()], *n)).max();
                 latest.unwrap_or(0) + latency::MUL + latency::DIV
             }
-            AtomKind::Pair(one, two) => {
-                self.ready[one.0 as usize].max(self.ready[two.0 as usize]) + latency::MUL
-            }
+            AtomKind::Pair(one, two) => self.ready[one.0 as usize].max(self.ready[two.0 as usize]) + latency::MUL,
         };
         let atom = Atom(self.kinds.len() as u32);
         self.kinds.push(kind.clone());

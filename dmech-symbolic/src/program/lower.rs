@@ -243,7 +243,8 @@ impl Lowering<'_> {
     /// The last multiplication of a product, still to be done: earliest factors first.
     fn last_factors(&mut self, key: &ProductKey) -> What {
         let atoms = self.products[key].clone();
-        let mut heap: Vec<(u32, u32, Atom)> = atoms.iter().map(|&a| (self.atom_ready(a), self.atom_key(a), a)).collect();
+        let mut heap: Vec<(u32, u32, Atom)> =
+            atoms.iter().map(|&a| (self.atom_ready(a), self.atom_key(a), a)).collect();
         while heap.len() > 2 {
             heap.sort_unstable_by(|x, y| y.cmp(x));
             let (one, two) = (heap.pop().expect("more than two"), heap.pop().expect("more than two"));

@@ -52,6 +52,15 @@ pub(crate) fn no_else(token: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn branches_differ(e: &impl ToTokens, yes: &str, no: &str) -> Error {
+    if yes == no {
+        return at(
+            e,
+            format!(
+                "which of the branches holds depends on the coordinates, and each is {yes}; only numbers can be chosen by a \
+                 comparison, `if … {{ 0.0 }} else {{ 1.0 }}`"
+            ),
+        );
+    }
     at(e, format!("the branches of this `if` must go together; one is {yes}, the other {no}"))
 }
 

@@ -97,7 +97,11 @@ pub(crate) fn remainder(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
-    at(op, format!("`{}` works on bits, not on numbers; conditions are joined with `&&`, `||` and `!`", text(op)))
+    let instead = match text(op).as_str() {
+        "^" => "a power is `x.powi(2)` or `x.powf(1.5)`",
+        _ => "conditions are joined with `&&`, `||` and `!`",
+    };
+    at(op, format!("`{}` works on bits, not on numbers; {instead}", text(op)))
 }
 
 pub(crate) fn no_such_operation(e: &impl ToTokens, sign: &str, left: &str, right: &str) -> Error {

@@ -1,0 +1,110 @@
+//! Gradient and Hessian against differences of what they are derivatives of; what the law claims of itself.
+
+use core::array::from_fn;
+
+use super::difference::{Worst, derivative};
+use super::points::{MASS, Scales, around, largest, norm};
+use super::report::Check;
+use crate::law::{Field, Law, Potential};
+use crate::state::State;
+use crate::vector::dot;
+
+/// Units of rounding that a formula may lose beyond its condition.
+pub(super) const ULPS: f64 = 64.0;
+
+pub(super) fn check<L: Law<D>, const D: usize>(law: &L, start: &State<D>, scales: &Scales, checks: &mut Vec<Check>) {
+    let field = law.field(MASS, start.t);
+    let points = around(&field, start.q, scales.length);
+    if points.is_empty() {
+        checks.push(Check::failed("potential", "not finite anywhere around the start"));
+        return;
+    }
+    let h = 0.02 * scales.length;
+    let (mut gradient, mut hessian) = (Worst::new(), Worst::new());
+    for &q in &points {
+        let g = field.gradient(q);
+        let second = field.hessian(q);
+        let size = second.iter().map(largest).fold(0.0, f64::max);
+        for j in 0..D {
+            let at = |s: f64| -> [f64; D] { from_fn(|i| if i == j { q[i] + s } else { q[i] }) };
+            let scale = floor(largest(&g), size * scales.length);
+            gradient.compare(g[j], derivative(|s| field.potential(at(s)), h), scale);
+            for i in 0..D {
+                let scale = floor(size, largest(&g) / scales.length);
+                hessian.compare(second[i][j], derivative(|s| field.gradient(at(s))[i], h), scale);
+            }
+        }
+    }
+    checks.push(row("gradient", gradient, "against differences of the potential, relative"));
+    checks.push(row("Hessian", hessian, "against differences of the gradient, relative"));
+    slope(&field, &points, start, checks);
+    claims::<_, D>(&field, &points, start, checks);
+}
+
+/// A size that is not zero.
+pub(super) fn floor(size: f64, other: f64) -> f64 {
+    let scale = size.max(other);
+    if scale > 0.0 { scale } else { 1.0 }
+}
+
+pub(super) fn row(name: &str, worst: Worst, note: &str) -> Check {
+    if worst.compared == 0 {
+        return Check::not_applicable(name, "too rough around the start for differences to tell");
+    }
+    Check::at_most(name, worst.measured, worst.bound, note)
+}
+
+/// The kick of the explicit formulas and of leap-frog uses the same force as the implicit steps: v − c (∇Φ − F).
+fn slope<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &State<D>, checks: &mut Vec<Check>) {
+    let (mut kick, mut alone) = (0.0_f64, 0.0_f64);
+    let c = 0.37;
+    for &q in points {
+        let (slope, gradient) = (field.slope(q, start.v), field.gradient(q));
+        let kicked = field.kick(c, q, start.v);
+        let curvature = field.hessian(q).iter().map(largest).fold(0.0, f64::max) * largest(&q);
+        let unit = f64::EPSILON * floor(largest(&gradient).max(largest(&slope)).max(curvature), largest(&start.v));
+        for i in 0..D {
+            kick = worse(kick, (kicked[i] - (start.v[i] - c * slope[i])).abs() / unit);
+            alone = worse(alone, (slope[i] - gradient[i]).abs() / unit);
+        }
+    }
+    checks.push(Check::at_most("kick and slope", kick, ULPS, "the same force, in units of rounding"));
+    if F::FORCED {
+        checks.push(Check::not_applicable("slope and gradient", "a force acts beside the potential"));
+    } else {
+        checks.push(Check::at_most("slope and gradient", alone, ULPS, "no force beside the potential"));
+    }
+}
+
+/// Central, linear, without work: what the law says of itself, and what schemes rely on.
+fn claims<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &State<D>, checks: &mut Vec<Check>) {
+    let (mut turn, mut bend, mut work) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let first = field.hessian(points[0]);
+    for &q in points {
+        let (gradient, slope, hessian) = (field.gradient(q), field.slope(q, start.v), field.hessian(q));
+        let size = hessian.iter().map(largest).fold(0.0, f64::max);
+        let torque = f64::EPSILON * floor(norm(q) * norm(gradient), 0.0);
+        let power = f64::EPSILON * floor(norm(start.v) * (norm(gradient) + norm(slope)), 0.0);
+        for i in 0..D {
+            for j in 0..D {
+                turn = worse(turn, (q[i] * gradient[j] - q[j] * gradient[i]).abs() / torque);
+                bend = worse(bend, (hessian[i][j] - first[i][j]).abs() / (f64::EPSILON * floor(size, 0.0)));
+            }
+        }
+        work = worse(work, dot(start.v, from_fn(|i| slope[i] - gradient[i])).abs() / power);
+    }
+    if F::CENTRAL {
+        checks.push(Check::at_most("claim: central", turn, ULPS, "torque, in units of rounding"));
+    }
+    if F::LINEAR {
+        checks.push(Check::at_most("claim: linear", bend, ULPS, "change of the Hessian, in units of rounding"));
+    }
+    if F::FORCED && F::CONSERVES_ENERGY {
+        checks.push(Check::at_most("claim: no work", work, ULPS, "power of the force, in units of rounding"));
+    }
+}
+
+/// The larger; a NaN is larger than everything.
+pub(super) fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a >= b { a } else { b }
+}

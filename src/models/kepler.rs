@@ -1,0 +1,124 @@
+//! A planet about a fixed sun, in the plane and in space.
+
+use crate::State;
+
+/// Kepler's problem in the plane, Φ(q) = −gm/|q|.
+///
+/// | parameter | dimension | meaning |
+/// |---|---|---|
+/// | `gm` > 0 | E L | strength; with unit mass the constant of gravity times the mass of the sun |
+///
+/// # Domain
+/// q ≠ 0; orbits without angular momentum reach the singularity.
+/// # Invariants
+/// Energy, angular momentum about the sun, the Laplace-Runge-Lenz vector (which no scheme here keeps).
+/// # Source
+/// L. D. Landau, E. M. Lifshitz, *Mechanics*, §15; Greenspan, TR 122 (1971), §5; Kanatani (3.24).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kepler {
+    /// Strength.
+    pub gm: f64,
+}
+
+impl Default for Kepler {
+    /// gm = 1.
+    fn default() -> Self {
+        Kepler { gm: 1.0 }
+    }
+}
+
+#[dmech_macros::law(crate = crate)]
+impl Kepler {
+    /// Φ(q) = −gm/|q|.
+    #[potential]
+    pub fn energy(&self, q: [f64; 2]) -> f64 {
+        let [x, y] = q;
+        -self.gm / (x * x + y * y).sqrt()
+    }
+}
+
+impl Kepler {
+    /// The period of an ellipse with major half-axis a: 2π √(a³/gm), unit mass (Kepler's third law).
+    ///
+    /// ```
+    /// assert_eq!(dmech::models::Kepler { gm: 4.0 }.period(4.0), 8.0 * core::f64::consts::PI);
+    /// ```
+    pub fn period(&self, half_axis: f64) -> f64 {
+        core::f64::consts::TAU * (half_axis.powi(3) / self.gm).sqrt()
+    }
+
+    /// The pericentre of the ellipse with half-axis a and eccentricity 0 ≤ e < 1, on the x axis, at t = 0; unit mass.
+    ///
+    /// ```
+    /// let start = dmech::models::Kepler { gm: 2.0 }.pericentre(2.0, 0.6);
+    /// assert_eq!((start.q, start.v), ([0.8, 0.0], [0.0, 2.0]));
+    /// ```
+    pub fn pericentre(&self, half_axis: f64, eccentricity: f64) -> State<2> {
+        let speed = (self.gm / half_axis * (1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+        State::new([half_axis * (1.0 - eccentricity), 0.0], [0.0, speed])
+    }
+
+    /// The position on that ellipse at time t, by Newton's method on Kepler's equation M = E − e sin E, unit mass.
+    ///
+    /// ```
+    /// let law = dmech::models::Kepler { gm: 1.3 };
+    /// let far = law.exact(2.0, 0.6, 0.5 * law.period(2.0));
+    /// assert!((far[0] + 3.2).abs() < 1e-14 && far[1].abs() < 1e-14);
+    /// ```
+    pub fn exact(&self, half_axis: f64, eccentricity: f64, t: f64) -> [f64; 2] {
+        let e = eccentricity;
+        let turns = t / self.period(half_axis);
+        let mean = core::f64::consts::TAU * (turns - turns.round());
+        // E − e sin E is convex between 0 and π: from π the iteration comes down to the root without overshooting.
+        let mut anomaly = core::f64::consts::PI.copysign(mean);
+        for _ in 0..64 {
+            anomaly -= (anomaly - e * anomaly.sin() - mean) / (1.0 - e * anomaly.cos());
+        }
+        let (sin, cos) = anomaly.sin_cos();
+        [half_axis * (cos - e), half_axis * (1.0 - e * e).sqrt() * sin]
+    }
+}
+
+/// Kepler's problem in space, Φ(q) = −gm/|q|: as [`Kepler`], with three coordinates.
+///
+/// ```
+/// use dmech::{models::Kepler3, prelude::*};
+///
+/// let law = Kepler3 { gm: 1.3 };
+/// let run = Simulation::new(law, State::new([0.9, 0.1, -0.2], [0.1, 0.9, 0.3])).scheme(DiscreteGradient).dt(0.01).run(1000)?;
+/// assert!(run.drift(Invariant::AngularMomentum).unwrap().max_relative() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kepler3 {
+    /// Strength.
+    pub gm: f64,
+}
+
+impl Default for Kepler3 {
+    /// gm = 1.
+    fn default() -> Self {
+        Kepler3 { gm: 1.0 }
+    }
+}
+
+#[dmech_macros::law(crate = crate)]
+impl Kepler3 {
+    /// Φ(q) = −gm/|q|.
+    #[potential]
+    pub fn energy(&self, q: [f64; 3]) -> f64 {
+        let [x, y, z] = q;
+        -self.gm / (x * x + y * y + z * z).sqrt()
+    }
+}
+
+impl Kepler3 {
+    /// The period of an ellipse with major half-axis a: 2π √(a³/gm), unit mass.
+    ///
+    /// ```
+    /// assert_eq!(dmech::models::Kepler3 { gm: 4.0 }.period(4.0), 8.0 * core::f64::consts::PI);
+    /// ```
+    pub fn period(&self, half_axis: f64) -> f64 {
+        Kepler { gm: self.gm }.period(half_axis)
+    }
+}

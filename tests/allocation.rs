@@ -1,0 +1,114 @@
+//! Steps of generated laws do not allocate: central, linear and Newton laws, forces, every scheme.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::hint::black_box;
+
+use dmech::prelude::*;
+
+mod laws;
+use laws::*;
+
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: every request goes to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.with(|n| n.set(n.get() + 1));
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = ALLOCATIONS.with(Cell::get);
+    work();
+    ALLOCATIONS.with(Cell::get) - before
+}
+
+/// A pulsating quartic bowl with drag: force, velocity, mass and time.
+#[derive(Clone, Copy, Debug)]
+struct Damped {
+    k: f64,
+    c: f64,
+    omega: f64,
+}
+
+#[dmech::law]
+impl Damped {
+    #[potential]
+    fn bowl(&self, q: [f64; 2], t: f64) -> f64 {
+        self.k * (1.3 + (self.omega * t).sin()) * (q[0] * q[0] + 2.0 * q[1] * q[1]).powi(2)
+    }
+
+    #[force]
+    fn drag(&self, v: [f64; 2], m: f64) -> [f64; 2] {
+        [-self.c * m * v[0], -self.c * v[1] * v[1].abs()]
+    }
+}
+
+/// Step by step, with the state read, and many at once.
+fn check<L, S, const D: usize>(law: L, scheme: S, start: State<D>, what: &str)
+where
+    L: Law<D>,
+    S: Scheme<L, D>,
+{
+    let simulation = Simulation::new(law, start).mass(1.3).scheme(scheme).dt(0.01);
+    let mut stepper = simulation.stepper().unwrap();
+    let counted = allocations(|| {
+        for _ in 0..500 {
+            stepper.step().unwrap();
+            black_box(stepper.state());
+        }
+        stepper.advance(500).unwrap();
+        black_box(stepper.q());
+    });
+    assert_eq!(stepper.steps(), 1000);
+    assert_ne!(stepper.q(), start.q, "{what}: nothing moved");
+    assert_eq!(counted, 0, "{what}");
+}
+
+#[test]
+fn the_counter_counts() {
+    assert_eq!(allocations(|| drop(black_box(Box::new(1)))), 1);
+}
+
+#[test]
+fn no_step_allocates() {
+    let mut checked = 0;
+    macro_rules! one {
+        ($scheme:ident, $law:ident, $d:literal, $q:expr, $v:expr) => {{
+            let what = concat!(stringify!($scheme), " on ", stringify!($law));
+            check::<_, _, $d>($law::new(), $scheme, State::new($q, $v), what);
+            checked += 1;
+        }};
+    }
+    macro_rules! every {
+        ($($law:tt)*) => {
+            one! { Explicit, $($law)* }
+            one! { Leapfrog, $($law)* }
+            one! { Implicit, $($law)* }
+            one! { DiscreteGradient, $($law)* }
+            one! { Kanatani, $($law)* }
+        };
+    }
+    for_each_law!(every);
+    assert_eq!(checked, 5 * 12);
+}
+
+#[test]
+fn no_step_under_a_force_allocates() {
+    let (law, start) = (Damped { k: 0.7, c: 0.2, omega: 1.9 }, State::new([0.7, -0.4], [0.3, 0.8]));
+    check(law, Explicit, start, "Explicit");
+    check(law, Implicit, start, "Implicit");
+    check(law, DiscreteGradient, start, "DiscreteGradient");
+}

@@ -1,0 +1,18 @@
+//! The potential is a number, not the force.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> [f64; 2] {
+        [-self.gm * q[0], -self.gm * q[1]]
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

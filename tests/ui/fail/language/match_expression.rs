@@ -1,0 +1,21 @@
+//! A choice is an `if` on a comparison.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        match q[0] > 0.0 {
+            true => self.gm * q[0],
+            false => 0.0,
+        }
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

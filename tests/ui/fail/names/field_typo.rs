@@ -1,0 +1,18 @@
+//! Fields are rustc's business: the macro does not see the struct.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -self.gn / q[0].hypot(q[1])
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

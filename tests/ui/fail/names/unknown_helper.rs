@@ -1,0 +1,18 @@
+//! Helpers stand in the same block.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -self.gm / self.radius(q)
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

@@ -1,0 +1,18 @@
+//! The exponent of `powf` is a number.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        self.gm * (q[0] * q[0] + q[1] * q[1]).powf(2)
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

@@ -1,0 +1,23 @@
+//! A law has one potential.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn attraction(&self, q: [f64; 2]) -> f64 {
+        -self.gm / q[0].hypot(q[1])
+    }
+
+    #[potential]
+    fn uniform_field(&self, q: [f64; 2]) -> f64 {
+        9.81 * q[1]
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

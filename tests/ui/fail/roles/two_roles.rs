@@ -1,0 +1,19 @@
+//! A method has one role.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    #[force]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -self.gm / q[0].hypot(q[1])
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

@@ -112,7 +112,9 @@ fn right_laws_pass() {
             let report = verify($law::new(), State::<$d>::new($q, $v)).with_half_step_schemes();
             println!("{}\n{report}\n", stringify!($law));
             let passed = with(&report, Outcome::Passed).len();
-            assert!(passed >= 22, "{}: only {passed} checks had something to check", stringify!($law));
+            // One row less for the floor: near its kink there is no derivative to compare.
+            let least = if stringify!($law) == "Floor" { 21 } else { 22 };
+            assert!(passed >= least, "{}: only {passed} checks had something to check", stringify!($law));
             if !report.passed() {
                 wrong.push((stringify!($law), with(&report, Outcome::Failed).join(", ")));
             }

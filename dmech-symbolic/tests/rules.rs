@@ -128,7 +128,7 @@ fn products() {
         rule("0", |[x, y, _]| x * 0.0 * y, vec![|[x, y, _]| x * 0.0 * y]),
         // Numbers that have no exact product stay side by side, whatever order they came in.
         rule(
-            "x·0.3·0.1",
+            "0.3·0.1·x",
             |[x, ..]| 0.1 * (0.3 * x),
             vec![|[x, ..]| 0.1 * (0.3 * x), |[x, ..]| 0.3 * (0.1 * x), |[x, ..]| (number(0.3) * 0.1) * x],
         ),

@@ -53,15 +53,14 @@
 //! |---|---|---|---|
 //! | [`Explicit`] | 1 | work | one force |
 //! | [`Leapfrog`] | 2 | angular momentum; energy bounded | one force |
-//! | [`Implicit`] | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
-//! | [`DiscreteGradient`] | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
-//! | [`Kanatani`] | 2 | its discrete energy and angular momentum exactly | the same |
+//! | [`Implicit`](struct@Implicit) | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
+//! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
+//! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
 #![forbid(unsafe_code)]
 
 pub use dmech_core::*;
 pub use dmech_macros::{Law, law};
 
-/// Well-known laws with their domains, invariants, sources and exact solutions.
 pub mod models;
 
 /// What `use dmech::prelude::*;` brings: traits, schemes, simulations and what they return.

@@ -50,7 +50,7 @@ pub(super) fn number(x: f64, scalar: &Ident) -> TokenStream {
 
 /// The operation on fragments; choices are printed elsewhere.
 pub(super) fn fragment(operation: &Operation, scalar: &Ident, of: &mut dyn FnMut(Value) -> Fragment) -> Fragment {
-    use Binding::{Atom, Prefix, Product, Sum};
+    use Binding::{Prefix, Product, Sum};
     let mut infix = |u: Value, w: Value, sign: TokenStream, left: Binding, right: Binding| {
         let (u, w) = (of(u), of(w));
         let size = u.size + w.size + 1;
@@ -79,13 +79,6 @@ pub(super) fn fragment(operation: &Operation, scalar: &Ident, of: &mut dyn FnMut
             let u = u.at_least(Prefix);
             let negated = Fragment { tokens: quote!(-#u), binding: Prefix, size };
             call(negated, "mul_add", vec![of(*w), of(*x)])
-        }
-        Operation::MulSub(u, w, x) => {
-            let x = of(*x);
-            let size = x.size;
-            let x = x.at_least(Prefix);
-            let negated = Fragment { tokens: quote!(-#x), binding: Atom, size };
-            call(of(*u), "mul_add", vec![of(*w), negated])
         }
         Operation::Symbol(_) | Operation::Select(..) => unreachable!("printed by the body"),
     }

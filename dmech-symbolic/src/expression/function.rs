@@ -10,7 +10,7 @@
 
 use dmech_scalar::Real;
 
-use super::{Condition, Expr, Graph, Node, Number};
+use super::{Expr, Graph, Node, Number};
 
 /// Functions of one argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -348,11 +348,5 @@ impl Graph {
         }
         let halves = factors.iter().map(|&(f, n)| (self.unary(Unary::Abs, f), n / 2)).collect();
         Some(self.product_of(root, halves))
-    }
-
-    /// `yes` where u ≤ 0, `no` elsewhere.
-    pub fn where_non_positive(&mut self, u: Expr, yes: Expr, no: Expr) -> Expr {
-        let zero = self.zero();
-        self.select(Condition::less_or_equal(u, zero), yes, no)
     }
 }

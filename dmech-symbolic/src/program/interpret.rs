@@ -23,7 +23,6 @@ impl Program {
                 Operation::Recip(u) => of(u).recip(),
                 Operation::MulAdd(u, w, x) => of(u).mul_add(of(w), of(x)),
                 Operation::NegMulAdd(u, w, x) => (-of(u)).mul_add(of(w), of(x)),
-                Operation::MulSub(u, w, x) => of(u).mul_add(of(w), -of(x)),
                 Operation::Unary(f, u) => f.apply(of(u)),
                 Operation::Binary(f, u, w) => f.apply(of(u), of(w)),
                 Operation::Select(test, yes, no) => R::select(mask(test, &of), || of(yes), || of(no)),

@@ -514,7 +514,6 @@ impl Operation {
             Self::Binary(function, u, w) => Self::Binary(function, f(u), f(w)),
             Self::MulAdd(u, w, x) => Self::MulAdd(f(u), f(w), f(x)),
             Self::NegMulAdd(u, w, x) => Self::NegMulAdd(f(u), f(w), f(x)),
-            Self::MulSub(u, w, x) => Self::MulSub(f(u), f(w), f(x)),
             Self::Select(test, yes, no) => Self::Select(test.renamed(f), f(yes), f(no)),
         }
     }

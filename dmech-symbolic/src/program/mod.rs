@@ -51,8 +51,6 @@ pub enum Operation {
     MulAdd(Value, Value, Value),
     /// third − first·second
     NegMulAdd(Value, Value, Value),
-    /// first·second − third
-    MulSub(Value, Value, Value),
     Unary(Unary, Value),
     Binary(Binary, Value, Value),
     Select(Test, Value, Value),
@@ -137,7 +135,7 @@ impl Program {
                 Operation::Number(_) | Operation::Symbol(_) | Operation::Neg(_) => {}
                 Operation::Add(..) | Operation::Sub(..) => cost.additions += 1,
                 Operation::Mul(..) => cost.multiplications += 1,
-                Operation::MulAdd(..) | Operation::NegMulAdd(..) | Operation::MulSub(..) => cost.fused += 1,
+                Operation::MulAdd(..) | Operation::NegMulAdd(..) => cost.fused += 1,
                 Operation::Div(..) | Operation::Recip(_) => cost.divisions += 1,
                 Operation::Unary(Unary::Sqrt, _) => cost.roots += 1,
                 Operation::Unary(..) | Operation::Binary(..) => cost.functions += 1,
@@ -157,7 +155,7 @@ impl Operation {
             Self::Add(u, w) | Self::Sub(u, w) | Self::Mul(u, w) | Self::Div(u, w) | Self::Binary(_, u, w) => {
                 vec![*u, *w]
             }
-            Self::MulAdd(u, w, x) | Self::NegMulAdd(u, w, x) | Self::MulSub(u, w, x) => vec![*u, *w, *x],
+            Self::MulAdd(u, w, x) | Self::NegMulAdd(u, w, x) => vec![*u, *w, *x],
             Self::Select(test, yes, no) => {
                 let mut operands = test.operands();
                 operands.extend([*yes, *no]);

@@ -21,6 +21,7 @@ pub use model::Model;
 use dmech_symbolic::kernel::{ForcedKernels, Kernels};
 use proc_macro2::TokenStream;
 
+use diagnostics::Mistakes;
 use model::Parsed;
 
 /// A law with everything that follows from it, before it is printed.
@@ -50,17 +51,17 @@ pub fn derive(item: TokenStream) -> TokenStream {
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
-    let model = model::from_impl(TokenStream::new(), item).model?;
+    let model = model::from_impl(TokenStream::new(), item).model.map_err(|mistakes| mistakes.errors)?;
     match derive_all(model) {
         Ok(derivation) => Ok(*derivation),
-        Err((_, errors)) => Err(errors),
+        Err((_, mistakes)) => Err(mistakes.errors),
     }
 }
 
-fn derive_all(model: Model) -> Result<Box<Derivation>, (Box<Model>, Vec<syn::Error>)> {
+fn derive_all(model: Model) -> Result<Box<Derivation>, (Box<Model>, Mistakes)> {
     let mut lowered = match lower::lower(&model) {
         Ok(lowered) => lowered,
-        Err(errors) => return Err((Box::new(model), errors)),
+        Err(mistakes) => return Err((Box::new(model), mistakes)),
     };
     let Lowered { graph, variables, potential, force, parameters } = &mut lowered;
     let kernels = Kernels::new(graph, *potential, variables);
@@ -70,25 +71,19 @@ fn derive_all(model: Model) -> Result<Box<Derivation>, (Box<Model>, Vec<syn::Err
 }
 
 fn expand(Parsed { item, model, refused }: Parsed) -> TokenStream {
-    let mut tokens = item;
-    let errors = match model {
-        Err(errors) => {
-            if let Some(model) = refused.filter(|model| model.dimension > 0) {
-                tokens.extend(emit::stub(&model));
-            }
-            errors
-        }
+    let (model, mistakes) = match model {
+        Err(mistakes) => (refused.filter(|model| model.dimension > 0), mistakes),
         Ok(model) => match derive_all(model) {
             Ok(derivation) => {
+                let mut tokens = item;
                 tokens.extend(emit::implementation(&derivation));
                 return tokens;
             }
-            Err((model, errors)) => {
-                tokens.extend(emit::stub(&model));
-                errors
-            }
+            Err((model, mistakes)) => (Some(model), mistakes),
         },
     };
-    tokens.extend(errors.iter().map(syn::Error::to_compile_error));
+    let mut tokens = emit::withheld(item, &mistakes.methods);
+    tokens.extend(model.map(|model| emit::stub(&model)));
+    tokens.extend(mistakes.errors.iter().map(syn::Error::to_compile_error));
     tokens
 }

@@ -7,5 +7,7 @@ mod kernels;
 mod names;
 mod operation;
 mod region;
+mod withheld;
 
 pub(crate) use implementation::{implementation, stub};
+pub(crate) use withheld::withheld;

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use quote::quote_spanned;
 use syn::{Expr, ExprPath, GenericParam, ImplItemConst};
 
-use crate::diagnostics::body;
+use crate::diagnostics::{body, nearest};
 use crate::model::{ArgumentRole, Known, Sibling, known_type};
 
 use super::interpreter::Interpreter;
@@ -40,26 +40,41 @@ impl<'m> Interpreter<'m> {
         if text == "self" {
             return Value::Law;
         }
-        let error =
-            if self.model.generics.params.iter().any(|p| matches!(p, GenericParam::Const(c) if c.ident == *name)) {
-                body::const_parameter(name)
-            } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
-                body::imported_constant(name)
-            } else if self.calls.len() > 1 {
-                body::unknown_in_helper(name)
-            } else {
-                let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
-                let declared: Vec<_> =
-                    self.model.formulas().flat_map(|formula| &formula.arguments).filter(|a| position(a.role)).collect();
-                let declares_m = self.model.names_mass;
-                match text.as_str() {
-                    "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),
-                    "t" => body::undeclared_argument(name, "time"),
-                    "v" => body::velocity(name),
-                    _ => body::unknown_name(name, !declared.is_empty()),
-                }
-            };
+        let is_const = |p: &GenericParam| matches!(p, GenericParam::Const(c) if c.ident == *name);
+        let error = if self.model.generics.params.iter().any(is_const) {
+            if self.model.dimension == 0 {
+                // The position has been refused, for the same reason as a rule.
+                return Value::Unknown;
+            }
+            body::const_parameter(name)
+        } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
+            body::imported_constant(name)
+        } else {
+            self.unknown_name(name)
+        };
         self.refuse(error)
+    }
+
+    fn unknown_name(&self, name: &Ident) -> syn::Error {
+        let text = name.to_string();
+        let is_field = self.model.fields.iter().flatten().any(|(field, _)| *field == text);
+        let variables = self.scope.bindings.iter().map(|binding| binding.name.as_str());
+        let near = nearest(&text, variables).filter(|_| !is_field);
+        if self.calls.len() > 1 {
+            return body::unknown_in_helper(name, near);
+        }
+        let formula =
+            self.model.formulas().find(|formula| self.calls.first().is_some_and(|call| formula.ident == *call));
+        let Some(formula) = formula else { return body::unknown_name(name, false, near) };
+        match formula.role.arguments().iter().find(|known| known.name == text) {
+            Some(known) => body::undeclared_argument(name, known, &formula.ident, self.model.dimension),
+            None if text == "v" => body::velocity(name),
+            None => {
+                let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
+                let has_position = formula.arguments.iter().any(|argument| position(argument.role));
+                body::unknown_name(name, has_position, near)
+            }
+        }
     }
 
     /// `Self::G`
@@ -67,7 +82,10 @@ impl<'m> Interpreter<'m> {
         let model = self.model;
         let last = &path.path.segments[1].ident;
         match model.constants.get(name) {
-            None => self.refuse(body::unknown_constant(last, &self.model.name)),
+            None => {
+                let near = nearest(name, self.model.constants.keys().map(String::as_str));
+                self.refuse(body::unknown_constant(last, &self.model.name, near))
+            }
             Some(Sibling::Conditional) => self.refuse(body::conditional_sibling(last)),
             Some(Sibling::One(constant)) => match known_type(&constant.ty) {
                 // What a formula shows by its name, and the compiler folds anyway.

@@ -48,17 +48,17 @@ pub(super) fn check(
         errors.push(law::keyword(abi, "extern"));
     }
     if !signature.generics.params.is_empty() {
-        errors.push(law::own_generics(&signature.generics));
+        errors.push(law::own_generics(&signature.generics, role));
     }
     if let Some(clause) = &signature.generics.where_clause {
-        errors.push(law::own_generics(clause));
+        errors.push(law::own_generics(clause, role));
     }
     match signature.receiver() {
-        None => errors.push(law::no_receiver(&signature.ident)),
+        None => errors.push(law::no_receiver(signature, role)),
         Some(receiver) => match &receiver.kind {
             ReceiverKind::Reference(_, _, None) => {}
-            ReceiverKind::Reference(_, _, Some(_)) => errors.push(law::mutable_receiver(receiver)),
-            _ => errors.push(law::other_receiver(receiver)),
+            ReceiverKind::Reference(_, _, Some(_)) => errors.push(law::mutable_receiver(receiver, role)),
+            _ => errors.push(law::other_receiver(receiver, role)),
         },
     }
     let typed = signature.inputs.iter().filter_map(|input| match input {
@@ -67,12 +67,13 @@ pub(super) fn check(
     });
     let mut arguments = arguments(typed, role, constants, errors);
     if arguments.dimension == 0 && !arguments.list.iter().any(|argument| argument.role == ArgumentRole::Refused) {
-        let missing = if role == Role::Force { law::no_position_or_velocity } else { law::no_position };
+        let missing = if role.is_force() { law::no_position_or_velocity } else { law::no_position };
         errors.push(missing(&signature.ident));
     }
-    match role {
-        Role::Force => arguments.result = returns_force(signature, arguments.dimension, constants, errors),
-        _ => returns_number(&signature.output, &signature.ident, errors),
+    if role.is_force() {
+        arguments.result = returns_force(signature, arguments.dimension, constants, errors);
+    } else {
+        returns_number(&signature.output, &signature.ident, errors);
     }
     arguments
 }
@@ -84,7 +85,7 @@ pub(super) fn returns_number(output: &ReturnType, whole: &impl ToTokens, errors:
         ReturnType::Type(_, ty) if matches!(&**ty, Type::Reference(_)) => errors.push(law::wrong_return(ty)),
         ReturnType::Type(_, ty) => match known_type(ty) {
             Known::Float => {}
-            Known::Single => errors.push(law::single_precision(ty)),
+            Known::Single => say_once(law::single_precision(ty), errors),
             _ => errors.push(law::wrong_return(ty)),
         },
     }
@@ -122,11 +123,20 @@ pub(super) fn arguments<'a>(
     errors: &mut Vec<syn::Error>,
 ) -> Arguments {
     let mut arguments = Arguments { list: vec![], dimension: 0, result: Shape::Number };
+    let typed: Vec<_> = typed.collect();
+    let apart = coordinates_apart(&typed, role);
+    if !apart.is_empty() {
+        errors.push(law::coordinates_apart(&apart));
+    }
     for PatType { pat, ty, .. } in typed {
+        if apart.iter().any(|&coordinate| std::ptr::eq(coordinate, &**pat)) {
+            arguments.list.push(Argument { role: ArgumentRole::Refused, pattern: (**pat).clone() });
+            continue;
+        }
         let role = match argument(pat, ty, role, constants, &mut arguments.dimension) {
             Ok(role) => role,
             Err(error) => {
-                errors.push(error);
+                say_once(error, errors);
                 ArgumentRole::Refused
             }
         };
@@ -136,6 +146,29 @@ pub(super) fn arguments<'a>(
         arguments.list.push(Argument { role, pattern: (**pat).clone() });
     }
     arguments
+}
+
+/// `x: f64, y: f64` where `q: [f64; 2]` is meant.
+fn coordinates_apart<'a>(typed: &[&'a PatType], of: Role) -> Vec<&'a Pat> {
+    let is_coordinate = |typed: &&&PatType| match &*typed.pat {
+        Pat::Ident(name) => {
+            let name = name.ident.to_string();
+            let unknown = !of.arguments().iter().any(|known| known.name == name);
+            unknown && name.len() == 1 && known_type(&typed.ty) == Known::Float
+        }
+        _ => false,
+    };
+    let coordinates: Vec<_> = typed.iter().filter(is_coordinate).map(|typed| &*typed.pat).collect();
+    let has_position = typed.iter().any(|typed| matches!(&*typed.pat, Pat::Ident(name) if name.ident == "q"));
+    if coordinates.len() > 1 && !has_position { coordinates } else { vec![] }
+}
+
+/// A law in `f32` is one mistake, however many types show it.
+fn say_once(error: syn::Error, errors: &mut Vec<syn::Error>) {
+    let sentence = error.to_string();
+    if !errors.iter().any(|said| said.to_string() == sentence) {
+        errors.push(error);
+    }
 }
 
 fn argument(
@@ -148,10 +181,10 @@ fn argument(
     let name = match pat {
         Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => name.ident.to_string(),
         Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::position_in_pieces(pat)),
-        _ => return Err(law::unknown_argument(pat)),
+        _ => return Err(law::unknown_argument(pat, of)),
     };
     match name.as_str() {
-        "v" if of != Role::Force => Err(law::velocity_argument(pat)),
+        "v" if !of.is_force() => Err(law::velocity_argument(pat)),
         "q" | "v" => {
             let (shape, count) = position(ty, constants)?;
             if *dimension != 0 && *dimension != count {
@@ -162,8 +195,7 @@ fn argument(
         }
         "m" => number(ty, "mass", &name).map(|()| ArgumentRole::Mass),
         "t" => number(ty, "time", &name).map(|()| ArgumentRole::Time),
-        _ if of == Role::Force => Err(law::unknown_force_argument(pat)),
-        _ => Err(law::unknown_argument(pat)),
+        _ => Err(law::unknown_argument(pat, of)),
     }
 }
 

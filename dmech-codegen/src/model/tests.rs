@@ -21,8 +21,8 @@ fn marked(text: &str) -> (String, Vec<std::ops::Range<usize>>) {
 
 fn assert_refused(text: &str, messages: &[&str], read: impl Fn(TokenStream) -> Parsed) {
     let (plain, ranges) = marked(text);
-    let Err(errors) = read(plain.parse().unwrap()).model else { panic!("accepted: {text}") };
-    let mut said: Vec<_> = errors.iter().map(|error| (error.span().byte_range(), error.to_string())).collect();
+    let Err(mistakes) = read(plain.parse().unwrap()).model else { panic!("accepted: {text}") };
+    let mut said: Vec<_> = mistakes.errors.iter().map(|error| (error.span().byte_range(), error.to_string())).collect();
     said.sort_by_key(|(range, _)| (range.start, range.end));
     assert_eq!(said.len(), messages.len(), "{text}: {said:#?}");
     assert_eq!(ranges.len(), messages.len(), "{text}: as many marks as messages");
@@ -99,8 +99,10 @@ fn the_crate_can_be_somewhere_else() {
         ("krate = x", "`krate` is no option of the macro; the only one is `crate = path::to::dmech`"),
         ("\"x\"", "this is no option of the macro; the only one is `crate = path::to::dmech`"),
     ] {
-        let Err(errors) = from_impl(arguments.parse().unwrap(), item()).model else { panic!("accepted: {arguments}") };
-        assert_eq!(errors.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
+        let Err(mistakes) = from_impl(arguments.parse().unwrap(), item()).model else {
+            panic!("accepted: {arguments}")
+        };
+        assert_eq!(mistakes.errors.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) fn lower_derive(text: &str) -> Result<Lowered, Vec<syn::Error>> {
 }
 
 fn lower_parsed(parsed: Parsed) -> Result<Lowered, Vec<syn::Error>> {
-    parsed.model.and_then(|model| super::lower(&model))
+    parsed.model.and_then(|model| super::lower(&model)).map_err(|mistakes| mistakes.errors)
 }
 
 /// A law of D coordinates with this body: `impl Law { #[potential] fn energy(&self, q: [f64; D]) -> f64 { … } }`.

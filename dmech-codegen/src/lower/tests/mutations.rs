@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::{TokenStream, TokenTree};
 
+use crate::diagnostics::Mistakes;
 use crate::lower;
 use crate::model::{Parsed, from_derive, from_impl};
 
@@ -83,7 +84,7 @@ fn mutate(words: &[String], random: &mut Random) -> String {
     words.join(" ").replace("\u{1} ", "").replace('\u{1}', "")
 }
 
-fn lower_parsed(parsed: Parsed) -> Result<(), Vec<syn::Error>> {
+fn lower_parsed(parsed: Parsed) -> Result<(), Mistakes> {
     let lowered = lower::lower(&parsed.model?)?;
     assert!(lowered.graph.len() > lowered.potential.index());
     Ok(())
@@ -102,7 +103,7 @@ fn damaged_laws_never_panic() {
             let parsed = if law.starts_with('#') { from_derive(tokens) } else { from_impl(TokenStream::new(), tokens) };
             match lower_parsed(parsed) {
                 Ok(()) => accepted += 1,
-                Err(errors) => {
+                Err(Mistakes { errors, .. }) => {
                     assert!(!errors.is_empty(), "refused without a word: {text}");
                     messages.extend(
                         errors.iter().map(|error| error.to_string().split('`').next_back().unwrap_or("").to_owned()),

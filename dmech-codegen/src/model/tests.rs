@@ -226,16 +226,14 @@ fn roles() {
         ],
     );
     refused(
-        "impl Law { #[potential] fn «a»(&self, q: f64) -> f64 { q } #[potential] fn «b»(&self, q: f64) -> f64 { q } }",
+        "impl Law { #[potential] fn a(&self, q: f64) -> f64 { q } #[potential] fn «b»(&self, q: f64) -> f64 { q } }",
         &[
-            "`a` is the first `#[potential]` of this law",
             "`b` is a second potential, and a law has one; `a` is marked already. Add the two in one method, with the other as a helper",
         ],
     );
     refused(
-        "impl Law { #[force] fn «a»(&self, v: f64) -> f64 { v } #[force] fn «b»(&self, q: f64) -> f64 { q } }",
+        "impl Law { #[force] fn a(&self, v: f64) -> f64 { v } #[force] fn «b»(&self, q: f64) -> f64 { q } }",
         &[
-            "`a` is the first `#[force]` of this law",
             "`b` is a second force, and a law has one; `a` is marked already. Add the two in one method, with the other as a helper",
         ],
     );
@@ -296,7 +294,7 @@ fn roles() {
 fn signatures() {
     refused(
         "impl Law { #[potential] fn «energy»(q: f64) -> f64 { q } }",
-        &["a potential takes the law first: `fn energy(&self, q: …) -> f64`"],
+        &["a potential takes the law first: `fn energy(&self, q: f64) -> f64`"],
     );
     refused(
         "impl Law { #[potential] fn energy(«&mut self», q: f64) -> f64 { q } }",
@@ -365,7 +363,9 @@ fn arguments() {
     );
     refused(
         "impl Law { #[potential] fn energy(&self, q: f64, «v»: f64) -> f64 { q * v } }",
-        &["a potential does not depend on the velocity `v`; expected one of: `q` (position), `m` (mass), `t` (time)"],
+        &[
+            "a potential does not depend on the velocity `v`; expected one of: `q` (position), `m` (mass), `t` (time). What depends on it is a `#[force]`",
+        ],
     );
     refused("impl Law { #[potential] fn energy(&self, q: f64, «q»: f64) -> f64 { q } }", &["`q` is named twice"]);
     refused(

@@ -52,7 +52,7 @@ pub(crate) fn undeclared_argument(name: &Ident, known: &KnownArgument, of: &Iden
 }
 
 pub(crate) fn velocity(name: &Ident) -> Error {
-    at(name, "a potential does not depend on the velocity; `v` has no meaning in it")
+    at(name, "a potential does not depend on the velocity `v`; what depends on it is a `#[force]`")
 }
 
 pub(crate) fn const_parameter(name: &Ident) -> Error {

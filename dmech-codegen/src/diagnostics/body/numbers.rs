@@ -131,6 +131,7 @@ pub(crate) fn no_such_operation(
     let hint = match (with_array, is_vector(left) && is_vector(right)) {
         (true, _) => "; arrays have no arithmetic, write it for each component or use nalgebra's vectors".into(),
         (_, true) if left == right => "; write `dot`, `cross` or `component_mul`".into(),
+        (_, true) => String::new(),
         _ => reduction(several.0, several.1).map(|hint| format!("; write {hint}")).unwrap_or_default(),
     };
     at(e, format!("`{sign}` is not defined between {left} and {right}{hint}"))

@@ -4,8 +4,14 @@
 pub(crate) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
     let few = if length < 4 { 0 } else { (length / 3).min(3) };
-    let distances = known.into_iter().map(|other| (distance(name, other), other));
-    distances.filter(|&(distance, _)| distance <= few).min_by_key(|&(distance, _)| distance).map(|(_, other)| other)
+    let distances = known.into_iter().map(|other| {
+        // Of two that are as near, letters swapped or mistaken are likelier than one too many.
+        ((distance(name, other), other.chars().count().abs_diff(length)), other)
+    });
+    distances
+        .filter(|((distance, _), _)| *distance <= few)
+        .min_by_key(|(nearness, _)| *nearness)
+        .map(|(_, other)| other)
 }
 
 /// How many letters are to be added, removed, replaced or swapped with their neighbour.
@@ -37,7 +43,7 @@ mod tests {
         for (written, meant) in [
             ("sqr", None),
             ("sqtr", Some("sqrt")),
-            ("sinn", Some("sin")),
+            ("sinn", Some("sinh")),
             ("potental", Some("potential")),
             ("potnetail", Some("potential")),
             ("pairforce", Some("pair_force")),

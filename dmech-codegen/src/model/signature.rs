@@ -183,8 +183,11 @@ fn argument(
         Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::position_in_pieces(pat)),
         _ => return Err(law::unknown_argument(pat, of)),
     };
+    if !of.arguments().iter().any(|known| known.name == name) {
+        let is_velocity = name == "v" && of == Role::Potential;
+        return Err(if is_velocity { law::velocity_argument(pat) } else { law::unknown_argument(pat, of) });
+    }
     match name.as_str() {
-        "v" if !of.is_force() => Err(law::velocity_argument(pat)),
         "q" | "v" => {
             let (shape, count) = position(ty, constants)?;
             if *dimension != 0 && *dimension != count {

@@ -248,12 +248,28 @@ fn roles() {
         &["a force is a function of position and velocity; give it an argument `q: [f64; D]`, `v: [f64; D]` or both"],
     );
     refused(
+        "impl Law { #[potential] «#[force]» fn energy(&self, q: [f64; 2]) -> f64 { q[0] } }",
+        &["this method is a potential already, and a method has one role; state the force in a method of its own"],
+    );
+    refused(
+        "impl Law { #[«forse»] fn drag(&self, v: [f64; 2]) -> [f64; 2] { v } }",
+        &["`forse` is no role of a method; write `#[force]`"],
+    );
+    refused(
+        "impl Law { #[potential] fn energy(&self, «x: f64, y»: f64, t: f64) -> f64 { x * y * t } }",
+        &["the position is one argument, `q: [f64; 2]`; take it to pieces in the body: `let [x, y] = q;`"],
+    );
+    refused(
+        "impl Law { #[potential] fn energy(&self, q: «[f32; 2]») -> f32 { q[0] } }",
+        &["write the law in `f64`; the generated code runs it in `f32` and other scalars as well"],
+    );
+    refused(
         "impl Law { #[force] fn drag(&self, q: [f64; 2], v: «[f64; 3]») -> [f64; 2] { q } }",
-        &["this has 3 components, and 2 are named before; position, velocity and force have as many"],
+        &["this has 3 components, and what is named before it has 2; position, velocity and force have equally many"],
     );
     refused(
         "impl Law { #[force] fn drag(&self, v: [f64; 2]) -> «f64» { v[0] } }",
-        &["this has 1 components, and 2 are named before; position, velocity and force have as many"],
+        &["this has 1 component, and what is named before it has 2; position, velocity and force have equally many"],
     );
     refused(
         "impl Law { #[force] fn drag(&self, v: [f64; 2]) -> «bool» { true } }",
@@ -265,7 +281,7 @@ fn roles() {
     );
     refused(
         "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { q } #[force] fn «drag»(&self, v: [f64; 2]) -> [f64; 2] { v } }",
-        &["`drag` has 2 coordinates and the potential of this law has 1"],
+        &["`drag` has 2 coordinates, and the potential of this law has 1"],
     );
     refused(
         "impl Law { #[potential] «#[force]» fn both(&self, q: f64) -> f64 { q } }",

@@ -1,6 +1,7 @@
 //! Lowering is held against the compiler: the same text is compiled as Rust and lowered, and both give one value.
 //! Refusals are held to their words and to the piece of the user's text that they point at.
 
+mod consequences;
 mod constructs;
 mod functions;
 mod limits;

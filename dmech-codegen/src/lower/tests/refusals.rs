@@ -610,7 +610,7 @@ fn everything_in_one_run() {
     refused_block(
         "impl Law { #[potential] fn energy(«&mut self», q: «[f32; 2]», «k»: f64) -> f64 { k * «z» + q[7] + q[0].floor() } }",
         &[
-            "a law changes nothing; write `&self`",
+            "a potential changes nothing; write `&self`",
             "write the law in `f64`; the generated code runs it in `f32` and other scalars as well",
             "`k` is not an argument a potential can have; expected one of: `q` (position), `m` (mass), `t` (time). Parameters are fields of the law: `self.k`",
             "`z` is neither a coordinate nor a parameter; declared coordinates: `q`. A parameter is a field of the law: `self.z`",

@@ -285,7 +285,7 @@ fn roles() {
     );
     refused(
         "impl Law { #[potential] «#[force]» fn both(&self, q: f64) -> f64 { q } }",
-        &["a method has one role; state the potential and the force in two methods"],
+        &["this method is a potential already, and a method has one role; state the force in a method of its own"],
     );
     refused(
         "impl Law { «#[pair]» fn spring(&self, r: f64) -> f64 { r } «#[pair_force]» fn drag(&self, d: f64) -> f64 { d } }",

@@ -54,11 +54,14 @@ impl Mentioned {
         while i < tokens.len() {
             match &tokens[i] {
                 TokenTree::Group(group) => self.collect(group.stream()),
-                TokenTree::Ident(law) if law == "self" => {
-                    if self.has_law && is(i + 1, '.') && is_field(tokens.get(i + 2), tokens.get(i + 3)) {
-                        self.add(&tokens[i..i + 3]);
-                        i += 2;
-                    }
+                TokenTree::Ident(law)
+                    if law == "self"
+                        && self.has_law
+                        && is(i + 1, '.')
+                        && is_field(tokens.get(i + 2), tokens.get(i + 3)) =>
+                {
+                    self.add(&tokens[i..i + 3]);
+                    i += 2;
                 }
                 TokenTree::Ident(_) if i == 0 || !is(i - 1, '.') => {
                     let start = i;

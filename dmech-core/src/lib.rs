@@ -9,6 +9,7 @@ mod csv;
 mod error;
 mod invariant;
 mod law;
+mod masses;
 mod pair;
 mod report;
 mod run;
@@ -27,7 +28,8 @@ pub use dmech_scalar as scalar;
 pub use dmech_scalar::{Mask, Real};
 pub use error::{Error, Interrupted};
 pub use invariant::{Drift, Invariant, Kept};
-pub use law::{Conservative, Derivation, Field, Force, Law, Potential, VelocityIndependent};
+pub use law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
+pub use masses::Masses;
 pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use report::Report;
 pub use run::Run;
@@ -39,7 +41,7 @@ pub use verify::verify;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {
-    pub use crate::law::{Conservative, Derivation, Force, Law, Potential, VelocityIndependent};
+    pub use crate::law::{Conservative, Derivation, Force, Law, MassIndependent, Potential, VelocityIndependent};
     pub use crate::scheme::{
         DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
     };

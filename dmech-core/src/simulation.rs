@@ -5,7 +5,8 @@ use std::time::Instant;
 use dmech_scalar::Real;
 
 use crate::error::{Error, Interrupted};
-use crate::law::Law;
+use crate::law::{Law, MassIndependent};
+use crate::masses::Masses;
 use crate::run::{Run, Work};
 use crate::scheme::Scheme;
 use crate::state::State;
@@ -61,7 +62,7 @@ impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
 }
 
 impl<L, X, S> Simulation<L, X, S> {
-    /// The mass of the particle (default 1).
+    /// The mass of the particle (default 1); with [`masses`](Simulation::masses) the unit that they are in.
     pub fn mass(self, mass: f64) -> Self {
         Simulation { mass, ..self }
     }
@@ -85,6 +86,46 @@ impl<L, X, S> Simulation<L, X, S> {
 
 // The bounds stand on the methods and not on the block: a scheme that does not fit the law is then told in words.
 impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
+    /// A mass for each coordinate, mᵢ qᵢ″ = −∂Φ/∂qᵢ + Fᵢ, in units of [`mass`](Simulation::mass): for several bodies in
+    /// one law.
+    ///
+    /// Every scheme keeps its order and what it promises, K = Σ mᵢ vᵢ²/2 being the kinetic energy; the angular momentum is
+    /// not watched. See [`Masses`] for what happens; a simulation with one mass has none of it. A mass that is not positive
+    /// and finite is refused with [`Error::Mass`] when the simulation is run.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// /// Two bodies on a line, Φ = k (x − y)²/2: the heavy one hardly moves.
+    /// struct Bond { k: f64 }
+    /// # impl Conservative for Bond {}
+    /// # impl Potential<2> for Bond {
+    /// #     fn potential(&self, [x, y]: [f64; 2]) -> f64 { 0.5 * self.k * (x - y) * (x - y) }
+    /// #     fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] { [self.k * (x - y), self.k * (y - x)] }
+    /// #     fn hessian(&self, _: [f64; 2]) -> [[f64; 2]; 2] { [[self.k, -self.k], [-self.k, self.k]] }
+    /// #     fn discrete_gradient(&self, a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    /// #         self.gradient([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])])
+    /// #     }
+    /// #     fn discrete_gradient_jacobian(&self, a: [f64; 2], _: [f64; 2]) -> [[f64; 2]; 2] {
+    /// #         self.hessian(a).map(|row| row.map(|x| 0.5 * x))
+    /// #     }
+    /// # }
+    /// let run = Simulation::new(Bond { k: 4.0 }, State::new([1.0, 0.0], [0.0, 0.0]))
+    ///     .masses([1.0, 1836.0])
+    ///     .scheme(DiscreteGradient)
+    ///     .dt(0.01)
+    ///     .run(10_000)?;
+    /// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+    /// assert!(run.states().iter().all(|state| state.q[1].abs() < 2.0 / 1837.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn masses(self, masses: [f64; D]) -> Simulation<Masses<L, D>, State<D, R>, S>
+    where
+        L: MassIndependent,
+    {
+        let Simulation { law, start, scheme, mass, dt, record_every } = self;
+        Simulation { law: Masses::new(law, masses), start, scheme, mass, dt, record_every }
+    }
+
     /// A stepper, which neither records nor allocates.
     ///
     /// # Errors
@@ -159,8 +200,7 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
                 failure = Some(error);
                 break;
             }
-            let (_, scheme, stride) = stepper.parts();
-            watch.add_work(scheme, stride, &before, stepper.memory());
+            watch.add_work(stepper.parts(), &before, stepper.memory());
             until_record -= 1;
             if until_record == 0 {
                 until_record = record_every;

@@ -112,13 +112,13 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let (potential_functions, field_functions) = match forced {
         Some(forced) => {
             let (pointwise, steps) = (momentary.pointwise(kernels), momentary.forced_steps(forced));
-            let field = momentary.field_functions(kernels, forced);
+            let (field, force) = (momentary.field_functions(kernels, forced), momentary.force_functions(forced));
             let workless = forced.workless;
             let capabilities = quote! {
                 const FORCED: bool = true;
                 const CONSERVES_ENERGY: bool = #workless;
             };
-            (quote!(#pointwise #steps), quote!(#capabilities #field))
+            (quote!(#pointwise #steps), quote!(#capabilities #field #force))
         }
         None => (momentary.functions(kernels), TokenStream::new()),
     };
@@ -127,6 +127,12 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         quote! {
             #[automatically_derived]
             impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
+        }
+    });
+    let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #own_generics #runtime::MassIndependent for #self_ty #where_clause {}
         }
     });
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
@@ -140,6 +146,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             #of_itself
             #force_of_itself
             #velocity_independent
+            #mass_independent
 
             /// The law at one moment, for one mass.
             #[allow(dead_code)]

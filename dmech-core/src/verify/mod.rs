@@ -93,6 +93,11 @@ impl<L: Law<D>, const D: usize> Law<D> for Borrowed<'_, L> {
     fn field(&self, mass: f64, t: f64) -> L::Field<'_> {
         self.0.field(mass, t)
     }
+
+    #[inline(always)]
+    fn mass_ratios(&self) -> [f64; D] {
+        self.0.mass_ratios()
+    }
 }
 
 impl<L: VelocityIndependent> VelocityIndependent for Borrowed<'_, L> {}

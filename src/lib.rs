@@ -73,8 +73,8 @@ pub mod prelude {
 pub mod __private {
     pub mod v1 {
         pub use dmech_core::{
-            Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads, Real,
-            Symmetric, VelocityIndependent, newton, radial,
+            Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads,
+            Real, Symmetric, VelocityIndependent, newton, radial,
         };
     }
 }

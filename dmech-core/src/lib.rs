@@ -10,6 +10,7 @@ mod error;
 mod invariant;
 mod law;
 mod masses;
+mod motion;
 mod pair;
 mod report;
 mod run;
@@ -20,6 +21,8 @@ mod vector;
 mod watch;
 
 pub mod newton;
+#[cfg(feature = "scene")]
+pub mod scene;
 pub mod scheme;
 pub mod verify;
 
@@ -33,6 +36,8 @@ pub use masses::Masses;
 pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use report::Report;
 pub use run::Run;
+#[cfg(feature = "scene")]
+pub use scene::{Scene, SceneState};
 pub use scheme::{DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start};
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
@@ -42,6 +47,8 @@ pub use verify::verify;
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {
     pub use crate::law::{Conservative, Derivation, Force, Law, MassIndependent, Potential, VelocityIndependent};
+    #[cfg(feature = "scene")]
+    pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
         DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
     };

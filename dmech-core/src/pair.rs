@@ -55,7 +55,7 @@ pub trait Reads<P> {
     message = "`{Self}` is not a law between bodies in {D} dimensions",
     note = "declare one with `#[dmech::law]` and a `#[pair]` of the distance `r` or the separation `d: [f64; {D}]`, or a `#[pair_force]`"
 )]
-pub trait PairLaw<const D: usize, P, R: Real = f64>: Reads<P> {
+pub trait PairLaw<const D: usize, P, R: Real = f64>: Reads<P> + Sync {
     /// What acts between two bodies at one moment.
     type Between<'a>: Between<D, R>
     where
@@ -78,6 +78,8 @@ pub trait PairLaw<const D: usize, P, R: Real = f64>: Reads<P> {
 /// Of the [`Potential`] the force on a is −∇Φ(d) and that on b is +∇Φ(d). The force on b from a is the law's with a and b
 /// exchanged: `law.between(b, a, t).force(−d, vb, va)`.
 pub trait Between<const D: usize, R: Real = f64>: Potential<D, R> {
+    /// A potential acts; if not, its functions are zero and need not be called.
+    const POTENTIAL: bool = true;
     /// A force acts beside the potential.
     const FORCED: bool = false;
     /// The force on b from a is opposite to that on a from b.

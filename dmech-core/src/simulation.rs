@@ -1,17 +1,15 @@
 //! Setting up and running.
 
-use std::time::Instant;
-
 use dmech_scalar::Real;
 
 use crate::error::{Error, Interrupted};
 use crate::law::{Law, MassIndependent};
 use crate::masses::Masses;
-use crate::run::{Run, Work};
+use crate::motion::{record, steps_until};
+use crate::run::Run;
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::stepper::Stepper;
-use crate::watch::Watch;
 
 /// No scheme yet: such a simulation cannot run.
 #[derive(Clone, Copy, Debug)]
@@ -43,12 +41,12 @@ pub struct NoScheme;
 #[derive(Clone, Debug)]
 #[must_use = "a simulation does nothing until it is run"]
 pub struct Simulation<L, X, S = NoScheme> {
-    law: L,
-    start: X,
-    scheme: S,
-    mass: f64,
-    dt: Option<f64>,
-    record_every: u64,
+    pub(crate) law: L,
+    pub(crate) start: X,
+    pub(crate) scheme: S,
+    pub(crate) mass: f64,
+    pub(crate) dt: Option<f64>,
+    pub(crate) record_every: u64,
 }
 
 impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
@@ -62,11 +60,6 @@ impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
 }
 
 impl<L, X, S> Simulation<L, X, S> {
-    /// The mass of the particle (default 1); with [`masses`](Simulation::masses) the unit that they are in.
-    pub fn mass(self, mass: f64) -> Self {
-        Simulation { mass, ..self }
-    }
-
     /// The scheme: `Explicit`, `Leapfrog`, `Implicit`, `DiscreteGradient`, `Kanatani`.
     pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T> {
         let Simulation { law, start, mass, dt, record_every, .. } = self;
@@ -86,6 +79,11 @@ impl<L, X, S> Simulation<L, X, S> {
 
 // The bounds stand on the methods and not on the block: a scheme that does not fit the law is then told in words.
 impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
+    /// The mass of the particle (default 1); with [`masses`](Simulation::masses) the unit that they are in.
+    pub fn mass(self, mass: f64) -> Self {
+        Simulation { mass, ..self }
+    }
+
     /// A mass for each coordinate, mᵢ qᵢ″ = −∂Φ/∂qᵢ + Fᵢ, in units of [`mass`](Simulation::mass): for several bodies in
     /// one law.
     ///
@@ -162,14 +160,7 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         L: Law<D, R>,
         S: Scheme<L, D, R>,
     {
-        self.record(|start, dt| {
-            let n = (end - start) / dt;
-            // Beyond 2⁵³ the time t₀ + k h no longer distinguishes steps.
-            if !n.is_finite() || n > 9_007_199_254_740_992.0 {
-                return Err(Error::EndTime { end, dt });
-            }
-            Ok((n - 1e-9 * n).ceil().max(0.0) as u64)
-        })
+        self.record(|start, dt| steps_until(start, end, dt))
     }
 
     fn record(
@@ -181,48 +172,12 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         S: Scheme<L, D, R>,
     {
         let (start, record_every, mass, dt) = (self.start, self.record_every, self.mass, self.dt);
-        let mut run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
+        let run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
         let prepared = prepared.and_then(|stepper| Ok((count(start.t, dt.unwrap_or(f64::NAN))?, stepper)));
-        let (steps, mut stepper) = match prepared {
-            Ok(prepared) => prepared,
-            Err(cause) => return Err(Interrupted::new(run, cause)),
-        };
-        let clock = Instant::now();
-        let mut watch = Watch::begin(stepper.parts(), start, stepper.memory());
-        run.expect(steps / record_every);
-        run.record(start);
-        let mut until_record = record_every;
-        let mut failure = None;
-        for _ in 0..steps {
-            let before = stepper.memory().clone();
-            if let Err(error) = stepper.step() {
-                failure = Some(error);
-                break;
-            }
-            watch.add_work(stepper.parts(), &before, stepper.memory());
-            until_record -= 1;
-            if until_record == 0 {
-                until_record = record_every;
-                let state = stepper.state();
-                watch.observe(stepper.parts(), &state, stepper.memory());
-                run.record(state);
-            }
-        }
-        let last = stepper.state();
-        if until_record != record_every {
-            watch.observe(stepper.parts(), &last, stepper.memory());
-        }
-        let work = Work {
-            steps: stepper.steps(),
-            evaluations: stepper.evaluations(),
-            iterations: stepper.iterations(),
-            elapsed: clock.elapsed(),
-        };
-        run.finish(last, watch.drifts(), work);
-        match failure {
-            None => Ok(run),
-            Some(cause) => Err(Interrupted::new(run, cause)),
+        match prepared {
+            Ok((steps, stepper)) => record(stepper, run, steps, record_every),
+            Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }
 }

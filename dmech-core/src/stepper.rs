@@ -4,9 +4,11 @@ use dmech_scalar::{Mask, Real};
 
 use crate::error::Error;
 use crate::law::{Field, Law, Potential};
+use crate::motion::Motion;
 use crate::newton::NotConverged;
 use crate::scheme::{Scheme, Stride};
 use crate::state::State;
+use crate::watch::{Drifts, Watch};
 
 /// A simulation advanced by hand: it records nothing and allocates nothing.
 ///
@@ -162,6 +164,39 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
     #[cold]
     fn not_finite(&self) -> Error {
         Error::NotFinite { step: self.steps + 1, time: self.t(), dt: self.dt }
+    }
+}
+
+impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Motion for Stepper<L, S, D, R> {
+    type State = State<D, R>;
+    type Watch = Watch<D, R>;
+
+    fn state(&self) -> State<D, R> {
+        Stepper::state(self)
+    }
+
+    fn watch(&self) -> Watch<D, R> {
+        Watch::begin(self.parts(), self.start, &self.memory)
+    }
+
+    #[inline(always)]
+    fn step_watched(&mut self, watch: &mut Watch<D, R>) -> Result<(), Error> {
+        let before = self.memory.clone();
+        self.step()?;
+        watch.add_work(self.parts(), &before, &self.memory);
+        Ok(())
+    }
+
+    fn observe(&self, watch: &mut Watch<D, R>, state: &State<D, R>) {
+        watch.observe(self.parts(), state, &self.memory);
+    }
+
+    fn drifts(watch: &Watch<D, R>) -> Drifts {
+        watch.drifts()
+    }
+
+    fn effort(&self) -> [u64; 3] {
+        [self.steps, self.evaluations, self.iterations]
     }
 }
 

@@ -7,7 +7,7 @@
 mod continuation;
 mod dense;
 mod drive;
-mod elimination;
+pub(crate) mod elimination;
 mod equation;
 mod once;
 

@@ -36,7 +36,7 @@ use crate::vector::{difference, finite, scaled, sum, weighted};
 /// R. LaBudde and D. Greenspan, J. Comput. Phys. 15 (1974) 134; K. Kanatani, J. Comput. Phys. (1983–84), §3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DiscreteGradient {
-    newton: Newton,
+    pub(crate) newton: Newton,
 }
 
 /// [`DiscreteGradient`](struct@DiscreteGradient) with the default options.

@@ -30,7 +30,7 @@ use crate::vector::{add_scaled, finite, scaled, sum, weighted};
 /// D. Greenspan, Univ. of Wisconsin, Computer Sciences TR 122 (1971), §2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Implicit {
-    newton: Newton,
+    pub(crate) newton: Newton,
 }
 
 /// [`Implicit`](struct@Implicit) with the default options.

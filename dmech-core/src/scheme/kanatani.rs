@@ -37,8 +37,8 @@ use crate::vector::{add_scaled, difference, finite, scaled, weighted};
 /// K. Kanatani, "The Accuracy and the Preservation Property of the Discrete Mechanics", J. Comput. Phys. (1983–84).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kanatani {
-    newton: Newton,
-    start: Start,
+    pub(crate) newton: Newton,
+    pub(crate) start: Start,
 }
 
 /// [`Kanatani`](struct@Kanatani) with the default options.

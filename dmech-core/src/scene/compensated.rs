@@ -1,0 +1,51 @@
+//! Vectors of many bodies with the rounding errors of their sums.
+
+use dmech_scalar::two_sum;
+
+use super::vectors::Vectors;
+
+/// hi + lo, where hi is the value and lo what rounding took from it so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CompensatedVectors<const D: usize> {
+    /// The value.
+    pub hi: Vectors<D>,
+    /// What is missing.
+    pub lo: Vectors<D>,
+}
+
+impl<const D: usize> CompensatedVectors<D> {
+    /// The vectors themselves.
+    pub fn new(hi: Vectors<D>) -> Self {
+        let lo = Vectors::zeros(hi.bodies());
+        CompensatedVectors { hi, lo }
+    }
+
+    /// Whether every component is finite.
+    pub fn is_finite(&self) -> bool {
+        self.hi.is_finite()
+    }
+
+    /// Component i with its low part.
+    #[inline]
+    pub(super) fn sum(&self, i: usize) -> f64 {
+        self.hi.flat()[i] + self.lo.flat()[i]
+    }
+
+    /// self − before, component i.
+    #[inline]
+    pub(super) fn since(&self, before: &Self, i: usize) -> f64 {
+        (self.hi.flat()[i] - before.hi.flat()[i]) + (self.lo.flat()[i] - before.lo.flat()[i])
+    }
+
+    /// self ← from + (i ↦ change).
+    #[inline]
+    pub(super) fn set_sum(&mut self, from: &Self, change: impl Fn(usize) -> f64) {
+        let n = from.hi.flat().len();
+        let (hi, lo) = (&mut self.hi.flat_mut()[..n], &mut self.lo.flat_mut()[..n]);
+        let (from_hi, from_lo) = (&from.hi.flat()[..n], &from.lo.flat()[..n]);
+        for i in 0..n {
+            let (sum, rest) = two_sum(from_hi[i], from_lo[i] + change(i));
+            (hi[i], lo[i]) = (sum, rest);
+        }
+    }
+}

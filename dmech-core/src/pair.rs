@@ -78,6 +78,8 @@ pub trait PairLaw<const D: usize, P, R: Real = f64>: Reads<P> {
 /// Of the [`Potential`] the force on a is −∇Φ(d) and that on b is +∇Φ(d). The force on b from a is the law's with a and b
 /// exchanged: `law.between(b, a, t).force(−d, vb, va)`.
 pub trait Between<const D: usize, R: Real = f64>: Potential<D, R> {
+    /// There is a potential; where it is false the functions of [`Potential`] return 0 and need not be called.
+    const POTENTIAL: bool = true;
     /// A force acts beside the potential.
     const FORCED: bool = false;
     /// The force on b from a is opposite to that on a from b.

@@ -6,6 +6,9 @@ mod implementation;
 mod kernels;
 mod names;
 mod operation;
+mod pair;
+mod pair_document;
 mod region;
 
 pub(crate) use implementation::{implementation, stub};
+pub(crate) use pair::{pair_implementation, pair_stub};

@@ -293,8 +293,11 @@ pub(super) fn loops(n: usize, dt: f64) -> Vec<(&'static str, Loop)> {
         leapfrog(&mut bodies, dt, steps, scalar);
         bodies.v[0].iter().skip(3).step_by(W).sum()
     });
+    let start = Bodies::cube(n);
+    let start: Vec<_> = (0..n).map(|i| (start.gm[i], core::array::from_fn(|k| start.q[k][i]))).collect();
     vec![
         ("twin: scalar, third law", plain),
+        ("scene", super::own::gravity(&start, dt)),
         ("twin: lanes, third law, 1 × 8", in_registers(n, dt, rows)),
         ("twin: lanes, third law, 2 × 8", in_registers(n, dt, tiles::<2>)),
         ("twin: lanes, third law, 4 × 8", in_registers(n, dt, tiles::<4>)),

@@ -144,6 +144,7 @@ fn kick_and_drift(chain: &mut Chain, bond: Bond, dt: f64, steps: u64) {
 
 /// The loops for n moving bodies, by name.
 pub(super) fn loops(n: usize, k: f64, beta: f64, dt: f64) -> Vec<(&'static str, Loop)> {
+    let step = dt;
     let dt = black_box(dt);
     let bond = black_box(Bond { k: dt * k, beta: dt * beta });
     let plain = |advance: fn(&mut Chain, Bond, f64, u64)| -> Loop {
@@ -157,5 +158,6 @@ pub(super) fn loops(n: usize, k: f64, beta: f64, dt: f64) -> Vec<(&'static str, 
         ("twin: kick and drift at once", plain(kick_and_drift)),
         ("twin: impulse carried", plain(carried)),
         ("twin: impulses twice", plain(twice)),
+        ("scene", super::own::chain(&start(n), k, beta, step)),
     ]
 }

@@ -101,6 +101,25 @@ impl Lanes {
         self.0.to_array()
     }
 
+    /// The last lane.
+    #[inline(always)]
+    pub fn last(self) -> f64 {
+        self.to_array()[7]
+    }
+
+    /// Each lane moved up by one, with `first` in the first: what comes before each lane.
+    ///
+    /// ```
+    /// use dmech_scalar::Lanes;
+    /// let x = Lanes::from_fn(|i| i as f64);
+    /// assert_eq!(x.after(-1.0), x - Lanes::splat(1.0));
+    /// ```
+    #[inline(always)]
+    pub fn after(self, first: f64) -> Self {
+        let [x0, x1, x2, x3, x4, x5, x6, _] = self.to_array();
+        Self::from_array([first, x0, x1, x2, x3, x4, x5, x6])
+    }
+
     /// The sum of the lanes, halves folded onto each other, on every target in this order:
     /// ((x₀ + x₄) + (x₂ + x₆)) + ((x₁ + x₅) + (x₃ + x₇)).
     ///

@@ -86,9 +86,6 @@ pub(super) fn pairs<const D: usize, const S: usize, N: Numbers>(
     }
 }
 
-/// Links of a chain that are computed before they are added to the bodies: they stay in the nearest memory.
-const BLOCK: usize = 64;
-
 /// Consecutive bodies: G_j += g_j − g_{j−1}, with g_j of the link between j and j + 1.
 pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
@@ -99,34 +96,25 @@ pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
     let links = out.bodies().saturating_sub(1);
     let q = q.map(|q| q.columns());
     let out = out.columns_mut();
-    // Place 0 holds the last link of the block before.
-    let mut gradients = [[0.0; BLOCK + 1]; D];
-    let mut start = 0;
-    while start < links {
-        let count = BLOCK.min(links - start);
-        let mut j = 0;
-        while j + Lanes::COUNT <= count {
-            neighbours::<D, S, N, Lanes>(kernel, &q, numbers, start + j, |k, g| {
-                g.store(&mut gradients[k][j + 1..]);
-            });
-            j += Lanes::COUNT;
-        }
-        while j < count {
-            neighbours::<D, S, N, f64>(kernel, &q, numbers, start + j, |k, g| gradients[k][j + 1] = g);
-            j += 1;
-        }
+    let blocks = links - links % Lanes::COUNT;
+    let mut last = [0.0; D];
+    for j in (0..blocks).step_by(Lanes::COUNT) {
+        let gradient: [Lanes; D] = neighbours(kernel, &q, numbers, j);
         for k in 0..D {
-            let (own, before) = (&gradients[k][1..=count], &gradients[k][..count]);
-            for ((out, g), before) in out[k][start..start + count].iter_mut().zip(own).zip(before) {
-                *out += g - before;
-            }
-            gradients[k][0] = gradients[k][count];
+            (gradient[k] - gradient[k].after(last[k])).add_to(out[k], j);
+            last[k] = gradient[k].last();
         }
-        start += count;
+    }
+    for j in blocks..links {
+        let gradient: [f64; D] = neighbours(kernel, &q, numbers, j);
+        for k in 0..D {
+            out[k][j] += gradient[k] - last[k];
+        }
+        last = gradient;
     }
     if links > 0 {
         for k in 0..D {
-            out[k][links] -= gradients[k][0];
+            out[k][links] -= last[k];
         }
     }
 }
@@ -138,11 +126,7 @@ fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
     q: &Moments<'_, D, S>,
     numbers: &NumberColumns<N>,
     j: usize,
-    mut put: impl FnMut(usize, R),
-) {
+) -> [R; D] {
     let d = q.map(|q| q.map(|column| R::load(column, j) - R::load(column, j + 1)));
-    let gradient = kernel.gradient(numbers.load(j), numbers.load(j + 1), d);
-    for (k, g) in gradient.into_iter().enumerate() {
-        put(k, g);
-    }
+    kernel.gradient(numbers.load(j), numbers.load(j + 1), d)
 }

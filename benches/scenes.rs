@@ -18,6 +18,8 @@ mod chain;
 mod eight;
 #[path = "twins/own.rs"]
 mod own;
+#[path = "twins/parallel.rs"]
+mod parallel;
 
 /// A loop of some steps that ends in a number, so that nothing is optimised away.
 type Loop = Box<dyn FnMut(u64) -> f64>;
@@ -59,7 +61,8 @@ fn scenes() -> Vec<Scene> {
             runs: 100,
             loops: Box::new(|| chain::loops(1024, 1.1, 0.3, 0.05)),
         },
-        gravity("gravity, 1000", 1000, 4, 25),
+        gravity("gravity, 1000", 1000, 4, 50),
+        gravity("gravity, 4000", 4000, 1, 20),
     ]
 }
 

@@ -1,39 +1,14 @@
 //! Steps of generated laws do not allocate: central, linear and Newton laws, forces, every scheme.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::hint::black_box;
 
 use dmech::prelude::*;
 
+#[path = "../dmech-core/tests/common/counting.rs"]
+mod counting;
 mod laws;
+use counting::allocations;
 use laws::*;
-
-struct Counting;
-
-thread_local! {
-    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-}
-
-// SAFETY: every request goes to the system's allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.with(|n| n.set(n.get() + 1));
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
-
-fn allocations(work: impl FnOnce()) -> usize {
-    let before = ALLOCATIONS.with(Cell::get);
-    work();
-    ALLOCATIONS.with(Cell::get) - before
-}
 
 /// A pulsating quartic bowl with drag: force, velocity, mass and time.
 #[derive(Clone, Copy, Debug)]
@@ -75,11 +50,6 @@ where
     assert_eq!(stepper.steps(), 1000);
     assert_ne!(stepper.q(), start.q, "{what}: nothing moved");
     assert_eq!(counted, 0, "{what}");
-}
-
-#[test]
-fn the_counter_counts() {
-    assert_eq!(allocations(|| drop(black_box(Box::new(1)))), 1);
 }
 
 #[test]

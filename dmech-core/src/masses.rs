@@ -37,6 +37,7 @@ impl<L, const D: usize> Masses<L, D> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<L: VelocityIndependent, const D: usize> VelocityIndependent for Masses<L, D> {}
 
 impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Masses<L, D> {

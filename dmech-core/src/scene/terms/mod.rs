@@ -5,11 +5,13 @@ mod linked;
 mod links;
 mod numbers;
 mod packed;
+mod pairs;
 mod sweep;
 
 pub use each::Each;
 pub use linked::Linked;
-pub use links::{Bonds, Chain, Pairs};
+pub use links::{Bonds, Chain};
+pub use pairs::Pairs;
 
 use super::builder::Bodies;
 use super::matrix::Matrix;

@@ -251,6 +251,17 @@ fn symmetric_or_not() {
     assert!(law(2, None, Some(&|p| vec![p.a[0] * p.d[0], p.k])).kernels.symmetric, "a force alone has no energy");
 }
 
+/// Products of many sums are not written out without end: the answer is then no.
+#[test]
+fn long_products_end() {
+    let product: Formula = |p| {
+        (0..12).fold(p.k, |product, i| product * (p.d[0] * f64::from(i + 1) + p.a[0] * f64::from(2 * i + 3) + p.d[1]))
+    };
+    let law = law(2, Some(&product), None);
+    assert!(!law.kernels.symmetric);
+    assert!(law.graph.len() < 200_000, "{}", law.graph.len());
+}
+
 type Force = fn(&Place) -> Vec<E>;
 
 /// A force along c(…) (v_a − v_b) or c(…) d.

@@ -1,8 +1,8 @@
 //! Laws between two bodies: what the macro writes, against formulas by hand and against the method as its author wrote it.
 
-use dmech::nalgebra::Vector3;
 use dmech::prelude::*;
 use dmech::{Between, Numbers, PairLaw, Reads, Symmetric, VelocityIndependent};
+use nalgebra::Vector3;
 
 #[derive(Clone, Copy, Debug)]
 struct Shell {

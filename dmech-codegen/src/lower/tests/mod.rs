@@ -4,7 +4,6 @@
 mod constructs;
 mod functions;
 mod limits;
-mod mutations;
 mod pairs;
 mod parameters;
 mod refusals;

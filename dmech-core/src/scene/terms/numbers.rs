@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::packed::Packed;
 use crate::pair::Numbers;
 
 /// K numbers of each of n bodies, by column.
@@ -24,9 +25,20 @@ impl<N: Numbers> NumberColumns<N> {
         NumberColumns { bodies, flat, layout: core::marker::PhantomData }
     }
 
+    /// The number of bodies.
+    pub(super) fn bodies(&self) -> usize {
+        self.bodies
+    }
+
     /// Those of body i, in each lane.
     #[inline(always)]
     pub(super) fn at<R: Real>(&self, i: usize) -> N::Of<R> {
         N::gather(|k| R::from_f64(self.flat[k * self.bodies + i]))
+    }
+
+    /// Those of as many bodies as R has lanes, from body i on.
+    #[inline(always)]
+    pub(super) fn load<R: Packed>(&self, i: usize) -> N::Of<R> {
+        N::gather(|k| R::load(&self.flat[k * self.bodies..(k + 1) * self.bodies], i))
     }
 }

@@ -78,23 +78,12 @@ pub(crate) fn unnamed_type(ty: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn no_role(ty: &impl ToTokens) -> Error {
+    let name = text(ty);
     at(
         ty,
         format!(
-            "no method of this block has a role; mark the one that returns the potential energy of `{}` with \
-             `#[potential]`",
-            text(ty)
-        ),
-    )
-}
-
-pub(crate) fn later_role(attribute: &impl ToTokens) -> Error {
-    at(
-        attribute,
-        format!(
-            "`{}` cannot be run by this version, which runs a `#[potential]` and a `#[force]` of one particle; state the law by \
-             them, or remove the attribute and keep the method as an ordinary one",
-            text(attribute)
+            "no method of this block has a role; mark the one that returns the energy of `{name}` with `#[potential]` (of one \
+             body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`"
         ),
     )
 }
@@ -230,7 +219,8 @@ pub(crate) fn named_twice(pattern: &impl ToTokens) -> Error {
 
 pub(crate) fn unknown_argument(pattern: &impl ToTokens, role: Role) -> Error {
     let name = text(pattern);
-    let meant = role.arguments().iter().find(|known| known.meaning == name);
+    // `mass` is meant to be `m`, or `ma` of `ma` and `mb`.
+    let meant = role.arguments().iter().find(|known| known.meaning.split(' ').next() == Some(&name));
     let hint = match meant {
         Some(known) => format!("the {} is called `{}`", known.meaning, known.name),
         None => format!("expected one of: {}. Parameters are fields of the law: `self.k`", arguments(role)),
@@ -244,29 +234,45 @@ fn arguments(role: Role) -> String {
     known.join(", ")
 }
 
-pub(crate) fn coordinates_apart(coordinates: &[&Pat]) -> Error {
-    let (names, n) = (coordinates.iter().map(text).collect::<Vec<_>>().join(", "), coordinates.len());
-    let all = quote::quote!(#(#coordinates),*);
-    at(
-        &all,
-        format!("the position is one argument, `q: [f64; {n}]`; take it to pieces in the body: `let [{names}] = q;`"),
-    )
+/// About a name that this role does not know and another one does, if there is more to say than that.
+pub(crate) fn argument_of_another_role(name: &Ident, role: Role) -> Option<Error> {
+    let is = |names: &[&str]| names.iter().any(|known| name == known);
+    if role.is_of_two() && is(&["q", "v", "m"]) {
+        Some(super::pair::argument_of_one_body(name, role))
+    } else if role == Role::PairForce && is(&["r"]) {
+        Some(super::pair::distance_of_a_force(name))
+    } else if role.force().knows(&name.to_string()) && !role.is_force() {
+        Some(velocity_of_a_potential(name, role))
+    } else {
+        None
+    }
 }
 
-pub(crate) fn velocity_argument(pattern: &impl ToTokens) -> Error {
-    let known = arguments(Role::Potential);
+fn velocity_of_a_potential(name: &Ident, role: Role) -> Error {
+    let (noun, force) = (role.noun(), role.force().name());
+    at(name, format!("a {noun} does not depend on the velocity `{name}`; what depends on it is a `#[{force}]`"))
+}
+
+pub(crate) fn coordinates_apart(coordinates: &[&Pat], role: Role) -> Error {
+    let (names, n) = (coordinates.iter().map(text).collect::<Vec<_>>().join(", "), coordinates.len());
+    let all = quote::quote!(#(#coordinates),*);
+    let (place, what) = (role.place().name, role.place().meaning);
     at(
-        pattern,
+        &all,
         format!(
-            "a potential does not depend on the velocity `v`; expected one of: {known}. What depends on it is a `#[force]`"
+            "the {what} is one argument, `{place}: [f64; {n}]`; take it to pieces in the body: `let [{names}] = {place};`"
         ),
     )
 }
 
-pub(crate) fn position_in_pieces(pattern: &impl ToTokens) -> Error {
+pub(crate) fn place_in_pieces(pattern: &impl ToTokens, role: Role) -> Error {
+    let (place, what) = (role.place().name, role.place().meaning);
     at(
         pattern,
-        format!("the position is one argument, `q`; take it to pieces in the body: `let {} = q;`", text(pattern)),
+        format!(
+            "the {what} is one argument, `{place}`; take it to pieces in the body: `let {} = {place};`",
+            text(pattern)
+        ),
     )
 }
 

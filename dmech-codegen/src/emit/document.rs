@@ -22,15 +22,6 @@ impl Documents {
         let component = |list: &[Expr], what: &str| -> Vec<String> {
             list.iter().enumerate().map(|(i, &e)| format!(" {what}{} = {}", subscript(i, dimension), show(e))).collect()
         };
-        let block = |title: &str, lines: Vec<String>, cost: String| -> Vec<String> {
-            let mut text = vec![format!(" {title}"), String::new(), " ```text".to_owned()];
-            text.extend(lines);
-            text.push(" ```".to_owned());
-            if !cost.is_empty() {
-                text.extend([String::new(), format!(" Cost: {cost}.")]);
-            }
-            text
-        };
         let cost = |program: &Program| program.cost().to_string();
         let increment = |what: &str, step: &Step| vec![format!(" The increment Δ of {what}. {}", way(step))];
         Self {
@@ -50,6 +41,17 @@ impl Documents {
             ],
         }
     }
+}
+
+/// A paragraph with formulas.
+pub(super) fn block(title: &str, lines: Vec<String>, cost: String) -> Vec<String> {
+    let mut text = vec![format!(" {title}"), String::new(), " ```text".to_owned()];
+    text.extend(lines);
+    text.push(" ```".to_owned());
+    if !cost.is_empty() {
+        text.extend([String::new(), format!(" Cost: {cost}.")]);
+    }
+    text
 }
 
 /// How a step is solved, which follows from the structure of the law.
@@ -158,12 +160,12 @@ impl Text<'_> {
     }
 }
 
-fn count(n: usize, what: &str) -> String {
+pub(super) fn count(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
 /// Long formulas explain nothing.
-fn shown(graph: &Graph, e: Expr) -> String {
+pub(super) fn shown(graph: &Graph, e: Expr) -> String {
     let mut page = Page { text: String::new(), left: 400 };
     // What does not fit is not even computed: written out, a formula can be far larger than its graph.
     if write!(page, "{}", graph.display(e)).is_err() {
@@ -188,6 +190,6 @@ impl Write for Page {
     }
 }
 
-fn subscript(i: usize, dimension: usize) -> String {
+pub(super) fn subscript(i: usize, dimension: usize) -> String {
     if dimension <= 3 { ["x", "y", "z"][i].to_owned() } else { format!("q{i}") }
 }

@@ -6,8 +6,11 @@ mod implementation;
 mod kernels;
 mod names;
 mod operation;
+mod pair;
+mod pair_document;
 mod region;
 mod withheld;
 
 pub(crate) use implementation::{implementation, stub};
+pub(crate) use pair::{pair_implementation, pair_stub};
 pub(crate) use withheld::withheld;

@@ -4,11 +4,11 @@ use proc_macro2::Ident;
 use quote::quote_spanned;
 use syn::{Expr, ExprPath, GenericParam, ImplItemConst};
 
-use crate::diagnostics::{body, nearest};
-use crate::model::{ArgumentRole, Known, Sibling, known_type};
+use crate::diagnostics::{body, law, nearest, pair};
+use crate::model::{ArgumentRole, Known, PairArgument, Role, Sibling, known_type};
 
 use super::interpreter::Interpreter;
-use super::value::{At, Field, Value};
+use super::value::{At, Field, Owner, Value};
 
 impl<'m> Interpreter<'m> {
     pub(super) fn path(&mut self, path: &'m ExprPath, e: &'m Expr) -> Value {
@@ -56,6 +56,7 @@ impl<'m> Interpreter<'m> {
     }
 
     fn unknown_name(&self, name: &Ident) -> syn::Error {
+        use PairArgument::{Distance, Separation};
         let text = name.to_string();
         let is_field = self.model.fields.iter().flatten().any(|(field, _)| *field == text);
         let variables = self.scope.bindings.iter().map(|binding| binding.name.as_str());
@@ -65,15 +66,28 @@ impl<'m> Interpreter<'m> {
         }
         let formula =
             self.model.formulas().find(|formula| self.calls.first().is_some_and(|call| formula.ident == *call));
-        let Some(formula) = formula else { return body::unknown_name(name, false, near) };
+        let Some(formula) = formula else { return body::unknown_name(name, None, near) };
+        let declares = |role: fn(ArgumentRole) -> bool| formula.arguments.iter().any(|argument| role(argument.role));
+        let other_of_two = match text.as_str() {
+            "r" => declares(|role| matches!(role, ArgumentRole::Pair(Separation(_)))),
+            "d" => declares(|role| role == ArgumentRole::Pair(Distance)),
+            _ => false,
+        };
+        if other_of_two && formula.role == Role::Pair {
+            return pair::distance_and_separation(name);
+        }
         match formula.role.arguments().iter().find(|known| known.name == text) {
-            Some(known) => body::undeclared_argument(name, known, &formula.ident, self.model.dimension),
-            None if text == "v" => body::velocity(name),
-            None => {
-                let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
-                let has_position = formula.arguments.iter().any(|argument| position(argument.role));
-                body::unknown_name(name, has_position, near)
-            }
+            Some(known) => body::undeclared_argument(name, known, &formula.ident, self.model),
+            None => law::argument_of_another_role(name, formula.role).unwrap_or_else(|| {
+                let place = |role| match role {
+                    ArgumentRole::Pair(Distance) => Some("r"),
+                    ArgumentRole::Position(_) | ArgumentRole::Pair(Separation(_)) | ArgumentRole::Refused => {
+                        Some(formula.role.place().name)
+                    }
+                    _ => None,
+                };
+                body::unknown_name(name, formula.arguments.iter().find_map(|argument| place(argument.role)), near)
+            }),
         }
     }
 
@@ -92,7 +106,7 @@ impl<'m> Interpreter<'m> {
                 known if reads_as_number(&known) && !self.calls.iter().any(|call| call.starts_with("const ")) => {
                     let ty = &model.self_ty;
                     let tokens = quote_spanned!(last.span()=> <#ty>::#last);
-                    let field = Field { tokens, key: format!("Self::{name}"), name: name.to_owned() };
+                    let field = Field { of: Owner::Law, tokens, key: format!("Self::{name}"), name: name.to_owned() };
                     self.conform(Value::Field(field), &constant.ty, At::Other(path))
                 }
                 _ => self.evaluated_constant(constant),

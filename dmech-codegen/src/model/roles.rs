@@ -18,16 +18,36 @@ pub(crate) enum Role {
 pub(crate) struct KnownArgument {
     pub(crate) name: &'static str,
     pub(crate) meaning: &'static str,
+    pub(crate) kind: Kind,
 }
 
-const fn known(name: &'static str, meaning: &'static str) -> KnownArgument {
-    KnownArgument { name, meaning }
+/// How an argument is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// `f64`
+    Number,
+    /// Like a position.
+    Vector,
+    /// A reference to what a body carries.
+    Data,
 }
 
-const Q: KnownArgument = known("q", "position");
-const V: KnownArgument = known("v", "velocity");
-const M: KnownArgument = known("m", "mass");
-const T: KnownArgument = known("t", "time");
+const fn known(name: &'static str, meaning: &'static str, kind: Kind) -> KnownArgument {
+    KnownArgument { name, meaning, kind }
+}
+
+const Q: KnownArgument = known("q", "position", Kind::Vector);
+const V: KnownArgument = known("v", "velocity", Kind::Vector);
+const M: KnownArgument = known("m", "mass", Kind::Number);
+const T: KnownArgument = known("t", "time", Kind::Number);
+const R: KnownArgument = known("r", "distance", Kind::Number);
+const D: KnownArgument = known("d", "separation q_a − q_b", Kind::Vector);
+const VA: KnownArgument = known("va", "velocity of a", Kind::Vector);
+const VB: KnownArgument = known("vb", "velocity of b", Kind::Vector);
+const MA: KnownArgument = known("ma", "mass of a", Kind::Number);
+const MB: KnownArgument = known("mb", "mass of b", Kind::Number);
+const A: KnownArgument = known("a", "data of a", Kind::Data);
+const B: KnownArgument = known("b", "data of b", Kind::Data);
 
 impl Role {
     const ALL: [Self; 4] = [Self::Potential, Self::Force, Self::Pair, Self::PairForce];
@@ -57,19 +77,34 @@ impl Role {
         match self {
             Self::Potential => &[Q, M, T],
             Self::Force => &[Q, V, M, T],
-            // Nothing runs them, so nobody has arguments to be told of.
-            Self::Pair | Self::PairForce => &[],
+            Self::Pair => &[R, D, MA, MB, A, B, T],
+            Self::PairForce => &[D, VA, VB, MA, MB, A, B, T],
         }
+    }
+
+    /// Whether it knows an argument of this name.
+    pub(crate) fn knows(self, name: &str) -> bool {
+        self.arguments().iter().any(|known| known.name == name)
+    }
+
+    /// The argument that says where.
+    pub(crate) fn place(self) -> &'static KnownArgument {
+        if self.is_of_two() { &D } else { &Q }
+    }
+
+    /// The role with the same bodies that knows velocities.
+    pub(crate) fn force(self) -> Self {
+        if self.is_of_two() { Self::PairForce } else { Self::Force }
+    }
+
+    /// Whether the law is one between two bodies.
+    pub(crate) fn is_of_two(self) -> bool {
+        matches!(self, Self::Pair | Self::PairForce)
     }
 
     /// Whether the method's value is a vector like the position, rather than one number.
     pub(crate) fn is_force(self) -> bool {
         matches!(self, Self::Force | Self::PairForce)
-    }
-
-    /// Whether laws with this role can be run.
-    pub(super) fn runs(self) -> bool {
-        matches!(self, Self::Potential | Self::Force)
     }
 
     /// The role that an attribute gives.

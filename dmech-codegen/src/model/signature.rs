@@ -11,7 +11,7 @@ use crate::diagnostics::law;
 
 use super::roles::Role;
 use super::types::Length;
-use super::{Argument, ArgumentRole, Known, Shape, Sibling, known_type};
+use super::{Argument, ArgumentRole, Body, Known, PairArgument, Shape, Sibling, known_type, pair};
 
 /// A symbolic Hessian of more coordinates than this is no help to anyone.
 const MAX_DIMENSION: usize = 64;
@@ -22,6 +22,8 @@ pub(super) struct Arguments {
     pub(super) dimension: usize,
     /// How the value is written.
     pub(super) result: Shape,
+    /// The type of the data of two bodies.
+    pub(super) data: Option<Type>,
 }
 
 impl Arguments {
@@ -66,7 +68,9 @@ pub(super) fn check(
         FnArg::Receiver(_) => None,
     });
     let mut arguments = arguments(typed, role, constants, errors);
-    if arguments.dimension == 0 && !arguments.list.iter().any(|argument| argument.role == ArgumentRole::Refused) {
+    if role.is_of_two() {
+        pair::check(&arguments, &signature.ident, role, errors);
+    } else if arguments.dimension == 0 && !arguments.names(ArgumentRole::Refused) {
         let missing = if role.is_force() { law::no_position_or_velocity } else { law::no_position };
         errors.push(missing(&signature.ident));
     }
@@ -122,18 +126,18 @@ pub(super) fn arguments<'a>(
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
     errors: &mut Vec<syn::Error>,
 ) -> Arguments {
-    let mut arguments = Arguments { list: vec![], dimension: 0, result: Shape::Number };
+    let mut arguments = Arguments { list: vec![], dimension: 0, result: Shape::Number, data: None };
     let typed: Vec<_> = typed.collect();
     let apart = coordinates_apart(&typed, role);
     if !apart.is_empty() {
-        errors.push(law::coordinates_apart(&apart));
+        errors.push(law::coordinates_apart(&apart, role));
     }
     for PatType { pat, ty, .. } in typed {
         if apart.iter().any(|&coordinate| std::ptr::eq(coordinate, &**pat)) {
             arguments.list.push(Argument { role: ArgumentRole::Refused, pattern: (**pat).clone() });
             continue;
         }
-        let role = match argument(pat, ty, role, constants, &mut arguments.dimension) {
+        let role = match argument(pat, ty, role, constants, &mut arguments) {
             Ok(role) => role,
             Err(error) => {
                 say_once(error, errors);
@@ -148,18 +152,19 @@ pub(super) fn arguments<'a>(
     arguments
 }
 
-/// `x: f64, y: f64` where `q: [f64; 2]` is meant.
+/// `x: f64, y: f64` where `q: [f64; 2]` is meant, or `d: [f64; 2]`.
 fn coordinates_apart<'a>(typed: &[&'a PatType], of: Role) -> Vec<&'a Pat> {
     let is_coordinate = |typed: &&&PatType| match &*typed.pat {
         Pat::Ident(name) => {
             let name = name.ident.to_string();
-            let unknown = !of.arguments().iter().any(|known| known.name == name);
-            unknown && name.len() == 1 && known_type(&typed.ty) == Known::Float
+            let free = ![of, Role::Force].iter().any(|role| role.knows(&name));
+            free && name.len() == 1 && known_type(&typed.ty) == Known::Float
         }
         _ => false,
     };
     let coordinates: Vec<_> = typed.iter().filter(is_coordinate).map(|typed| &*typed.pat).collect();
-    let has_position = typed.iter().any(|typed| matches!(&*typed.pat, Pat::Ident(name) if name.ident == "q"));
+    let says_where = |name: &syn::Ident| name == of.place().name || (of == Role::Pair && name == "r");
+    let has_position = typed.iter().any(|typed| matches!(&*typed.pat, Pat::Ident(name) if says_where(&name.ident)));
     if coordinates.len() > 1 && !has_position { coordinates } else { vec![] }
 }
 
@@ -176,30 +181,40 @@ fn argument(
     ty: &Type,
     of: Role,
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
-    dimension: &mut usize,
+    arguments: &mut Arguments,
 ) -> Result<ArgumentRole, syn::Error> {
     let name = match pat {
-        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => name.ident.to_string(),
-        Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::position_in_pieces(pat)),
+        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => &name.ident,
+        Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::place_in_pieces(pat, of)),
         _ => return Err(law::unknown_argument(pat, of)),
     };
-    if !of.arguments().iter().any(|known| known.name == name) {
-        let is_velocity = name == "v" && of == Role::Potential;
-        return Err(if is_velocity { law::velocity_argument(pat) } else { law::unknown_argument(pat, of) });
+    let text = name.to_string();
+    if !of.knows(&text) {
+        return Err(law::argument_of_another_role(name, of).unwrap_or_else(|| law::unknown_argument(name, of)));
     }
-    match name.as_str() {
-        "q" | "v" => {
-            let (shape, count) = position(ty, constants)?;
-            if *dimension != 0 && *dimension != count {
-                return Err(law::force_of_other_dimension(ty, count, *dimension));
-            }
-            *dimension = count;
-            Ok(if name == "q" { ArgumentRole::Position(shape) } else { ArgumentRole::Velocity(shape) })
+    let mut vector = || {
+        let (shape, count) = position(ty, constants)?;
+        if arguments.dimension != 0 && arguments.dimension != count {
+            return Err(law::force_of_other_dimension(ty, count, arguments.dimension));
         }
-        "m" => number(ty, "mass", &name).map(|()| ArgumentRole::Mass),
-        "t" => number(ty, "time", &name).map(|()| ArgumentRole::Time),
-        _ => Err(law::unknown_argument(pat, of)),
-    }
+        arguments.dimension = count;
+        Ok(shape)
+    };
+    Ok(match text.as_str() {
+        "q" => ArgumentRole::Position(vector()?),
+        "v" => ArgumentRole::Velocity(vector()?),
+        "m" => number(ty, "mass", &text).map(|()| ArgumentRole::Mass)?,
+        "t" => number(ty, "time", &text).map(|()| ArgumentRole::Time)?,
+        "r" => number(ty, "distance", &text).map(|()| ArgumentRole::Pair(PairArgument::Distance))?,
+        "d" => ArgumentRole::Pair(PairArgument::Separation(vector()?)),
+        "va" => ArgumentRole::Pair(PairArgument::Velocity(Body::A, vector()?)),
+        "vb" => ArgumentRole::Pair(PairArgument::Velocity(Body::B, vector()?)),
+        "ma" => number(ty, "mass", &text).map(|()| ArgumentRole::Pair(PairArgument::Mass(Body::A)))?,
+        "mb" => number(ty, "mass", &text).map(|()| ArgumentRole::Pair(PairArgument::Mass(Body::B)))?,
+        "a" => pair::data_argument(pat, ty, Body::A, arguments)?,
+        "b" => pair::data_argument(pat, ty, Body::B, arguments)?,
+        _ => return Err(law::unknown_argument(pat, of)),
+    })
 }
 
 fn number(ty: &Type, quantity: &str, name: &str) -> Result<(), syn::Error> {

@@ -1,19 +1,19 @@
 //! Solving the implicit steps: Newton to round-off on the increment.
 //!
-//! Hand-written laws use [`dense`] and [`dense_discrete`]; generated ones bring their own correction in a straight
+//! Hand-written laws use [`dense`], [`dense_discrete`] and [`dense_forced`]; generated ones bring their own correction in a straight
 //! line and use [`drive`] and [`drive_discrete`], or [`once`] and [`once_discrete`] where the Hessian is constant; a
 //! law that depends on |q| alone has one scalar unknown and uses [`central`].
 
 mod continuation;
 mod dense;
 mod drive;
-mod elimination;
+pub(crate) mod elimination;
 mod equation;
 mod once;
 
 pub mod central;
 
-pub use dense::{dense, dense_discrete, linear};
+pub use dense::{dense, dense_discrete, dense_forced, linear};
 pub use drive::{drive, drive_discrete};
 pub use equation::{Correction, Equation, Increment, NotConverged};
 pub use once::{once, once_discrete};

@@ -5,13 +5,13 @@ use quote::ToTokens;
 use syn::Error;
 
 use crate::diagnostics::{at, counted, nearest, text};
-use crate::model::KnownArgument;
+use crate::model::{Kind, KnownArgument, Model};
 
-pub(crate) fn unknown_name(name: &Ident, has_position: bool, near: Option<&str>) -> Error {
+pub(crate) fn unknown_name(name: &Ident, place: Option<&str>, near: Option<&str>) -> Error {
     if let Some(near) = near {
         return at(name, format!("`{name}` is not known here; did you mean `{near}`?"));
     }
-    let declared = if has_position { "; declared coordinates: `q`" } else { "" };
+    let declared = place.map_or_else(String::new, |place| format!("; declared coordinates: `{place}`"));
     let hint = if looks_constant(name) {
         format!("A constant belongs in this block, `const {name}: f64 = …;`, and is called `Self::{name}`")
     } else {
@@ -36,10 +36,15 @@ fn looks_constant(name: &Ident) -> bool {
     name.to_string().chars().all(|c| c.is_uppercase() || c.is_ascii_digit() || c == '_')
 }
 
-pub(crate) fn undeclared_argument(name: &Ident, known: &KnownArgument, of: &Ident, dimension: usize) -> Error {
-    let ty = match known.meaning {
-        "position" | "velocity" if dimension != 1 => format!("[f64; {dimension}]"),
-        _ => "f64".into(),
+pub(crate) fn undeclared_argument(name: &Ident, known: &KnownArgument, of: &Ident, law: &Model) -> Error {
+    let ty = match known.kind {
+        Kind::Vector if law.dimension == 0 => "[f64; D]".into(),
+        Kind::Vector if law.dimension > 1 => format!("[f64; {}]", law.dimension),
+        Kind::Data => match law.pair.as_ref().and_then(|pair| pair.data.as_ref()) {
+            Some(data) => format!("&{}", text(data)),
+            None => "&P".into(),
+        },
+        Kind::Vector | Kind::Number => "f64".into(),
     };
     at(
         name,
@@ -49,10 +54,6 @@ pub(crate) fn undeclared_argument(name: &Ident, known: &KnownArgument, of: &Iden
             known.meaning
         ),
     )
-}
-
-pub(crate) fn velocity(name: &Ident) -> Error {
-    at(name, "a potential does not depend on the velocity `v`; what depends on it is a `#[force]`")
 }
 
 pub(crate) fn const_parameter(name: &Ident) -> Error {

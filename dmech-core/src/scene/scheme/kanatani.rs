@@ -1,13 +1,12 @@
 //! Kanatani's scheme on scenes.
 
 use super::{SceneScheme, Start, discrete_gradient, guess, shift};
-use crate::law::VelocityIndependent;
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
 use crate::scene::newton::{Equation, Solver, Unknown};
 use crate::scene::setting::{Setting, System};
-use crate::scene::terms::Acts;
+use crate::scene::terms::{Acts, WithoutVelocities};
 use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Kanatani, Start as Beginning};
 
@@ -65,7 +64,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     }
 }
 
-impl<const D: usize, A: Acts<D> + VelocityIndependent + Clone> SceneScheme<D, A> for Kanatani {
+impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> for Kanatani {
     type Memory = KanataniScene<D>;
 
     fn begin(

@@ -1,11 +1,10 @@
 //! Leap-frog on scenes.
 
 use super::{SceneScheme, Start};
-use crate::law::VelocityIndependent;
 use crate::newton::NotConverged;
 use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
-use crate::scene::terms::Acts;
+use crate::scene::terms::{Acts, WithoutVelocities};
 use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Leapfrog};
 
@@ -19,7 +18,7 @@ pub struct LeapfrogScene<const D: usize> {
     gradient: Vectors<D>,
 }
 
-impl<const D: usize, A: Acts<D> + VelocityIndependent> SceneScheme<D, A> for Leapfrog {
+impl<const D: usize, A: Acts<D> + WithoutVelocities> SceneScheme<D, A> for Leapfrog {
     type Memory = LeapfrogScene<D>;
 
     fn begin(

@@ -124,7 +124,10 @@ pub(super) fn loops(dt: f64) -> Vec<(&'static str, Loop)> {
             state.q[0]
         })
     };
+    let [unrolled, scene] = super::own::eight(START.q, START.v, dt);
     vec![
+        ("law of six coordinates", unrolled),
+        ("scene", scene),
         ("twin: √s·(1/s²)", run(three_roots)),
         ("twin: 1/(s√s)", run(three_roots_in_series)),
         ("twin: one register of three pairs", run(one_register)),

@@ -47,10 +47,11 @@ fn icosahedron() -> [[f64; 3]; 13] {
     let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
     let (short, long) = (1.0 / golden.hypot(1.0), golden / golden.hypot(1.0));
     let mut atoms = [[0.0; 3]; 13];
+    let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
     for (i, atom) in atoms[1..].iter_mut().enumerate() {
-        let sign = |bit: usize| if i / 3 & bit == 0 { 1.0 } else { -1.0 };
-        atom[(i + 1) % 3] = sign(1) * short;
-        atom[(i + 2) % 3] = sign(2) * long;
+        let (sign, other) = signs[i / 3];
+        atom[(i + 1) % 3] = sign * short;
+        atom[(i + 2) % 3] = other * long;
     }
     atoms
 }

@@ -40,6 +40,8 @@ pub use error::{Error, Interrupted};
 pub use invariant::{Drift, Invariant, Kept};
 pub use law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
 pub use masses::Masses;
+#[cfg(feature = "scene")]
+pub use pair::LinkLaw;
 pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use report::Report;
 pub use run::Run;

@@ -97,6 +97,22 @@ pub trait Between<const D: usize, R: Real = f64>: Potential<D, R> {
     }
 }
 
+/// A [`PairLaw`] for one pair of bodies at a time and for eight: what scenes run.
+///
+/// A law written by hand is one if it is implemented for every scalar: `impl<R: Real> PairLaw<3, P, R> for MyLaw`.
+#[cfg(feature = "scene")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law between bodies in {D} dimensions that carry a `{P}`",
+    note = "declare one with `#[dmech::law]` and a `#[pair]` of the distance `r` or the separation `d: [f64; {D}]`, or a `#[pair_force]`",
+    note = "the arguments `a: &P` and `b: &P` of the law name the data that its bodies carry: `.body_with(m, q, v, data)`",
+    note = "a law written by hand is implemented for every scalar: `impl<R: Real> PairLaw<{D}, {P}, R> for {Self}`"
+)]
+pub trait LinkLaw<const D: usize, P>: PairLaw<D, P, f64> + PairLaw<D, P, dmech_scalar::Lanes> {}
+
+#[cfg(feature = "scene")]
+#[diagnostic::do_not_recommend]
+impl<const D: usize, P, X: PairLaw<D, P, f64> + PairLaw<D, P, dmech_scalar::Lanes>> LinkLaw<D, P> for X {}
+
 /// The energy of two bodies does not depend on which is called a: E(a, b) = E(b, a), and E(d) = E(−d).
 ///
 /// Found by the engine from the expression. A law without this property has a meaning where the bodies are ordered, as

@@ -1,6 +1,7 @@
 //! Scenes with laws written by hand.
 #![cfg(feature = "scene")]
 
+use dmech_core::Real;
 use dmech_core::prelude::*;
 use dmech_core::{Between, PairLaw, Reads, Symmetric, radial};
 
@@ -11,7 +12,7 @@ struct Gravity {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Attraction(f64);
+struct Attraction<R>(R);
 
 impl<P> Reads<P> for Gravity {
     type Numbers = [f64; 1];
@@ -20,38 +21,38 @@ impl<P> Reads<P> for Gravity {
     }
 }
 
-impl<const D: usize, P> PairLaw<D, P> for Gravity {
-    type Between<'a> = Attraction;
-    fn between(&self, [ma]: [f64; 1], [mb]: [f64; 1], _: f64) -> Attraction {
-        Attraction(self.g * ma * mb)
+impl<const D: usize, P, R: Real> PairLaw<D, P, R> for Gravity {
+    type Between<'a> = Attraction<R>;
+    fn between(&self, [ma]: [R; 1], [mb]: [R; 1], _: R) -> Attraction<R> {
+        Attraction(R::from_f64(self.g) * ma * mb)
     }
 }
 
-impl<const D: usize> Potential<D> for Attraction {
+impl<const D: usize, R: Real> Potential<D, R> for Attraction<R> {
     const CENTRAL: bool = true;
-    fn potential(&self, d: [f64; D]) -> f64 {
+    fn potential(&self, d: [R; D]) -> R {
         -self.0 / radial::square(d).sqrt()
     }
-    fn gradient(&self, d: [f64; D]) -> [f64; D] {
+    fn gradient(&self, d: [R; D]) -> [R; D] {
         let s = radial::square(d);
         radial::gradient(self.0 / (s * s.sqrt()), d)
     }
-    fn hessian(&self, d: [f64; D]) -> [[f64; D]; D] {
+    fn hessian(&self, d: [R; D]) -> [[R; D]; D] {
         let s = radial::square(d);
         let c = self.0 / (s * s.sqrt());
-        radial::hessian(c, -1.5 * c / s, d)
+        radial::hessian(c, R::from_f64(-1.5) * c / s, d)
     }
-    fn discrete_gradient(&self, a: [f64; D], b: [f64; D]) -> [f64; D] {
+    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
         let (x, y) = (radial::square(a).sqrt(), radial::square(b).sqrt());
         radial::discrete_gradient(self.0 / (x * y * (x + y)), a, b)
     }
-    fn discrete_gradient_jacobian(&self, a: [f64; D], b: [f64; D]) -> [[f64; D]; D] {
+    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
         let (x, y) = (radial::square(a).sqrt(), radial::square(b).sqrt());
         let c = self.0 / (x * y * (x + y));
-        radial::discrete_gradient_jacobian(c, -c * (x + 2.0 * y) / (2.0 * y * y * (x + y)), a, b)
+        radial::discrete_gradient_jacobian(c, -c * (x + y + y) / ((y + y) * y * (x + y)), a, b)
     }
 }
-impl<const D: usize> Between<D> for Attraction {}
+impl<const D: usize, R: Real> Between<D, R> for Attraction<R> {}
 impl Symmetric for Gravity {}
 impl VelocityIndependent for Gravity {}
 

@@ -1,7 +1,7 @@
 //! Eight `f64` side by side.
 
 use core::fmt;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use wide::f64x8;
 
@@ -36,8 +36,7 @@ const FUSED_WIDE: bool = cfg!(any(
 /// let x = Lanes::from_fn(|i| i as f64);
 /// let r2 = x.mul_add(x, Lanes::ONE);
 /// let weight = Lanes::select(r2.less(Lanes::splat(20.0)), || r2.sqrt().recip(), || Lanes::ZERO);
-/// assert_eq!(weight.to_array()[4], 1.0 / 17.0_f64.sqrt());
-/// assert_eq!(weight.to_array()[5], 0.0);
+/// assert_eq!((weight[4], weight[5]), (1.0 / 17.0_f64.sqrt(), 0.0));
 ///
 /// let mut stored = [0.0; 10];
 /// weight.store(&mut stored[2..]);
@@ -101,6 +100,25 @@ impl Lanes {
         self.0.to_array()
     }
 
+    /// The last lane.
+    #[inline(always)]
+    pub fn last(self) -> f64 {
+        self.to_array()[7]
+    }
+
+    /// Each lane moved up by one, with `first` in the first: what comes before each lane.
+    ///
+    /// ```
+    /// use dmech_scalar::Lanes;
+    /// let x = Lanes::from_fn(|i| i as f64);
+    /// assert_eq!(x.after(-1.0), x - Lanes::splat(1.0));
+    /// ```
+    #[inline(always)]
+    pub fn after(self, first: f64) -> Self {
+        let [x0, x1, x2, x3, x4, x5, x6, _] = self.to_array();
+        Self::from_array([first, x0, x1, x2, x3, x4, x5, x6])
+    }
+
     /// The sum of the lanes, halves folded onto each other, on every target in this order:
     /// ((x₀ + x₄) + (x₂ + x₆)) + ((x₁ + x₅) + (x₃ + x₇)).
     ///
@@ -141,6 +159,25 @@ impl From<Lanes> for [f64; 8] {
     #[inline(always)]
     fn from(lanes: Lanes) -> Self {
         lanes.to_array()
+    }
+}
+
+/// Lane i.
+///
+/// # Panics
+/// If i is not below eight.
+impl Index<usize> for Lanes {
+    type Output = f64;
+    #[inline(always)]
+    fn index(&self, i: usize) -> &f64 {
+        &self.0.as_array()[i]
+    }
+}
+
+impl IndexMut<usize> for Lanes {
+    #[inline(always)]
+    fn index_mut(&mut self, i: usize) -> &mut f64 {
+        &mut self.0.as_mut_array()[i]
     }
 }
 

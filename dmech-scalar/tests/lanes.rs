@@ -216,6 +216,11 @@ fn loading_and_storing() {
     assert_eq!((lanes.to_f64(), Lanes::from_f64(-3.5).to_array()), (numbers[2], [-3.5; 8]));
     assert_eq!((Lanes::COUNT, Lanes::default(), Lanes::EPSILON), (8, Lanes::ZERO, Lanes::splat(f64::EPSILON)));
 
+    let mut one_changed = lanes;
+    one_changed[5] += 100.0;
+    assert_eq!(one_changed, Lanes::from_fn(|i| numbers[i + 2] + if i == 5 { 100.0 } else { 0.0 }));
+    assert!((0..8).all(|i| lanes[i] == numbers[i + 2]));
+
     let mut stored = [9.0; 11];
     lanes.store(&mut stored[1..]);
     assert_eq!((stored[0], &stored[1..9], &stored[9..]), (9.0, &numbers[2..10], &[9.0, 9.0][..]));

@@ -3,7 +3,7 @@
 use super::terms::{Bonds, Chain, Each, Linked, Pairs};
 use crate::error::Error;
 use crate::law::Law;
-use crate::pair::{PairLaw, Symmetric};
+use crate::pair::{LinkLaw, Symmetric};
 
 /// Bodies in D dimensions that carry data `P`, and the laws `L` that act on them.
 ///
@@ -87,17 +87,17 @@ impl<const D: usize, P, L> Scene<D, P, L> {
     }
 
     /// A law that acts between any two bodies.
-    pub fn pairs<X: PairLaw<D, P> + Symmetric>(self, law: X) -> Scene<D, P, (L, Linked<X, Pairs>)> {
+    pub fn pairs<X: LinkLaw<D, P> + Symmetric>(self, law: X) -> Scene<D, P, (L, Linked<X, Pairs>)> {
         self.with(Linked { law, links: Pairs })
     }
 
     /// A law that acts between consecutive bodies: a is body j and b is body j + 1.
-    pub fn chain<X: PairLaw<D, P>>(self, law: X) -> Scene<D, P, (L, Linked<X, Chain>)> {
+    pub fn chain<X: LinkLaw<D, P>>(self, law: X) -> Scene<D, P, (L, Linked<X, Chain>)> {
         self.with(Linked { law, links: Chain })
     }
 
     /// A law that acts between the listed pairs of bodies, (a, b).
-    pub fn bonds<X: PairLaw<D, P>>(
+    pub fn bonds<X: LinkLaw<D, P>>(
         self,
         law: X,
         list: impl IntoIterator<Item = (usize, usize)>,

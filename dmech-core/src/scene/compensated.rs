@@ -43,15 +43,11 @@ impl<const D: usize> CompensatedVectors<D> {
         (self.hi.flat()[i] - before.hi.flat()[i]) + (self.lo.flat()[i] - before.lo.flat()[i])
     }
 
-    /// self ← from + (i ↦ change).
+    /// self += (i ↦ change).
     #[inline]
-    pub(super) fn set_sum(&mut self, from: &Self, change: impl Fn(usize) -> f64) {
-        let n = from.hi.flat().len();
-        let (hi, lo) = (&mut self.hi.flat_mut()[..n], &mut self.lo.flat_mut()[..n]);
-        let (from_hi, from_lo) = (&from.hi.flat()[..n], &from.lo.flat()[..n]);
-        for i in 0..n {
-            let (sum, rest) = two_sum(from_hi[i], from_lo[i] + change(i));
-            (hi[i], lo[i]) = (sum, rest);
+    pub(super) fn add(&mut self, change: impl Fn(usize) -> f64) {
+        for (i, (hi, lo)) in self.hi.flat_mut().iter_mut().zip(self.lo.flat_mut()).enumerate() {
+            (*hi, *lo) = two_sum(*hi, *lo + change(i));
         }
     }
 }

@@ -13,15 +13,16 @@ const PATIENCE: u32 = 30;
 /// The shortest progress in θ before the path counts as ended.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
-/// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  as for one body, with one g for each coordinate.
+/// Find Δ with  Δ + g (G(q + Δ) + known) = drift,  as for one body, with one g for each coordinate.
 ///
-/// Parts shrink with the step as they do there: for a step of θh the drift is θ times as large, `frozen` and g θ² times.
+/// Parts shrink with the step as they do there: for a step of θh the drift is θ times as large and g θ² times.
 pub(super) struct Equation<'a, const D: usize> {
     pub(super) q: &'a Vectors<D>,
     /// The low part of the position.
     pub(super) q_low: &'a Vectors<D>,
     pub(super) drift: &'a Vectors<D>,
-    pub(super) frozen: &'a Vectors<D>,
+    /// The part of the force that is known.
+    pub(super) known: &'a Vectors<D>,
     pub(super) g: &'a Vectors<D>,
     /// The velocity at the start, and 2/h: that at the end is v + rate (Δ − drift).
     pub(super) v: &'a Vectors<D>,
@@ -160,9 +161,8 @@ impl<const D: usize> Solver<D> {
             let next = f64::min(theta + advance, 1.0);
             let ahead = next - theta;
             for i in 0..self.delta.flat().len() {
-                let force = ahead.mul_add(self.slope.flat()[i], self.first.flat()[i]);
-                let known = next * equation.drift.flat()[i] - next * next * equation.frozen.flat()[i];
-                self.delta.flat_mut()[i] = known - next * next * equation.g.flat()[i] * force;
+                let force = equation.known.flat()[i] + ahead * self.slope.flat()[i] + self.first.flat()[i];
+                self.delta.flat_mut()[i] = next * equation.drift.flat()[i] - next * next * equation.g.flat()[i] * force;
             }
             match self.settle(equation, unknown, next) {
                 Ok(iterations) => {
@@ -197,15 +197,15 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    /// known − g G − Δ; the largest |g G| comes back.
+    /// drift − g (G + known) − Δ; the largest |g G| comes back.
     fn residual(&mut self, equation: &Equation<'_, D>, theta: f64) -> f64 {
-        let square = theta * theta;
         let mut force = 0.0_f64;
         for i in 0..self.delta.flat().len() {
-            let pull = square * equation.g.flat()[i] * self.gradient.flat()[i];
-            force = force.max(pull.abs());
-            let known = theta * equation.drift.flat()[i] - square * equation.frozen.flat()[i];
-            self.correction.flat_mut()[i] = known - pull - self.delta.flat()[i];
+            let g = theta * theta * equation.g.flat()[i];
+            let gradient = self.gradient.flat()[i];
+            force = force.max((g * gradient).abs());
+            let pull = g * (gradient + equation.known.flat()[i]);
+            self.correction.flat_mut()[i] = theta * equation.drift.flat()[i] - pull - self.delta.flat()[i];
         }
         force
     }

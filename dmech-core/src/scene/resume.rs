@@ -62,7 +62,7 @@ where
         }
         load(&mut self.memory, &saved.memory)?;
         (self.steps, self.evaluations, self.iterations) = (saved.steps, saved.evaluations, saved.iterations);
-        self.next = self.memory.clone();
+        self.before = self.memory.clone();
         if self.fingerprint() == saved.laws { Ok(()) } else { Err(Difference::Laws) }
     }
 

@@ -11,13 +11,11 @@ use super::watch::SceneWatch;
 use crate::error::Error;
 use crate::motion::Motion;
 use crate::newton::NotConverged;
-use crate::scheme::Effort;
 use crate::watch::Drifts;
 
 /// A scene advanced by hand: it records nothing.
 ///
-/// Time is t₀ + k h after k steps, never a running sum. A step is made from one memory into another, so a step that fails
-/// leaves the scene where it was.
+/// Time is t₀ + k h after k steps, never a running sum. A step that fails leaves the scene where it was.
 #[derive(Clone, Debug)]
 pub struct SceneStepper<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> {
     pub(super) system: System<D, A>,
@@ -25,7 +23,8 @@ pub struct SceneStepper<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> {
     pub(super) solver: Solver<D>,
     pub(super) t0: f64,
     pub(super) memory: S::Memory,
-    pub(super) next: S::Memory,
+    /// The memory before the last step.
+    pub(super) before: S::Memory,
     pub(super) start: (Vectors<D>, Vectors<D>),
     pub(super) steps: u64,
     pub(super) evaluations: u64,
@@ -53,14 +52,14 @@ impl<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> SceneStepper<D, A, S> {
                 return Err(Error::NotConverged { step: 0, time: t0, dt, iterations, residual });
             }
         };
-        let next = memory.clone();
+        let before = memory.clone();
         Ok(SceneStepper {
             system,
             scheme,
             solver,
             t0,
             memory,
-            next,
+            before,
             start: (q, v),
             steps: 0,
             evaluations: 0,
@@ -74,12 +73,17 @@ impl<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> SceneStepper<D, A, S> {
     /// [`Error::NotConverged`], [`Error::NotFinite`], or [`Error::Link`] and [`Error::Body`] where it can be said which
     /// bodies; the scene then stays where it was.
     pub fn step(&mut self) -> Result<(), Error> {
-        let effort = self.attempt()?;
-        if !self.scheme.finite(&self.next) {
-            return Err(self.failure(None));
+        self.before.clone_from(&self.memory);
+        let attempt = self.attempt();
+        if attempt.is_ok() && self.scheme.finite(&self.memory) {
+            return Ok(());
         }
-        self.accept(effort);
-        Ok(())
+        let error = self.failure(attempt.err());
+        self.memory.clone_from(&self.before);
+        if attempt.is_ok() {
+            self.steps -= 1;
+        }
+        Err(error)
     }
 
     /// Advances by several steps; whether the motion is finite is looked at once, at the end. The states are those of as
@@ -88,46 +92,37 @@ impl<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> SceneStepper<D, A, S> {
     /// # Errors
     /// As [`step`](SceneStepper::step); the scene then stands before the step that failed.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
-        let before = (self.memory.clone(), self.steps, self.evaluations, self.iterations);
-        for _ in 0..steps {
-            match self.attempt() {
-                Ok(effort) => self.accept(effort),
-                Err(_) => return self.one_by_one(before, steps),
-            }
+        self.before.clone_from(&self.memory);
+        let counts = (self.steps, self.evaluations, self.iterations);
+        let done = (0..steps).try_for_each(|_| self.attempt());
+        if done.is_ok() && self.scheme.finite(&self.memory) {
+            return Ok(());
         }
-        if self.scheme.finite(&self.memory) { Ok(()) } else { self.one_by_one(before, steps) }
-    }
-
-    fn attempt(&mut self) -> Result<Effort, Error> {
-        let t = self.t();
-        let attempt = self.scheme.step(&self.system, t, &self.memory, &mut self.next, &mut self.solver);
-        attempt.map_err(|cause| self.failure(Some(cause)))
-    }
-
-    fn accept(&mut self, effort: Effort) {
-        core::mem::swap(&mut self.memory, &mut self.next);
-        self.evaluations += u64::from(effort.evaluations);
-        self.iterations += u64::from(effort.iterations);
-        self.steps += 1;
-    }
-
-    /// Finds the step that fails.
-    #[cold]
-    fn one_by_one(&mut self, before: (S::Memory, u64, u64, u64), steps: u64) -> Result<(), Error> {
-        (self.memory, self.steps, self.evaluations, self.iterations) = before;
+        // Step by step to the one that fails.
+        self.memory.clone_from(&self.before);
+        (self.steps, self.evaluations, self.iterations) = counts;
         (0..steps).try_for_each(|_| self.step())
     }
 
-    /// Why a step failed, by the bodies where that can be said.
+    fn attempt(&mut self) -> Result<(), NotConverged> {
+        let effort = self.scheme.step(&self.system, self.t(), &mut self.memory, &mut self.solver)?;
+        self.evaluations += u64::from(effort.evaluations);
+        self.iterations += u64::from(effort.iterations);
+        self.steps += 1;
+        Ok(())
+    }
+
+    /// Why a step failed, by the bodies where that can be said: from the memory that it left behind.
     #[cold]
     fn failure(&self, cause: Option<NotConverged>) -> Error {
-        let (step, time, dt) = (self.steps + 1, self.t(), self.system.setting.dt);
+        let dt = self.system.setting.dt;
         if let Some(NotConverged { iterations, residual }) = cause {
-            return Error::NotConverged { step, time, dt, iterations, residual };
+            return Error::NotConverged { step: self.steps + 1, time: self.t(), dt, iterations, residual };
         }
-        let q = self.scheme.position(&self.next);
+        let (step, time) = (self.steps, self.t0 + (self.steps - 1) as f64 * dt);
+        let q = self.scheme.position(&self.memory);
         if q.is_finite() {
-            let v = self.scheme.velocity(&self.system, time, &self.memory);
+            let v = self.scheme.velocity(&self.system, time, &self.before);
             if let Some(fault) = self.system.acts.fault(q, &v, time + dt) {
                 return fault_error(fault, step, time);
             }
@@ -194,8 +189,7 @@ impl<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> Motion for SceneStepper<D
 
     fn step_watched(&mut self, watch: &mut SceneWatch<D>) -> Result<(), Error> {
         self.step()?;
-        // The memory before the step is now the one to be overwritten next.
-        watch.add_work(self.scheme.work(&self.system.setting, &self.next, &self.memory));
+        watch.add_work(self.scheme.work(&self.system.setting, &self.before, &self.memory));
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! The energy-exact scheme on scenes.
 
-use super::{SceneScheme, Start, guess};
+use super::{SceneScheme, Start, guess, shift};
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
@@ -17,8 +17,10 @@ pub struct DiscreteGradientScene<const D: usize> {
     v: CompensatedVectors<D>,
     /// ∇̄Φ less the mean force of the last three steps, the newest first; ∇Φ − F before the first step.
     gradients: [Vectors<D>; 3],
+    /// h times the velocity.
     drift: Vectors<D>,
-    frozen: Vectors<D>,
+    /// −F/2 at the start of the step.
+    half_force: Vectors<D>,
     g: Vectors<D>,
 }
 
@@ -62,7 +64,7 @@ impl<const D: usize> DiscreteGradientScene<D> {
             q: CompensatedVectors::new(start.q.clone()),
             v: CompensatedVectors::new(start.v.clone()),
             drift: gradient.clone(),
-            frozen: gradient.clone(),
+            half_force: gradient.clone(),
             g: system.setting.g(0.5 * system.setting.dt),
             gradients: core::array::from_fn(|_| gradient.clone()),
         }
@@ -73,52 +75,33 @@ impl<const D: usize> DiscreteGradientScene<D> {
         &mut self,
         system: &System<D, A>,
         t: f64,
-        from: &Self,
         solver: &mut Solver<D>,
         newton: &Newton,
     ) -> Result<Effort, NotConverged> {
+        let DiscreteGradientScene { q, v, gradients, drift, half_force, g } = self;
         let h = system.setting.dt;
-        let [gradient, before, earlier] = &from.gradients;
-        // The share of the force at the start is known; `frozen` holds it until it is multiplied by g.
-        let half_force = &mut self.gradients[2];
+        let [gradient, before, earlier] = &*gradients;
+        // The share of the force at the start of the step is known.
         half_force.clear();
-        system.acts.subtract_force(0.5, &from.q.hi, &from.v.hi, t, half_force);
-        for i in 0..gradient.flat().len() {
-            self.drift.flat_mut()[i] = h * from.v.hi.flat()[i] + h * from.v.lo.flat()[i];
-            self.frozen.flat_mut()[i] = from.g.flat()[i] * half_force.flat()[i];
+        system.acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
+        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
+            *drift = h * v.hi.flat()[i] + h * v.lo.flat()[i];
         }
-        guess(newton, &self.drift, &self.frozen, &from.g, [gradient, before, earlier], &mut solver.delta);
-        if A::FORCED && newton.start() != crate::scheme::Guess::Previous {
-            // The gradients of the last steps hold the whole force, of which one half is in `frozen`.
-            for (delta, frozen) in solver.delta.flat_mut().iter_mut().zip(self.frozen.flat()) {
-                *delta += frozen;
-            }
-        }
-        let equation = Equation {
-            q: &from.q.hi,
-            q_low: &from.q.lo,
-            drift: &self.drift,
-            frozen: &self.frozen,
-            g: &from.g,
-            v: &from.v.hi,
-            rate: 2.0 / h,
-            max_iterations: newton.limit(),
-        };
-        let unknown = Exact { acts: &system.acts, a: &from.q.hi, middle: t + 0.5 * h, end: t + h };
+        // The gradients of the last steps hold the whole force.
+        guess(newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
+        let max_iterations = newton.limit();
+        let equation =
+            Equation { q: &q.hi, q_low: &q.lo, drift, known: half_force, g, v: &v.hi, rate: 2.0 / h, max_iterations };
+        let unknown = Exact { acts: &system.acts, a: &q.hi, middle: t + 0.5 * h, end: t + h };
         let effort = solver.solve(&equation, &unknown)?;
-        if A::FORCED {
-            for (found, half) in solver.gradient.flat_mut().iter_mut().zip(half_force.flat()) {
-                *found += half;
-            }
+        for (found, half) in solver.gradient.flat_mut().iter_mut().zip(half_force.flat()) {
+            *found += half;
         }
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
-        self.q.set_sum(&from.q, |i| self.drift.flat()[i] + 0.5 * h * change(i));
-        self.v.set_sum(&from.v, change);
-        let [newest, second, third] = &mut self.gradients;
-        newest.clone_from(&solver.gradient);
-        second.clone_from(gradient);
-        third.clone_from(before);
+        q.add(|i| drift.flat()[i] + 0.5 * h * change(i));
+        v.add(change);
+        shift(gradients, &mut solver.gradient);
         Ok(effort)
     }
 }
@@ -131,10 +114,9 @@ pub(super) fn step_back<const D: usize, A: Acts<D> + Clone>(
     newton: &Newton,
 ) -> Result<Vectors<D>, NotConverged> {
     let back = System { acts: system.acts.clone(), setting: system.setting.times(-1.0) };
-    let from = DiscreteGradientScene::new(&back, start);
-    let mut to = from.clone();
-    to.advance(&back, start.t, &from, solver, newton)?;
-    Ok(to.q.hi)
+    let mut before = DiscreteGradientScene::new(&back, start);
+    before.advance(&back, start.t, solver, newton)?;
+    Ok(before.q.hi)
 }
 
 impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for DiscreteGradient {
@@ -153,11 +135,10 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for DiscreteGradient {
         &self,
         system: &System<D, A>,
         t: f64,
-        from: &Self::Memory,
-        to: &mut Self::Memory,
+        memory: &mut Self::Memory,
         solver: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
-        to.advance(system, t, from, solver, &self.newton)
+        memory.advance(system, t, solver, &self.newton)
     }
 
     fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Vectors<D> {

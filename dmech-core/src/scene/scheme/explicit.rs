@@ -37,17 +37,17 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Explicit {
         &self,
         system: &System<D, A>,
         t: f64,
-        from: &Self::Memory,
-        to: &mut Self::Memory,
+        memory: &mut Self::Memory,
         _: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
-        system.slope(&from.q, &from.v, t, &mut to.gradient);
-        let (kick, half) = (system.setting.kick.flat(), 0.5 * system.setting.dt);
-        for i in 0..kick.len() {
-            let v = from.v.flat()[i];
-            let v_next = v - kick[i] * to.gradient.flat()[i];
-            to.v.flat_mut()[i] = v_next;
-            to.q.flat_mut()[i] = from.q.flat()[i] + half * (v + v_next);
+        let ExplicitScene { q, v, gradient } = memory;
+        system.slope(q, v, t, gradient);
+        let half = 0.5 * system.setting.dt;
+        let kicks = system.setting.kick.flat().iter().zip(gradient.flat());
+        for ((q, v), (kick, gradient)) in q.flat_mut().iter_mut().zip(v.flat_mut()).zip(kicks) {
+            let before = *v;
+            *v -= kick * gradient;
+            *q += half * (before + *v);
         }
         Ok(Effort { evaluations: 1, iterations: 0 })
     }

@@ -1,6 +1,6 @@
 //! The implicit scheme on scenes.
 
-use super::{SceneScheme, Start, guess};
+use super::{SceneScheme, Start, guess, shift};
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
@@ -17,9 +17,8 @@ pub struct ImplicitScene<const D: usize> {
     v: CompensatedVectors<D>,
     /// ∇Φ − F in the last three states, the newest first.
     gradients: [Vectors<D>; 3],
-    /// Where the known parts of the equation are put together.
+    /// h v.
     drift: Vectors<D>,
-    frozen: Vectors<D>,
     g: Vectors<D>,
 }
 
@@ -68,7 +67,6 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
             q: CompensatedVectors::new(start.q.clone()),
             v: CompensatedVectors::new(start.v.clone()),
             drift: gradient.clone(),
-            frozen: gradient.clone(),
             g: system.setting.g(0.25 * system.setting.dt),
             gradients: core::array::from_fn(|_| gradient.clone()),
         })
@@ -79,36 +77,25 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         &self,
         system: &System<D, A>,
         t: f64,
-        from: &Self::Memory,
-        to: &mut Self::Memory,
+        memory: &mut Self::Memory,
         solver: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
+        let ImplicitScene { q, v, gradients, drift, g } = memory;
         let h = system.setting.dt;
-        let [gradient, before, earlier] = &from.gradients;
-        for i in 0..gradient.flat().len() {
-            to.drift.flat_mut()[i] = h * from.v.hi.flat()[i] + h * from.v.lo.flat()[i];
-            to.frozen.flat_mut()[i] = from.g.flat()[i] * gradient.flat()[i];
+        let [gradient, before, earlier] = &*gradients;
+        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
+            *drift = h * v.hi.flat()[i] + h * v.lo.flat()[i];
         }
-        guess(&self.newton, &to.drift, &to.frozen, &from.g, [gradient, before, earlier], &mut solver.delta);
-        let equation = Equation {
-            q: &from.q.hi,
-            q_low: &from.q.lo,
-            drift: &to.drift,
-            frozen: &to.frozen,
-            g: &from.g,
-            v: &from.v.hi,
-            rate: 2.0 / h,
-            max_iterations: self.newton.limit(),
-        };
+        guess(&self.newton, drift, Some(gradient), g, [gradient, before, earlier], &mut solver.delta);
+        let max_iterations = self.newton.limit();
+        let equation =
+            Equation { q: &q.hi, q_low: &q.lo, drift, known: gradient, g, v: &v.hi, rate: 2.0 / h, max_iterations };
         let effort = solver.solve(&equation, &AtEnd { acts: &system.acts, t: t + h })?;
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -0.5 * kick[i] * (gradient.flat()[i] + found[i]);
-        to.q.set_sum(&from.q, |i| to.drift.flat()[i] + 0.5 * h * change(i));
-        to.v.set_sum(&from.v, change);
-        let [newest, second, third] = &mut to.gradients;
-        newest.clone_from(&solver.gradient);
-        second.clone_from(gradient);
-        third.clone_from(before);
+        q.add(|i| drift.flat()[i] + 0.5 * h * change(i));
+        v.add(change);
+        shift(gradients, &mut solver.gradient);
         Ok(effort)
     }
 

@@ -1,6 +1,6 @@
 //! Kanatani's scheme on scenes.
 
-use super::{SceneScheme, Start, discrete_gradient, guess};
+use super::{SceneScheme, Start, discrete_gradient, guess, shift};
 use crate::law::VelocityIndependent;
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
@@ -19,8 +19,10 @@ pub struct KanataniScene<const D: usize> {
     z: CompensatedVectors<D>,
     /// ∇̄Φ − F of the last three steps, the newest first.
     gradients: [Vectors<D>; 3],
+    /// h times the velocity.
     drift: Vectors<D>,
-    frozen: Vectors<D>,
+    /// −F at the position now.
+    force: Vectors<D>,
     g: Vectors<D>,
 }
 
@@ -106,7 +108,7 @@ impl<const D: usize, A: Acts<D> + VelocityIndependent + Clone> SceneScheme<D, A>
             q: CompensatedVectors::new(q.clone()),
             z: CompensatedVectors::new(z),
             drift: gradient.clone(),
-            frozen: gradient.clone(),
+            force: gradient.clone(),
             g: system.setting.g(h),
             gradients: core::array::from_fn(|_| gradient.clone()),
         })
@@ -117,52 +119,32 @@ impl<const D: usize, A: Acts<D> + VelocityIndependent + Clone> SceneScheme<D, A>
         &self,
         system: &System<D, A>,
         t: f64,
-        from: &Self::Memory,
-        to: &mut Self::Memory,
+        memory: &mut Self::Memory,
         solver: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
+        let KanataniScene { q_before, q, z, gradients, drift, force, g } = memory;
         let h = system.setting.dt;
-        let [gradient, before, earlier] = &from.gradients;
+        let [gradient, before, earlier] = &*gradients;
         // A force beside the potential is that at the position now.
-        let force = &mut to.gradients[2];
         force.clear();
-        system.acts.subtract_force(1.0, &from.q.hi, &from.z.hi, t, force);
-        for i in 0..gradient.flat().len() {
-            to.drift.flat_mut()[i] = h * from.z.hi.flat()[i] + h * from.z.lo.flat()[i];
-            to.frozen.flat_mut()[i] = from.g.flat()[i] * force.flat()[i];
+        system.acts.subtract_force(1.0, &q.hi, &z.hi, t, force);
+        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
+            *drift = h * z.hi.flat()[i] + h * z.lo.flat()[i];
         }
-        guess(&self.newton, &to.drift, &to.frozen, &from.g, [gradient, before, earlier], &mut solver.delta);
-        if A::FORCED && self.newton.start() != crate::scheme::Guess::Previous {
-            for (delta, frozen) in solver.delta.flat_mut().iter_mut().zip(to.frozen.flat()) {
-                *delta += frozen;
-            }
-        }
-        let equation = Equation {
-            q: &from.q.hi,
-            q_low: &from.q.lo,
-            drift: &to.drift,
-            frozen: &to.frozen,
-            g: &from.g,
-            v: &from.z.hi,
-            rate: 0.0,
-            max_iterations: self.newton.limit(),
-        };
-        let unknown = Exact { acts: &system.acts, before: &from.q_before, q: &from.q.hi, t };
+        guess(&self.newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
+        let max_iterations = self.newton.limit();
+        let equation = Equation { q: &q.hi, q_low: &q.lo, drift, known: force, g, v: &z.hi, rate: 0.0, max_iterations };
+        let unknown = Exact { acts: &system.acts, before: q_before, q: &q.hi, t };
         let effort = solver.solve(&equation, &unknown)?;
-        if A::FORCED {
-            for (found, force) in solver.gradient.flat_mut().iter_mut().zip(force.flat()) {
-                *found += force;
-            }
+        for (found, force) in solver.gradient.flat_mut().iter_mut().zip(force.flat()) {
+            *found += force;
         }
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
-        to.q_before.clone_from(&from.q.hi);
-        to.q.set_sum(&from.q, |i| to.drift.flat()[i] + h * change(i));
-        to.z.set_sum(&from.z, change);
-        let [newest, second, third] = &mut to.gradients;
-        newest.clone_from(&solver.gradient);
-        second.clone_from(gradient);
-        third.clone_from(before);
+        q_before.clone_from(&q.hi);
+        q.add(|i| drift.flat()[i] + h * change(i));
+        z.add(change);
+        shift(gradients, &mut solver.gradient);
         Ok(effort)
     }
 

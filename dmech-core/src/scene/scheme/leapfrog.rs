@@ -49,18 +49,18 @@ impl<const D: usize, A: Acts<D> + VelocityIndependent> SceneScheme<D, A> for Lea
         &self,
         system: &System<D, A>,
         t: f64,
-        from: &Self::Memory,
-        to: &mut Self::Memory,
+        memory: &mut Self::Memory,
         _: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
+        let LeapfrogScene { q, v, gradient } = memory;
         let h = system.setting.dt;
-        for ((q_next, q), v) in to.q.flat_mut().iter_mut().zip(from.q.flat()).zip(from.v.flat()) {
-            *q_next = q + h * v;
+        for (q, v) in q.flat_mut().iter_mut().zip(v.flat()) {
+            *q += h * v;
         }
-        system.slope(&to.q, &from.v, t + h, &mut to.gradient);
-        let kicks = system.setting.kick.flat().iter().zip(to.gradient.flat());
-        for ((v_next, v), (kick, gradient)) in to.v.flat_mut().iter_mut().zip(from.v.flat()).zip(kicks) {
-            *v_next = v - kick * gradient;
+        system.slope(q, v, t + h, gradient);
+        let kicks = system.setting.kick.flat().iter().zip(gradient.flat());
+        for (v, (kick, gradient)) in v.flat_mut().iter_mut().zip(kicks) {
+            *v -= kick * gradient;
         }
         Ok(Effort { evaluations: 1, iterations: 0 })
     }

@@ -44,16 +44,15 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
         solver: &mut Solver<D>,
     ) -> Result<Self::Memory, NotConverged>;
 
-    /// Makes `to` the memory one step after `from`, from time t to t + dt.
+    /// Advances from time t to t + dt.
     ///
     /// # Errors
-    /// [`NotConverged`]; what `to` holds is then of no use.
+    /// [`NotConverged`]; the memory is then of no use.
     fn step(
         &self,
         system: &System<D, A>,
         t: f64,
-        from: &Self::Memory,
-        to: &mut Self::Memory,
+        memory: &mut Self::Memory,
         solver: &mut Solver<D>,
     ) -> Result<Effort, NotConverged>;
 
@@ -78,11 +77,11 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
     }
 }
 
-/// The first Δ: h v − frozen − g (3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
+/// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
 fn guess<const D: usize>(
     newton: &Newton,
     drift: &Vectors<D>,
-    frozen: &Vectors<D>,
+    known: Option<&Vectors<D>>,
     g: &Vectors<D>,
     [last, before, earlier]: [&Vectors<D>; 3],
     delta: &mut Vectors<D>,
@@ -93,6 +92,13 @@ fn guess<const D: usize>(
     }
     for (i, delta) in delta.flat_mut().iter_mut().enumerate() {
         let next = 3.0 * (last.flat()[i] - before.flat()[i]) + earlier.flat()[i];
-        *delta = drift.flat()[i] - (g.flat()[i] * next + frozen.flat()[i]);
+        let all = known.map_or(next, |known| known.flat()[i] + next);
+        *delta = drift.flat()[i] - g.flat()[i] * all;
     }
+}
+
+/// Makes `newest` the first of three, and forgets the last.
+fn shift<const D: usize>(gradients: &mut [Vectors<D>; 3], newest: &mut Vectors<D>) {
+    gradients.rotate_right(1);
+    core::mem::swap(&mut gradients[0], newest);
 }

@@ -4,11 +4,12 @@ use core::marker::PhantomData;
 
 use super::links::Links;
 use super::numbers::NumberColumns;
+use super::packed::Packed;
 use super::sweep::Kernel;
 use super::{Acts, Fault, Term, Topology};
 use crate::error::Error;
 use crate::law::{Potential, VelocityIndependent};
-use crate::pair::{Between, Numbers, PairLaw, Reads};
+use crate::pair::{Between, LinkLaw, Numbers, PairLaw, Reads};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::vectors::Vectors;
@@ -31,7 +32,7 @@ pub struct LinkedReady<X: Reads<P>, T, P> {
 
 impl<X: Reads<P> + VelocityIndependent, T, P> VelocityIndependent for LinkedReady<X, T, P> {}
 
-impl<const D: usize, P, X: PairLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
+impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
     type Ready = LinkedReady<X, T, P>;
 
     fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
@@ -49,30 +50,30 @@ struct Slope<'a, X, P> {
     data: PhantomData<fn() -> P>,
 }
 
-impl<const D: usize, P, X: PairLaw<D, P>> Kernel<D, 1, X::Numbers> for Slope<'_, X, P> {
+impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers, R> for Slope<'_, X, P> {
     #[inline(always)]
     fn gradient(
         &self,
-        a: <X::Numbers as Numbers>::Of<f64>,
-        b: <X::Numbers as Numbers>::Of<f64>,
-        [d]: [[f64; D]; 1],
-    ) -> [f64; D] {
-        self.law.between(a, b, self.t).gradient(d)
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        [d]: [[R; D]; 1],
+    ) -> [R; D] {
+        self.law.between(a, b, R::from_f64(self.t)).gradient(d)
     }
 }
 
 /// (d, d′) ↦ ∇̄Φ(d, d′).
 struct Secant<'a, X, P>(Slope<'a, X, P>);
 
-impl<const D: usize, P, X: PairLaw<D, P>> Kernel<D, 2, X::Numbers> for Secant<'_, X, P> {
+impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Secant<'_, X, P> {
     #[inline(always)]
     fn gradient(
         &self,
-        a: <X::Numbers as Numbers>::Of<f64>,
-        b: <X::Numbers as Numbers>::Of<f64>,
-        [from, to]: [[f64; D]; 2],
-    ) -> [f64; D] {
-        self.0.law.between(a, b, self.0.t).discrete_gradient(from, to)
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        [from, to]: [[R; D]; 2],
+    ) -> [R; D] {
+        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient(from, to)
     }
 }
 
@@ -83,11 +84,11 @@ impl<X: Reads<P>, T: Links, P> LinkedReady<X, T, P> {
 
     /// The law between two bodies, as seen from the first.
     #[inline(always)]
-    fn between<const D: usize>(&self, a: usize, b: usize, t: f64) -> X::Between<'_>
+    fn between<const D: usize>(&self, a: usize, b: usize, t: f64) -> <X as PairLaw<D, P>>::Between<'_>
     where
         X: PairLaw<D, P>,
     {
-        self.law.between(self.numbers.at(a), self.numbers.at(b), t)
+        PairLaw::<D, P, f64>::between(&self.law, self.numbers.at(a), self.numbers.at(b), t)
     }
 }
 
@@ -102,13 +103,14 @@ fn combine<const D: usize>(c: f64, x: [[f64; D]; D], d: f64, y: [[f64; D]; D]) -
     core::array::from_fn(|k| core::array::from_fn(|l| c.mul_add(x[k][l], d * y[k][l])))
 }
 
-impl<const D: usize, P, X: PairLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T, P> {
-    const FORCED: bool = X::Between::<'_>::FORCED;
-    const CONSERVES_ENERGY: bool = !X::Between::<'_>::FORCED && X::AUTONOMOUS;
-    const AUTONOMOUS: bool = X::AUTONOMOUS;
-    const LINEAR_MOMENTUM: bool = X::Between::<'_>::RECIPROCAL;
-    const ANGULAR_MOMENTUM: bool = X::Between::<'_>::CENTRAL && !X::Between::<'_>::FORCED;
-    const LINEAR: bool = X::Between::<'_>::LINEAR;
+impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T, P> {
+    const FORCED: bool = <X as PairLaw<D, P>>::Between::<'_>::FORCED;
+    const CONSERVES_ENERGY: bool = !<X as PairLaw<D, P>>::Between::<'_>::FORCED && <X as PairLaw<D, P>>::AUTONOMOUS;
+    const AUTONOMOUS: bool = <X as PairLaw<D, P>>::AUTONOMOUS;
+    const LINEAR_MOMENTUM: bool = <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL;
+    const ANGULAR_MOMENTUM: bool =
+        <X as PairLaw<D, P>>::Between::<'_>::CENTRAL && !<X as PairLaw<D, P>>::Between::<'_>::FORCED;
+    const LINEAR: bool = <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         let mut sum = 0.0;
@@ -117,7 +119,7 @@ impl<const D: usize, P, X: PairLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     }
 
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        if X::Between::<'_>::POTENTIAL {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.links.sweep(&self.slope(t), [q], &self.numbers, out);
         }
     }
@@ -130,7 +132,7 @@ impl<const D: usize, P, X: PairLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
             let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
             let on_a = self.between(a, b, t).force(d, va, vb);
             out.add(a, on_a.map(|f| -c * f));
-            if X::Between::<'_>::RECIPROCAL {
+            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
                 out.add(b, on_a.map(|f| c * f));
             } else {
                 let on_b = self.between(b, a, t).force(d.map(|x| -x), vb, va);
@@ -140,13 +142,13 @@ impl<const D: usize, P, X: PairLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     }
 
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        if X::Between::<'_>::POTENTIAL {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.links.sweep(&Secant(self.slope(t)), [a, b], &self.numbers, out);
         }
     }
 
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
-        if X::Between::<'_>::POTENTIAL {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.links.each(q.bodies(), |a, b| {
                 let hessian = self.between(a, b, t).hessian(separation(q, a, b));
                 out.add_link(a, b, hessian.map(|row| row.map(|x| c * x)));
@@ -155,7 +157,7 @@ impl<const D: usize, P, X: PairLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     }
 
     fn add_discrete_jacobian(&self, from: &Vectors<D>, to: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
-        if X::Between::<'_>::POTENTIAL {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.links.each(from.bodies(), |a, b| {
                 let (from, to) = (separation(from, a, b), separation(to, a, b));
                 out.add_link(a, b, self.between(a, b, t).discrete_gradient_jacobian(from, to));

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::Topology;
 use super::numbers::NumberColumns;
-use super::sweep::{self, Kernel};
+use super::sweep::{self, Kernels};
 use crate::error::Error;
 use crate::pair::Numbers;
 use crate::scene::vectors::Vectors;
@@ -28,7 +28,7 @@ pub trait Links {
     /// Adds the gradient of every link to its two bodies.
     fn sweep<const D: usize, const S: usize, N: Numbers>(
         &self,
-        kernel: &impl Kernel<D, S, N>,
+        kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
@@ -62,7 +62,7 @@ impl Links for Pairs {
 
     fn sweep<const D: usize, const S: usize, N: Numbers>(
         &self,
-        kernel: &impl Kernel<D, S, N>,
+        kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
@@ -89,7 +89,7 @@ impl Links for Chain {
 
     fn sweep<const D: usize, const S: usize, N: Numbers>(
         &self,
-        kernel: &impl Kernel<D, S, N>,
+        kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
@@ -124,7 +124,7 @@ impl Links for Bonds {
 
     fn sweep<const D: usize, const S: usize, N: Numbers>(
         &self,
-        kernel: &impl Kernel<D, S, N>,
+        kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,

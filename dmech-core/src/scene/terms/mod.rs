@@ -4,6 +4,7 @@ mod each;
 mod linked;
 mod links;
 mod numbers;
+mod packed;
 mod sweep;
 
 pub use each::Each;

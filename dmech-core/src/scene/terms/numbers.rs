@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::packed::Packed;
 use crate::pair::Numbers;
 
 /// K numbers of each of n bodies, by column.
@@ -28,5 +29,11 @@ impl<N: Numbers> NumberColumns<N> {
     #[inline(always)]
     pub(super) fn at<R: Real>(&self, i: usize) -> N::Of<R> {
         N::gather(|k| R::from_f64(self.flat[k * self.bodies + i]))
+    }
+
+    /// Those of as many bodies as R has lanes, from body i on.
+    #[inline(always)]
+    pub(super) fn load<R: Packed>(&self, i: usize) -> N::Of<R> {
+        N::gather(|k| R::load(&self.flat[k * self.bodies..(k + 1) * self.bodies], i))
     }
 }

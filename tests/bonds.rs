@@ -116,7 +116,7 @@ fn sparse_and_dense_matrices_lead_to_the_same_motion() {
 
     let (scene, bonds) = sheet(11);
     let on = |scene: &Scene<3>| scene.clone().bonds(SPRING, bonds.clone());
-    let off = difference(on(&scene), on(&scene).pairs(NOTHING), Kanatani::default(), 60);
+    let off = difference(on(&scene), on(&scene).pairs(NOTHING), Kanatani, 60);
     assert!(off < 1e-13, "sheet: {off:e}");
     // Neighbours in the order of bodies as well: the last of a row and the first of the next.
     let chained = |scene: &Scene<3>| on(scene).chain(Spring { k: 0.3, rest: 0.8 });

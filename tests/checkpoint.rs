@@ -263,7 +263,9 @@ fn laws_are_told_apart_where_nothing_acts() {
         let simulation = Simulation::scene(rest().chain(Fput { alpha })).scheme(Implicit).dt(0.1);
         simulation.stepper().unwrap().checkpoint()
     };
-    let resume = |saved| Simulation::scene(rest().chain(Fput { alpha: 0.25 })).scheme(Implicit).dt(0.1).resume(saved);
+    let resume = |saved: &Checkpoint| {
+        Simulation::scene(rest().chain(Fput { alpha: 0.25 })).scheme(Implicit).dt(0.1).resume(saved)
+    };
     assert!(resume(&saved(0.25)).is_ok());
     assert_eq!(resume(&saved(0.26)).err(), Some(Error::Checkpoint(Difference::Laws)));
 

@@ -62,6 +62,7 @@
 //! | feature | default | what |
 //! |---|---|---|
 //! | `scene` | yes | scenes of many bodies |
+//! | `parallel` | no | pair loops of large scenes on all cores, equal to the bit for any number of threads |
 //! | `sparse` | no | sparse Newton matrices for the implicit schemes on listed bonds, through faer; dense without |
 //! | `serde` | no | `Checkpoint`: runs that are saved and resumed bit for bit |
 //! | `progress` | no | `Simulation::with_progress`: a bar on the terminal during long runs, through indicatif |

@@ -88,7 +88,7 @@ impl<const D: usize, P, L> Scene<D, P, L> {
 
     /// A law that acts between any two bodies.
     pub fn pairs<X: LinkLaw<D, P> + Symmetric>(self, law: X) -> Scene<D, P, (L, Linked<X, Pairs>)> {
-        self.with(Linked { law, links: Pairs })
+        self.with(Linked { law, links: Pairs::default() })
     }
 
     /// A law that acts between consecutive bodies: a is body j and b is body j + 1.

@@ -1,5 +1,7 @@
 //! The loops over links that add up gradients: in lanes where bodies are consecutive.
 
+use core::ops::Range;
+
 use dmech_scalar::Lanes;
 
 use super::numbers::NumberColumns;
@@ -22,12 +24,24 @@ impl<K: Kernel<D, S, N, f64> + Kernel<D, S, N, Lanes>, const D: usize, const S: 
 }
 
 /// The columns of the positions at S moments.
-type Moments<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
+pub(super) type Moments<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
 
 /// q_a − q_b at each moment, for each b of the lanes.
 #[inline(always)]
 fn from_one<const D: usize, const S: usize, R: Packed>(q: &Moments<'_, D, S>, a: usize, b: usize) -> [[R; D]; S] {
-    q.map(|q| q.map(|column| R::from_f64(column[a]) - R::load(column, b)))
+    each(|moment, k| R::from_f64(q[moment][k][a]) - R::load(q[moment][k], b))
+}
+
+/// A component of each separation at each moment. Loops, as nested `map`s of arrays are not inlined.
+#[inline(always)]
+fn each<const D: usize, const S: usize, R: Packed>(component: impl Fn(usize, usize) -> R) -> [[R; D]; S] {
+    let mut d = [[R::ZERO; D]; S];
+    for moment in 0..S {
+        for k in 0..D {
+            d[moment][k] = component(moment, k);
+        }
+    }
+    d
 }
 
 /// One link.
@@ -49,45 +63,46 @@ pub(super) fn link<const D: usize, const S: usize, N: Numbers>(
     out.add(b, gradient.map(|x| -x));
 }
 
-/// Any two bodies, each pair once: one a against eight b, from the block after that of a on.
-pub(super) fn pairs<const D: usize, const S: usize, N: Numbers>(
+/// The rows a ∈ `rows` of the triangle a < b, each pair once: one a against eight b, from the block after that of a on.
+///
+/// Column k of `out` begins with body `rows.start`.
+pub(super) fn triangle<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
-    q: [&Vectors<D>; S],
+    q: &Moments<'_, D, S>,
     numbers: &NumberColumns<N>,
-    out: &mut Vectors<D>,
+    rows: Range<usize>,
+    out: [&mut [f64]; D],
 ) {
-    let bodies = out.bodies();
-    let q = q.map(|q| q.columns());
-    let out = out.columns_mut();
-    for a in 0..bodies {
+    let (start, bodies) = (rows.start, numbers.bodies());
+    for a in rows {
         // Blocks begin at multiples of the number of lanes; what is before the first and after the last goes singly.
         let first = (a + 1).next_multiple_of(Lanes::COUNT).min(bodies);
         let last = first + (bodies - first) / Lanes::COUNT * Lanes::COUNT;
         let mut on_a = [0.0; D];
         for b in (a + 1..first).chain(last..bodies) {
-            let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), from_one(&q, a, b));
+            let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), from_one(q, a, b));
             for k in 0..D {
                 on_a[k] += gradient[k];
-                out[k][b] -= gradient[k];
+                out[k][b - start] -= gradient[k];
             }
         }
         let numbers_of_a = numbers.at::<Lanes>(a);
         let mut sums = [Lanes::splat(0.0); D];
         for b in (first..last).step_by(Lanes::COUNT) {
-            let gradient: [Lanes; D] = kernel.gradient(numbers_of_a, numbers.load(b), from_one(&q, a, b));
+            let gradient: [Lanes; D] = kernel.gradient(numbers_of_a, numbers.load(b), from_one(q, a, b));
             for k in 0..D {
                 sums[k] += gradient[k];
-                (-gradient[k]).add_to(out[k], b);
+                (-gradient[k]).add_to(out[k], b - start);
             }
         }
         for k in 0..D {
-            out[k][a] += on_a[k] + sums[k].sum();
+            out[k][a - start] += on_a[k] + sums[k].sum();
         }
     }
 }
 
-/// Consecutive bodies: G_j += g_j − g_{j−1}, with g_j of the link between j and j + 1.
-pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
+/// Consecutive bodies: G_j += g_j − g_{j−1}, with g_j of the link between j and j + 1. If `SET`, G_j is not read.
+pub(super) fn chain<const SET: bool, const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
     q: [&Vectors<D>; S],
     numbers: &NumberColumns<N>,
@@ -101,20 +116,25 @@ pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
     for j in (0..blocks).step_by(Lanes::COUNT) {
         let gradient: [Lanes; D] = neighbours(kernel, &q, numbers, j);
         for k in 0..D {
-            (gradient[k] - gradient[k].after(last[k])).add_to(out[k], j);
+            let change = gradient[k] - gradient[k].after(last[k]);
+            if SET {
+                change.store(&mut out[k][j..])
+            } else {
+                change.add_to(out[k], j)
+            }
             last[k] = gradient[k].last();
         }
     }
     for j in blocks..links {
         let gradient: [f64; D] = neighbours(kernel, &q, numbers, j);
         for k in 0..D {
-            out[k][j] += gradient[k] - last[k];
+            out[k][j] = gradient[k] - last[k] + if SET { 0.0 } else { out[k][j] };
         }
         last = gradient;
     }
-    if links > 0 {
-        for k in 0..D {
-            out[k][links] -= last[k];
+    for k in 0..D {
+        if let Some(end) = out[k].last_mut() {
+            *end = if SET { 0.0 } else { *end } - last[k];
         }
     }
 }
@@ -127,6 +147,6 @@ fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
     numbers: &NumberColumns<N>,
     j: usize,
 ) -> [R; D] {
-    let d = q.map(|q| q.map(|column| R::load(column, j) - R::load(column, j + 1)));
+    let d = each(|moment, k| R::load(q[moment][k], j) - R::load(q[moment][k], j + 1));
     kernel.gradient(numbers.load(j), numbers.load(j + 1), d)
 }

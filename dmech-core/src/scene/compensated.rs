@@ -25,6 +25,12 @@ impl<const D: usize> CompensatedVectors<D> {
         self.hi.is_finite()
     }
 
+    /// The values and what is missing, to be written to.
+    #[cfg(feature = "serde")]
+    pub(super) fn parts_mut(&mut self) -> [&mut [f64]; 2] {
+        [self.hi.flat_mut(), self.lo.flat_mut()]
+    }
+
     /// Component i with its low part.
     #[inline]
     pub(super) fn sum(&self, i: usize) -> f64 {

@@ -24,6 +24,16 @@ pub struct DiscreteGradientScene<const D: usize> {
     g: Vectors<D>,
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for DiscreteGradientScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [q, q_low] = self.q.parts_mut();
+        let [v, v_low] = self.v.parts_mut();
+        let [newest, second, third] = self.gradients.each_mut().map(|gradient| gradient.flat_mut());
+        vec![q, q_low, v, v_low, newest, second, third]
+    }
+}
+
 /// ∇̄Φ(a, b) − F(b, v)/2.
 struct Exact<'a, const D: usize, A> {
     acts: &'a A,

@@ -26,6 +26,16 @@ pub struct KanataniScene<const D: usize> {
     g: Vectors<D>,
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for KanataniScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [q, q_low] = self.q.parts_mut();
+        let [z, z_low] = self.z.parts_mut();
+        let [newest, second, third] = self.gradients.each_mut().map(|gradient| gradient.flat_mut());
+        vec![self.q_before.flat_mut(), q, q_low, z, z_low, newest, second, third]
+    }
+}
+
 /// ∇̄Φ(q₋, b).
 struct Exact<'a, const D: usize, A> {
     acts: &'a A,

@@ -165,6 +165,10 @@ pub enum Error {
         /// Largest component of the last correction (a length).
         residual: f64,
     },
+    /// A checkpoint of another simulation (feature `serde`).
+    #[cfg(feature = "serde")]
+    #[error("cannot resume: {0}")]
+    Checkpoint(crate::checkpoint::Difference),
 }
 
 /// What is wrong between two bodies.

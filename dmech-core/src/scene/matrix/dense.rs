@@ -1,22 +1,27 @@
 //! Any two bodies: dense, through nalgebra.
 
-use nalgebra::{DMatrix, DVector, Dyn, LU};
+use nalgebra::DMatrix;
 
 use crate::scene::vectors::Vectors;
 
 /// J as a matrix of all coordinates (column after column, as in [`Vectors`]), and the LU factors of 1 + g J.
+///
+/// The factors are made in place, by elimination with exchange of rows: nalgebra's own `LU` takes a new matrix each time.
 #[derive(Clone, Debug)]
 pub struct DenseMatrix<const D: usize> {
     bodies: usize,
     jacobian: DMatrix<f64>,
-    factors: Option<LU<f64, Dyn, Dyn>>,
-    side: DVector<f64>,
+    /// L below the diagonal, U on it and above.
+    factors: DMatrix<f64>,
+    /// Row i was exchanged with row `pivots[i]` ≥ i, one after another.
+    pivots: Vec<usize>,
 }
 
 impl<const D: usize> DenseMatrix<D> {
     pub(super) fn new(bodies: usize) -> Self {
         let n = D * bodies;
-        DenseMatrix { bodies, jacobian: DMatrix::zeros(n, n), factors: None, side: DVector::zeros(n) }
+        let zeros = DMatrix::zeros(n, n);
+        DenseMatrix { bodies, jacobian: zeros.clone(), factors: zeros, pivots: vec![0; n] }
     }
 
     pub(super) fn clear(&mut self) {
@@ -45,26 +50,49 @@ impl<const D: usize> DenseMatrix<D> {
 
     pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
         let n = self.jacobian.nrows();
-        let mut matrix = self.jacobian.clone();
-        for mut column in matrix.column_iter_mut() {
-            for (x, &g) in column.iter_mut().zip(g.flat()) {
-                *x *= g;
+        for ((i, mut column), known) in self.factors.column_iter_mut().enumerate().zip(self.jacobian.column_iter()) {
+            for ((x, j), g) in column.iter_mut().zip(&known).zip(g.flat()) {
+                *x = g * j;
+            }
+            column[i] += 1.0;
+        }
+        let mut regular = true;
+        for i in 0..n {
+            let pivot = i + self.factors.view_range(i.., i).iamax();
+            self.pivots[i] = pivot;
+            self.factors.swap_rows(i, pivot);
+            let diagonal = self.factors[(i, i)];
+            regular &= diagonal != 0.0;
+            let (mut done, mut rest) = self.factors.columns_range_pair_mut(i, i + 1..);
+            let mut multipliers = done.rows_range_mut(i + 1..);
+            multipliers *= diagonal.recip();
+            for mut column in rest.column_iter_mut() {
+                let head = column[i];
+                column.rows_range_mut(i + 1..).axpy(-head, &multipliers, 1.0);
             }
         }
-        for i in 0..n {
-            matrix[(i, i)] += 1.0;
-        }
-        let factors = self.factors.insert(LU::new(matrix));
-        factors.is_invertible()
+        regular
     }
 
     pub(super) fn solve(&mut self, x: &mut Vectors<D>) {
-        let Some(factors) = &self.factors else { return };
-        self.side.copy_from_slice(x.flat());
-        if factors.solve_mut(&mut self.side) {
-            x.flat_mut().copy_from_slice(self.side.as_slice());
-        } else {
-            x.flat_mut().fill(f64::NAN);
+        let x = x.flat_mut();
+        for (i, &pivot) in self.pivots.iter().enumerate() {
+            x.swap(i, pivot);
+        }
+        let rows = x.len().max(1);
+        let columns = || self.factors.as_slice().chunks_exact(rows).enumerate();
+        for (i, column) in columns() {
+            let known = x[i];
+            for (x, l) in x[i + 1..].iter_mut().zip(&column[i + 1..]) {
+                *x -= l * known;
+            }
+        }
+        for (i, column) in columns().rev() {
+            x[i] /= column[i];
+            let known = x[i];
+            for (x, u) in x[..i].iter_mut().zip(&column[..i]) {
+                *x -= u * known;
+            }
         }
     }
 }

@@ -17,6 +17,13 @@ pub struct ExplicitScene<const D: usize> {
     gradient: Vectors<D>,
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for ExplicitScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![self.q.flat_mut(), self.v.flat_mut(), self.gradient.flat_mut()]
+    }
+}
+
 impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Explicit {
     type Memory = ExplicitScene<D>;
 

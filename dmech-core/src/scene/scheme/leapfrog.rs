@@ -19,6 +19,13 @@ pub struct LeapfrogScene<const D: usize> {
     gradient: Vectors<D>,
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for LeapfrogScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![self.q.flat_mut(), self.v.flat_mut(), self.gradient.flat_mut()]
+    }
+}
+
 impl<const D: usize, A: Acts<D> + VelocityIndependent> SceneScheme<D, A> for Leapfrog {
     type Memory = LeapfrogScene<D>;
 

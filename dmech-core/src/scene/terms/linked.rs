@@ -155,6 +155,14 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
         }
     }
 
+    fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.sweep::<true, D, 2, _>(&Secant(self.slope(t)), [a, b], &self.numbers, out);
+        } else {
+            out.clear();
+        }
+    }
+
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.links.each(q.bodies(), |a, b| {

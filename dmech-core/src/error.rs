@@ -176,6 +176,8 @@ fn link(a: usize, b: usize, distance: f64) -> String {
     if distance == 0.0 {
         format!("bodies {a} and {b} coincide, where their law is not finite")
     } else {
+        // Bodies that a step too long has thrown apart: not hundreds of digits.
+        let distance = if (1e-3..1e6).contains(&distance) { format!("{distance}") } else { format!("{distance:e}") };
         format!("what acts between bodies {a} and {b} at the distance {distance} is not finite")
     }
 }

@@ -85,3 +85,23 @@ fn the_energy_exact_schemes_keep_everything() {
         assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-11);
     }
 }
+
+#[test]
+fn the_csv_of_a_scene_names_bodies_and_components() {
+    let run = Simulation::scene(triple().pairs(Gravity { g: 1.3 })).scheme(Leapfrog).dt(0.003).record_every(2).run(5);
+    let run = run.unwrap();
+    let mut bytes = Vec::new();
+    run.write_csv(&mut bytes).unwrap();
+    let text = String::from_utf8(bytes).unwrap();
+    let mut lines = text.lines();
+    let names = "t,q0_0,q0_1,q0_2,q1_0,q1_1,q1_2,q2_0,q2_1,q2_2,v0_0,v0_1,v0_2,v1_0,v1_1,v1_2,v2_0,v2_1,v2_2";
+    assert_eq!(lines.next(), Some(names));
+    let mut rows = 0;
+    for (line, state) in lines.zip(run.states()) {
+        let row: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
+        let numbers = [&[state.t], state.q.as_flattened(), state.v.as_flattened()].concat();
+        assert_eq!(row, numbers);
+        rows += 1;
+    }
+    assert_eq!((rows, text.lines().count()), (3, 4));
+}

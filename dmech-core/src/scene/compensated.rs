@@ -55,11 +55,21 @@ impl<const D: usize> CompensatedVectors<D> {
         (self.hi.flat()[i] - before.hi.flat()[i]) + (self.lo.flat()[i] - before.lo.flat()[i])
     }
 
-    /// self += (i ↦ change).
+    /// v += (i ↦ change) and q += drift + share·change, in one pass.
     #[inline]
-    pub(super) fn add(&mut self, change: impl Fn(usize) -> f64) {
-        for (i, (hi, lo)) in self.hi.flat_mut().iter_mut().zip(self.lo.flat_mut()).enumerate() {
-            (*hi, *lo) = two_sum(*hi, *lo + change(i));
+    pub(super) fn kick_and_drift(
+        q: &mut Self,
+        v: &mut Self,
+        drift: &Vectors<D>,
+        share: f64,
+        change: impl Fn(usize) -> f64,
+    ) {
+        let places = q.hi.flat_mut().iter_mut().zip(q.lo.flat_mut());
+        let speeds = v.hi.flat_mut().iter_mut().zip(v.lo.flat_mut());
+        for (i, (((q, q_low), (v, v_low)), drift)) in places.zip(speeds).zip(drift.flat()).enumerate() {
+            let change = change(i);
+            (*q, *q_low) = two_sum(*q, *q_low + (drift + share * change));
+            (*v, *v_low) = two_sum(*v, *v_low + change);
         }
     }
 }

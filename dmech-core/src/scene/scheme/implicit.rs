@@ -42,9 +42,10 @@ struct AtEnd<'a, A> {
 
 impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
+    const FORCED: bool = A::FORCED;
 
     fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
-        self.acts.add_gradient(b, self.t, out);
+        self.acts.set_gradient(b, self.t, out);
         self.acts.subtract_force(1.0, b, v, self.t, out);
     }
 
@@ -90,13 +91,20 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         }
         guess(&self.newton, drift, Some(gradient), g, [gradient, before, earlier], &mut solver.delta);
         let max_iterations = self.newton.limit();
-        let equation =
-            Equation { q: &q.hi, q_low: &q.lo, drift, known: gradient, g, v: &v.hi, rate: 2.0 / h, max_iterations };
+        let equation = Equation {
+            q: &q.hi,
+            q_low: &q.lo,
+            drift,
+            known: Some(gradient),
+            g,
+            v: &v.hi,
+            rate: 2.0 / h,
+            max_iterations,
+        };
         let effort = solver.solve(&equation, &AtEnd { acts: &system.acts, t: t + h })?;
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -0.5 * kick[i] * (gradient.flat()[i] + found[i]);
-        q.add(|i| drift.flat()[i] + 0.5 * h * change(i));
-        v.add(change);
+        CompensatedVectors::kick_and_drift(q, v, drift, 0.5 * h, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

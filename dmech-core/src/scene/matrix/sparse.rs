@@ -11,8 +11,9 @@ use crate::scene::vectors::Vectors;
 /// J in compressed columns (coordinates in the order of [`Vectors`]), and the LU factors of 1 + g J.
 ///
 /// The pattern never changes: which columns are eliminated first, so that few zeros fill up, is found once (COLAMD, by
-/// faer), and the room for the factors is kept; it grows where an exchange of rows fills up more. Rows are exchanged by size in each factorisation, so it is as stable as
-/// the dense one. Where g J is small its power series is summed, without factors. Everything runs in one thread, in one order: results do not depend on the number of cores.
+/// faer), and the room for the factors is kept; it grows where an exchange of rows fills up more. Rows are exchanged by
+/// size in each factorisation, so it is as stable as the dense one. Where g J is small its power series is summed, without
+/// factors. Everything runs in one thread, in one order: results do not depend on the number of cores.
 #[derive(Clone, Debug)]
 pub struct SparseMatrix<const D: usize> {
     /// The bodies linked to body b, b itself among them, ascending: `linked[first[b]..first[b + 1]]`.

@@ -12,7 +12,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Kanatani, Start as Beginning};
 
 /// What [`Kanatani`](struct@Kanatani) carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct KanataniScene<const D: usize> {
     q_before: Vectors<D>,
     q: CompensatedVectors<D>,
@@ -25,6 +25,8 @@ pub struct KanataniScene<const D: usize> {
     force: Vectors<D>,
     g: Vectors<D>,
 }
+
+cloned_in_place!(KanataniScene { q_before, q, z, gradients, drift, force, g });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for KanataniScene<D> {

@@ -10,7 +10,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Leapfrog};
 
 /// What [`Leapfrog`] carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct LeapfrogScene<const D: usize> {
     q: Vectors<D>,
     /// Velocity half a step after.
@@ -18,6 +18,8 @@ pub struct LeapfrogScene<const D: usize> {
     /// ∇Φ − F at q, which kicked the velocity from half a step before: v₋ = v + (h/m) G.
     gradient: Vectors<D>,
 }
+
+cloned_in_place!(LeapfrogScene { q, v, gradient });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for LeapfrogScene<D> {

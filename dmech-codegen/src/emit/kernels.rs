@@ -1,7 +1,7 @@
 //! The functions of the implementation, one for each kernel.
 
 use dmech_symbolic::expression::{Graph, Symbol};
-use dmech_symbolic::kernel::{ForcedKernels, Kernels, Step, Variables};
+use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, Step, Variables};
 use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
@@ -118,9 +118,14 @@ impl Printer<'_> {
             true => Step::Linear(program.clone()),
             false => Step::Newton(program.clone()),
         };
+        let exact = match &forced.discrete {
+            ForcedStep::Mean(program) => {
+                self.step("discrete_increment", &wrap(program, forced.discrete_is_linear), true)
+            }
+            ForcedStep::Middle { slope, change } => self.middle_step(slope, change, forced.discrete_is_linear),
+        };
         let kick = self.kick(&forced.kick);
         let implicit = self.step("implicit_increment", &wrap(&forced.implicit, forced.implicit_is_linear), false);
-        let exact = self.step("discrete_increment", &wrap(&forced.discrete, forced.discrete_is_linear), true);
         quote!(#kick #implicit #exact)
     }
 
@@ -184,7 +189,7 @@ impl Printer<'_> {
     }
 
     /// `let [x, _] = …` with the names of the symbols that are used; none if none is.
-    fn pattern(&self, symbols: &[Symbol], used: &[Symbol]) -> Option<TokenStream> {
+    pub(super) fn pattern(&self, symbols: &[Symbol], used: &[Symbol]) -> Option<TokenStream> {
         if !symbols.iter().any(|s| used.contains(s)) {
             return None;
         }
@@ -195,7 +200,7 @@ impl Printer<'_> {
         Some(quote!([#(#names),*]))
     }
 
-    fn bind_parameters(&self, used: &[Symbol], time_is_given: bool) -> TokenStream {
+    pub(super) fn bind_parameters(&self, used: &[Symbol], time_is_given: bool) -> TokenStream {
         let scalar = &self.scalar;
         let used = self.parameters.iter().filter(|p| used.contains(&p.symbol));
         used.map(|parameter| {
@@ -316,11 +321,11 @@ impl Shape {
 }
 
 /// `self`, as the user's own tokens see it.
-fn receiver() -> Ident {
+pub(super) fn receiver() -> Ident {
     Ident::new("self", Span::call_site())
 }
 
-fn underscored(name: &Ident, used: bool) -> Ident {
+pub(super) fn underscored(name: &Ident, used: bool) -> Ident {
     if used { name.clone() } else { ident(&format!("_{name}")) }
 }
 

@@ -109,7 +109,7 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
             return lengthen::<BETWEEN, D, R>(equation, iteration, factor);
         }
         if exact.all() {
-            return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
+            return Ok(Increment { delta, gradient, rest: [R::ZERO; D], evaluations: iteration, iterations: iteration });
         }
         last = size;
     }
@@ -124,7 +124,7 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
     spent: u32,
     mut factor: impl FnMut(R, R) -> [R; 3],
 ) -> Result<Increment<D, R>, NotConverged> {
-    continuation::follow(equation, spent, |equation, delta, x| {
+    continuation::follow::<false, D, R>(equation, spent, |equation, delta, x| {
         let sum: [R; D] = if BETWEEN { core::array::from_fn(|i| equation.a[i] + x[i]) } else { x };
         let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
         rank_one(equation, delta, x, sum, c, c1 + c1)

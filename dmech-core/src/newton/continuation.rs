@@ -14,7 +14,7 @@ const SHORTEST: f64 = 1.0 / 16384.0;
 /// linearly in θ, so that the powers θ and θ² of the known parts are exact.
 #[cold]
 #[inline(never)]
-pub(super) fn follow<const D: usize, R: Real>(
+pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
     spent: u32,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
@@ -33,7 +33,7 @@ pub(super) fn follow<const D: usize, R: Real>(
         let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { *equation };
         let ahead = R::from_f64(next - theta);
         part.guess = part.increment(core::array::from_fn(|i| ahead.mul_add(slope[i], gradient[i])));
-        match settle(&part, &mut correct) {
+        match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
             Ok(found) => {
                 evaluations += found.evaluations;
                 if next >= 1.0 {

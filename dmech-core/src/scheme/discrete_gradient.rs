@@ -81,6 +81,11 @@ impl Method for DiscreteGradient {
     }
 }
 
+/// There is a force, and it does no work: then what rounding does in one sense at every step is all that changes the energy.
+const fn workless<F: Field<D, R>, const D: usize, R: Real>() -> bool {
+    F::FORCED && F::CONSERVES_ENERGY
+}
+
 /// Δq and the mean slope ∇̄Φ − (F + F′)/2 of one step from q with velocity v.
 #[inline(always)]
 pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
@@ -94,8 +99,9 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     let half = R::from_f64(0.5);
     let g = half * stride.fall;
-    let drift = stride.drift(v);
     let zero = [R::ZERO; D];
+    let workless = workless::<L::Field<'_>, D, R>();
+    let (drift, left) = if workless { stride.drift_and_rest(v) } else { (stride.drift(v), zero) };
     let guess = newton.guess((stride.dt, v.hi), zero, g, gradients);
     let field = law.field(stride.mass, half.mul_add(stride.dt, t));
     let (rate, t_end, max_iterations) = (stride.rate, t + stride.dt, newton.limit());
@@ -106,7 +112,7 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     }
     // The unknown side has the force at the end; that at the start is known.
     let half_force = law.field(stride.mass, t).half_force(q, v);
-    let frozen = scaled(-g, half_force);
+    let frozen = if workless { scaled(-R::ONE, left) } else { scaled(-g, half_force) };
     let equation = Equation { q, a: q, drift, frozen, g, v, rate, t_end, guess, max_iterations };
     let found = field.discrete_increment(&equation)?;
     Ok(Increment { gradient: difference(found.gradient, half_force), ..found })
@@ -128,6 +134,12 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
         let found = increment(law, stride, t, q.value(), &v, gradients, &self.newton)?;
         q.add(found.delta);
         stride.kick_compensated(&mut v, found.gradient);
+        if workless::<L::Field<'_>, D, R>() {
+            for i in 0..D {
+                let rounded = super::exact_product(stride.kick, found.gradient[i]).1;
+                v.lo[i] = v.lo[i] - stride.kick.mul_add(found.rest[i], rounded);
+            }
+        }
         *memory = DiscreteGradientMemory { q, v, gradients: [found.gradient, gradients[0], gradients[1]] };
         Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
     }

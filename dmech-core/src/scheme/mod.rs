@@ -15,6 +15,7 @@ pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
 pub use stride::Stride;
+pub(crate) use stride::exact_product;
 
 use dmech_scalar::Real;
 

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use dmech_symbolic::expression::{Expr, Graph};
-use dmech_symbolic::kernel::{Kernels, Step};
+use dmech_symbolic::kernel::{ForcedKernels, Kernels, Step};
 use dmech_symbolic::program::Program;
 
 use crate::Derivation;
@@ -21,15 +21,6 @@ impl Documents {
         let show = |e: Expr| shown(graph, e);
         let component = |list: &[Expr], what: &str| -> Vec<String> {
             list.iter().enumerate().map(|(i, &e)| format!(" {what}{} = {}", subscript(i, dimension), show(e))).collect()
-        };
-        let block = |title: &str, lines: Vec<String>, cost: String| -> Vec<String> {
-            let mut text = vec![format!(" {title}"), String::new(), " ```text".to_owned()];
-            text.extend(lines);
-            text.push(" ```".to_owned());
-            if !cost.is_empty() {
-                text.extend([String::new(), format!(" Cost: {cost}.")]);
-            }
-            text
         };
         let cost = |program: &Program| program.cost().to_string();
         let increment = |what: &str, step: &Step| vec![format!(" The increment Δ of {what}. {}", way(step))];
@@ -50,6 +41,41 @@ impl Documents {
             ],
         }
     }
+}
+
+/// A title, formulas, and what they cost.
+fn block(title: &str, lines: Vec<String>, cost: String) -> Vec<String> {
+    let mut text = vec![format!(" {title}"), String::new(), " ```text".to_owned()];
+    text.extend(lines);
+    text.push(" ```".to_owned());
+    text.extend([String::new(), format!(" Cost: {cost}.")]);
+    text
+}
+
+/// The paragraphs above `force`, `force_dq` and `force_dv`; of a Jacobian the entries that are not zero.
+pub(super) fn force_texts(graph: &Graph, forced: &ForcedKernels) -> [Vec<String>; 3] {
+    let formulas = &forced.formulas;
+    let name = |i: usize| subscript(i, formulas.force.len());
+    let force = formulas.force.iter().enumerate();
+    let force = force.map(|(i, &e)| format!(" F{} = {}", name(i), shown(graph, e))).collect();
+    let jacobian = |title: &str, by: &str, rows: &[Vec<Expr>], program: &Program| {
+        let mut lines = vec![];
+        for (i, row) in rows.iter().enumerate() {
+            for (j, &e) in row.iter().enumerate().filter(|(_, e)| !graph.is_zero(**e)) {
+                lines.push(format!(" ∂F{}/{by}{} = {}", name(i), name(j), shown(graph, e)));
+            }
+        }
+        if lines.is_empty() {
+            vec![format!(" {title} It vanishes.")]
+        } else {
+            block(title, lines, program.cost().to_string())
+        }
+    };
+    [
+        block("The force.", force, forced.force.cost().to_string()),
+        jacobian("∂F/∂q.", "∂", &formulas.force_dq, &forced.force_dq),
+        jacobian("∂F/∂v.", "∂v", &formulas.force_dv, &forced.force_dv),
+    ]
 }
 
 /// How a step is solved, which follows from the structure of the law.

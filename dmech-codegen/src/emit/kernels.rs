@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 use super::body::{Body, body};
+use super::document::{Documents, force_texts};
 use super::names::{Names, ident};
 use crate::lower::{Parameter, Source};
 
@@ -30,12 +31,12 @@ pub(super) struct Printer<'a> {
 impl Printer<'_> {
     /// All functions of `Potential` for a conservative law.
     pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
-        let doc = super::document::Documents::new(self.graph, kernels);
-        let pointwise = self.pointwise(kernels);
+        let Documents { texts: [potential, gradient, hessian, discrete, jacobian, kick_doc, implicit_doc, exact_doc] } =
+            Documents::new(self.graph, kernels);
+        let pointwise = self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian]);
         let kick = self.kick(&kernels.kick);
         let implicit = self.step("implicit_increment", &kernels.implicit, false);
         let exact = self.step("discrete_increment", &kernels.discrete, true);
-        let [.., kick_doc, implicit_doc, exact_doc] = doc.texts;
         quote! {
             #pointwise
             #(#[doc = #kick_doc])* #kick
@@ -53,10 +54,14 @@ impl Printer<'_> {
 
     /// The functions of `Potential` that are taken at a point, or between two.
     pub(super) fn pointwise(&self, kernels: &Kernels) -> TokenStream {
+        let [potential, gradient, hessian, discrete, jacobian, ..] = Documents::new(self.graph, kernels).texts;
+        self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian])
+    }
+
+    fn pointwise_with(&self, kernels: &Kernels, documents: [Vec<String>; 5]) -> TokenStream {
         let Self { scalar, variables, .. } = self;
         let d = &self.dimension;
         let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let doc = super::document::Documents::new(self.graph, kernels);
         let q = [("q", &variables.q[..])];
         let ends = [("a", &variables.a[..]), ("b", &variables.b[..])];
         let potential = self.function("potential", &q, &[], quote!(#scalar), Shape::Scalar, &kernels.potential);
@@ -72,7 +77,7 @@ impl Printer<'_> {
             Shape::Matrix,
             &kernels.discrete_gradient_jacobian,
         );
-        let [potential_doc, gradient_doc, hessian_doc, discrete_doc, jacobian_doc, ..] = doc.texts;
+        let [potential_doc, gradient_doc, hessian_doc, discrete_doc, jacobian_doc] = documents;
         quote! {
             #(#[doc = #potential_doc])* #potential
             #(#[doc = #gradient_doc])* #gradient
@@ -98,7 +103,13 @@ impl Printer<'_> {
             let t = underscored(&time.map_or_else(|| ident("t"), |t| self.names.symbol(t)), used);
             self.signed_function(name, &arguments, &[], Some(&t), result.clone(), shape, program)
         });
-        quote!(#(#functions)*)
+        let [force, force_dq, force_dv] = functions;
+        let [force_doc, dq_doc, dv_doc] = force_texts(self.graph, forced);
+        quote! {
+            #(#[doc = #force_doc])* #force
+            #(#[doc = #dq_doc])* #force_dq
+            #(#[doc = #dv_doc])* #force_dv
+        }
     }
 
     /// The functions of `Field` that a law with a force needs.

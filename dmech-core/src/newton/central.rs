@@ -109,7 +109,14 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
             return lengthen::<BETWEEN, D, R>(equation, iteration, factor);
         }
         if exact.all() {
-            return Ok(Increment { delta, gradient, rest: [R::ZERO; D], evaluations: iteration, iterations: iteration });
+            return Ok(Increment {
+                delta,
+                gradient,
+                rest: [R::ZERO; D],
+                delta_rest: [R::ZERO; D],
+                evaluations: iteration,
+                iterations: iteration,
+            });
         }
         last = size;
     }

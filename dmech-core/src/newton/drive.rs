@@ -94,7 +94,14 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             astray = halved.not();
         }
         if settled.all() {
-            return Ok(Increment { delta, gradient, rest: [R::ZERO; D], evaluations: iteration, iterations: iteration });
+            return Ok(Increment {
+                delta,
+                gradient,
+                rest: [R::ZERO; D],
+                delta_rest: [R::ZERO; D],
+                evaluations: iteration,
+                iterations: iteration,
+            });
         }
         if astray.and(settled.not()).any() || !size.finite().all() {
             return Err(NotConverged { iterations: iteration, residual: largest(&change) });

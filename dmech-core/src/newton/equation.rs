@@ -126,6 +126,8 @@ pub struct Increment<const D: usize, R: Real> {
     pub gradient: [R; D],
     /// What the rounding of G has left out, where that counts; else 0.
     pub rest: [R; D],
+    /// What the rounding of Δ has left out, where that counts; else 0.
+    pub delta_rest: [R; D],
     /// Evaluations of the force that it took.
     pub evaluations: u32,
     /// Newton corrections that it took; 0 where the step is linear.

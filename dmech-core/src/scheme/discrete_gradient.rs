@@ -115,6 +115,10 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     let frozen = if workless { scaled(-R::ONE, left) } else { scaled(-g, half_force) };
     let equation = Equation { q, a: q, drift, frozen, g, v, rate, t_end, guess, max_iterations };
     let found = field.discrete_increment(&equation)?;
+    if workless {
+        let left = equation.residual(found.delta, found.gradient);
+        return Ok(Increment { delta_rest: sum(left, scaled(-g, found.rest)), ..found });
+    }
     Ok(Increment { gradient: difference(found.gradient, half_force), ..found })
 }
 
@@ -135,6 +139,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
         q.add(found.delta);
         stride.kick_compensated(&mut v, found.gradient);
         if workless::<L::Field<'_>, D, R>() {
+            q.add(found.delta_rest);
             for i in 0..D {
                 let rounded = super::exact_product(stride.kick, found.gradient[i]).1;
                 v.lo[i] = v.lo[i] - stride.kick.mul_add(found.rest[i], rounded);

@@ -73,7 +73,8 @@ pub mod prelude {
 pub mod __private {
     pub mod v1 {
         pub use dmech_core::{
-            Conservative, Derivation, Field, Force, Law, Mask, Potential, Real, VelocityIndependent, newton,
+            Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads,
+            Real, Symmetric, VelocityIndependent, newton, radial,
         };
     }
 }

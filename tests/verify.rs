@@ -1,8 +1,9 @@
 //! `verify` passes right laws and catches wrong ones.
 
-use dmech::Conservative;
+use dmech::newton::{self, Equation, Increment, NotConverged};
 use dmech::prelude::*;
-use dmech::verify::{Outcome, Verification};
+use dmech::verify::{Outcome, Verification, Verify};
+use dmech::{Conservative, Field};
 
 mod laws;
 use laws::*;
@@ -99,6 +100,97 @@ impl Potential<1> for Quartic {
     }
 }
 
+/// k m x⁴/4 with a drag −c (1 + x²) v³ by hand, right or with one mistake.
+struct Drag {
+    k: f64,
+    c: f64,
+    mistake: DragMistake,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum DragMistake {
+    None,
+    ByPosition,
+    ByVelocity,
+    Slope,
+    GradientWithoutMass,
+}
+
+/// It for one mass.
+struct DragField<'a> {
+    law: &'a Drag,
+    m: f64,
+}
+
+impl Law<1> for Drag {
+    type Field<'a> = DragField<'a>;
+
+    fn field(&self, m: f64, _: f64) -> DragField<'_> {
+        DragField { law: self, m }
+    }
+}
+
+impl Potential<1> for DragField<'_> {
+    fn potential(&self, [x]: [f64; 1]) -> f64 {
+        0.25 * self.law.k * self.m * x.powi(4)
+    }
+    fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] {
+        let m = if self.law.mistake == DragMistake::GradientWithoutMass { 1.0 } else { self.m };
+        [self.law.k * m * x.powi(3)]
+    }
+    fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] {
+        [[3.0 * self.law.k * self.m * x * x]]
+    }
+    fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
+        [0.25 * self.law.k * self.m * (a + b) * (a * a + b * b)]
+    }
+    fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+        [[0.25 * self.law.k * self.m * (a * a + b * b + 2.0 * b * (a + b))]]
+    }
+    fn kick(&self, c: f64, q: [f64; 1], v: [f64; 1]) -> [f64; 1] {
+        [v[0] - c * (self.gradient(q)[0] - self.force(q, v, 0.0)[0])]
+    }
+    fn implicit_increment(&self, equation: &Equation<1, f64>) -> Result<Increment<1, f64>, NotConverged> {
+        newton::dense_forced(equation, |q, v| {
+            let [dq, dv] = [self.force_dq(q, v, 0.0), self.force_dv(q, v, 0.0)].map(|jacobian| jacobian[0][0]);
+            let slope = self.gradient(q)[0] - self.force(q, v, 0.0)[0];
+            ([slope], [[self.hessian(q)[0][0] - dq]], [[-dv]])
+        })
+    }
+    fn discrete_increment(&self, equation: &Equation<1, f64>) -> Result<Increment<1, f64>, NotConverged> {
+        newton::dense_forced(equation, |q, v| {
+            let [dq, dv] = [self.force_dq(q, v, 0.0), self.force_dv(q, v, 0.0)].map(|jacobian| jacobian[0][0]);
+            let slope = self.discrete_gradient(equation.a, q)[0] - 0.5 * self.force(q, v, 0.0)[0];
+            let by_position = self.discrete_gradient_jacobian(equation.a, q)[0][0] - 0.5 * dq;
+            ([slope], [[by_position]], [[-0.5 * dv]])
+        })
+    }
+}
+
+impl Field<1> for DragField<'_> {
+    const FORCED: bool = true;
+    const CONSERVES_ENERGY: bool = false;
+
+    fn slope(&self, q: [f64; 1], v: [f64; 1]) -> [f64; 1] {
+        let sign = if self.law.mistake == DragMistake::Slope { 1.0 } else { -1.0 };
+        [self.gradient(q)[0] + sign * self.force(q, v, 0.0)[0]]
+    }
+    fn half_force(&self, q: [f64; 1], v: [f64; 1]) -> [f64; 1] {
+        [0.5 * self.force(q, v, 0.0)[0]]
+    }
+    fn force(&self, [x]: [f64; 1], [v]: [f64; 1], _: f64) -> [f64; 1] {
+        [-self.law.c * (1.0 + x * x) * v.powi(3)]
+    }
+    fn force_dq(&self, [x]: [f64; 1], [v]: [f64; 1], _: f64) -> [[f64; 1]; 1] {
+        let factor = if self.law.mistake == DragMistake::ByPosition { 1.0 } else { 2.0 };
+        [[-factor * self.law.c * x * v.powi(3)]]
+    }
+    fn force_dv(&self, [x]: [f64; 1], [v]: [f64; 1], _: f64) -> [[f64; 1]; 1] {
+        let factor = if self.law.mistake == DragMistake::ByVelocity { 2.0 } else { 3.0 };
+        [[-factor * self.law.c * (1.0 + x * x) * v * v]]
+    }
+}
+
 /// Names of the checks with this outcome.
 fn with<L, const D: usize>(report: &Verification<L, D>, outcome: Outcome) -> Vec<&str> {
     report.checks().iter().filter(|check| check.outcome() == outcome).map(|check| check.name()).collect()
@@ -136,6 +228,48 @@ fn laws_with_forces_pass() {
     bottle.assert();
     assert!(with(&bottle, Outcome::Passed).contains(&"claim: no work"));
     assert!(with(&bottle, Outcome::Passed).contains(&"DiscreteGradient: energy"));
+    for report in [&with(&wind, Outcome::Passed), &with(&bottle, Outcome::Passed)] {
+        assert!(report.contains(&"force by position") && report.contains(&"force by velocity"), "{report:?}");
+    }
+}
+
+#[test]
+fn wrong_forces_are_caught_where_they_are_wrong() {
+    let cases: [(DragMistake, &[&str]); 5] = [
+        (DragMistake::None, &[]),
+        (DragMistake::ByPosition, &["force by position"]),
+        (DragMistake::ByVelocity, &["force by velocity"]),
+        (DragMistake::Slope, &["kick and slope", "slope and gradient"]),
+        (DragMistake::GradientWithoutMass, &["gradient", "limit b = a", "Hessian"]),
+    ];
+    for (mistake, expected) in cases {
+        let law = || Drag { k: 1.7, c: 0.4, mistake };
+        let start = State::new([0.9], [0.7]);
+        let report = Verify::new(law(), start).mass(2.3).run();
+        println!("{mistake:?}\n{report}\n");
+        let failed = with(&report, Outcome::Failed);
+        assert_eq!(report.passed(), expected.is_empty(), "{mistake:?}\n{report}");
+        let missing: Vec<_> = expected.iter().filter(|name| !failed.contains(name)).collect();
+        assert!(missing.is_empty(), "{mistake:?} not seen by {missing:?}");
+        // A mass of 1 hides a mass that was forgotten: that is what the option is for.
+        let hidden = mistake == DragMistake::GradientWithoutMass;
+        assert_eq!(verify(law(), start).passed(), hidden || expected.is_empty(), "{mistake:?}");
+    }
+}
+
+#[test]
+fn any_mass_will_do_but_a_senseless_one() {
+    let start = State::new([0.7, -0.4], [0.3, 0.9]);
+    // Bound at any speed: a heavy particle has much energy.
+    let well = State::new([0.8, -0.6, 0.5], [0.2, 0.5, -0.7]);
+    for mass in [1e-3, 0.6, 1e3] {
+        Verify::new(Wind { k: 1.7, drag: 0.3, gust: 0.8, omega: 2.3 }, start).mass(mass).run().assert();
+        Verify::new(Wells::new(), well).mass(mass).run().with_half_step_schemes().assert();
+    }
+    for mass in [0.0, -1.3, f64::NAN, f64::INFINITY] {
+        let report = Verify::new(Wells::new(), well).mass(mass).run();
+        assert!(!report.passed() && report.to_string().contains("the mass must be positive"), "{report}");
+    }
 }
 
 #[test]

@@ -1,8 +1,9 @@
-//! Every sentence that a user can be told, in two catalogues: about the [`law`] as a whole, about the [`body`] of its
-//! potential. Each points at the smallest piece of the user's own text and says what to write instead.
+//! Every sentence that a user can be told, in three catalogues: about the [`law`] as a whole, about the [`body`] of its
+//! potential, about laws between two bodies ([`pair`]). Each points at the smallest piece of the user's own text and says what to write instead.
 
 pub(crate) mod body;
 pub(crate) mod law;
+pub(crate) mod pair;
 
 use quote::ToTokens;
 use syn::Error;

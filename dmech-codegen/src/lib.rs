@@ -15,10 +15,10 @@ mod emit;
 mod lower;
 mod model;
 
-pub use lower::{Lowered, Parameter, Source};
-pub use model::Model;
+pub use lower::{Lowered, LoweredPair, Parameter, Read, Source};
+pub use model::{Body, Model, PairSignature};
 
-use dmech_symbolic::kernel::{ForcedKernels, Kernels};
+use dmech_symbolic::kernel::{ForcedKernels, Kernels, PairKernels, PairLaw};
 use proc_macro2::TokenStream;
 
 use model::Parsed;
@@ -33,6 +33,24 @@ pub struct Derivation {
     pub kernels: Kernels,
     /// The programs derived from its force.
     pub forced: Option<ForcedKernels>,
+}
+
+/// A law between two bodies with everything that follows from it, before it is printed.
+pub struct PairDerivation {
+    /// What was declared.
+    pub model: Model,
+    /// The declared potential and force as expressions.
+    pub lowered: Lowered,
+    /// What it reads of the bodies.
+    pub pair: LoweredPair,
+    /// The programs derived.
+    pub kernels: PairKernels,
+}
+
+/// A law of one body or of two.
+enum Derived {
+    One(Box<Derivation>),
+    Pair(Box<PairDerivation>),
 }
 
 /// The attribute `#[dmech::law]` on an inherent impl block: the block as it was, and what is derived from it.
@@ -52,43 +70,73 @@ pub fn derive(item: TokenStream) -> TokenStream {
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
     let model = model::from_impl(TokenStream::new(), item).model?;
     match derive_all(model) {
-        Ok(derivation) => Ok(*derivation),
+        Ok(Derived::One(derivation)) => Ok(*derivation),
+        Ok(Derived::Pair(derivation)) => Err(vec![diagnostics::pair::not_of_one_body(&derivation.model)]),
         Err((_, errors)) => Err(errors),
     }
 }
 
-fn derive_all(model: Model) -> Result<Box<Derivation>, (Box<Model>, Vec<syn::Error>)> {
+/// What the attribute would derive from an impl block with a `#[pair]` or a `#[pair_force]`.
+///
+/// # Errors
+/// Everything that is wrong with the law, each with its span.
+pub fn derivation_of_pair(item: TokenStream) -> Result<PairDerivation, Vec<syn::Error>> {
+    let model = model::from_impl(TokenStream::new(), item).model?;
+    match derive_all(model) {
+        Ok(Derived::Pair(derivation)) => Ok(*derivation),
+        Ok(Derived::One(derivation)) => Err(vec![diagnostics::pair::of_one_body(&derivation.model)]),
+        Err((_, errors)) => Err(errors),
+    }
+}
+
+fn derive_all(model: Model) -> Result<Derived, (Box<Model>, Vec<syn::Error>)> {
     let mut lowered = match lower::lower(&model) {
         Ok(lowered) => lowered,
         Err(errors) => return Err((Box::new(model), errors)),
     };
-    let Lowered { graph, variables, potential, force, parameters } = &mut lowered;
+    if let Some(pair) = lowered.pair.take() {
+        let law = PairLaw {
+            potential: model.potential.is_some().then_some(lowered.potential),
+            force: lowered.force.clone(),
+            exchange: pair.exchange.clone(),
+        };
+        let kernels = PairKernels::new(&mut lowered.graph, &law, &lowered.variables, &pair.variables);
+        return Ok(Derived::Pair(Box::new(PairDerivation { model, lowered, pair, kernels })));
+    }
+    let Lowered { graph, variables, potential, force, parameters, .. } = &mut lowered;
     let kernels = Kernels::new(graph, *potential, variables);
     let time = parameters.iter().find(|p| matches!(p.source, Source::Time)).map(|p| p.symbol);
     let forced = force.as_ref().map(|force| ForcedKernels::new(graph, *potential, force, time, variables));
-    Ok(Box::new(Derivation { model, lowered, kernels, forced }))
+    Ok(Derived::One(Box::new(Derivation { model, lowered, kernels, forced })))
 }
 
 fn expand(Parsed { item, model, refused }: Parsed) -> TokenStream {
     let mut tokens = item;
     let errors = match model {
         Err(errors) => {
-            if let Some(model) = refused.filter(|model| model.dimension > 0) {
-                tokens.extend(emit::stub(&model));
+            if let Some(model) = refused.filter(|model| model.dimension > 0 || model.pair.is_some()) {
+                tokens.extend(stub(&model));
             }
             errors
         }
         Ok(model) => match derive_all(model) {
-            Ok(derivation) => {
-                tokens.extend(emit::implementation(&derivation));
+            Ok(derived) => {
+                tokens.extend(match &derived {
+                    Derived::One(derivation) => emit::implementation(derivation),
+                    Derived::Pair(derivation) => emit::pair_implementation(derivation),
+                });
                 return tokens;
             }
             Err((model, errors)) => {
-                tokens.extend(emit::stub(&model));
+                tokens.extend(stub(&model));
                 errors
             }
         },
     };
     tokens.extend(errors.iter().map(syn::Error::to_compile_error));
     tokens
+}
+
+fn stub(model: &Model) -> TokenStream {
+    if model.pair.is_some() { emit::pair_stub(model) } else { emit::stub(model) }
 }

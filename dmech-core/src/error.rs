@@ -52,6 +52,93 @@ pub enum Error {
         /// The time of the start.
         time: f64,
     },
+    /// A scene without bodies.
+    #[error("the scene has no bodies")]
+    EmptyScene,
+    /// The mass of a body is zero, negative, infinite or NaN.
+    #[error("the mass of body {body} must be positive and finite, not {mass}")]
+    BodyMass {
+        /// The body, counted from 0.
+        body: usize,
+        /// The refused mass.
+        mass: f64,
+    },
+    /// A component of the position or velocity of a body is infinite or NaN.
+    #[error("body {body} must start from a finite state: {quantity} = {value}")]
+    BodyState {
+        /// The body, counted from 0.
+        body: usize,
+        /// `q` or `v`.
+        quantity: &'static str,
+        /// The refused value.
+        value: f64,
+    },
+    /// A pin on a body that is not there.
+    #[error("body {body} cannot be pinned: the bodies are 0 to {}", bodies - 1)]
+    Pin {
+        /// The body.
+        body: usize,
+        /// The number of bodies.
+        bodies: usize,
+    },
+    /// A pinned body with a velocity.
+    #[error("body {body} is pinned and must start at rest: a component of its velocity is {speed}")]
+    PinnedMoves {
+        /// The body.
+        body: usize,
+        /// A component of its velocity.
+        speed: f64,
+    },
+    /// A bond with a body that is not there.
+    #[error("no bond between {a} and {b}: the bodies are 0 to {}", bodies - 1)]
+    Bond {
+        /// The first body.
+        a: usize,
+        /// The second body.
+        b: usize,
+        /// The number of bodies.
+        bodies: usize,
+    },
+    /// A bond of a body with itself.
+    #[error("body {body} is bonded to itself")]
+    SelfBond {
+        /// The body.
+        body: usize,
+    },
+    /// A bond that is listed twice.
+    #[error("the bond between bodies {a} and {b} is listed twice")]
+    DuplicateBond {
+        /// The first body.
+        a: usize,
+        /// The second body.
+        b: usize,
+    },
+    /// A law between two bodies has no finite value where they are.
+    #[error("{}, step {step}, t = {time}", link(*a, *b, *distance))]
+    Link {
+        /// The first body.
+        a: usize,
+        /// The second body.
+        b: usize,
+        /// Their distance.
+        distance: f64,
+        /// The step that led there; 0 at the start.
+        step: u64,
+        /// The time at which that step began.
+        time: f64,
+    },
+    /// A law on one body has no finite value where it is.
+    #[error("what acts on body {body} is {value}, step {step}, t = {time}")]
+    Body {
+        /// The body.
+        body: usize,
+        /// The potential, or a component of the force.
+        value: f64,
+        /// The step that led there; 0 at the start.
+        step: u64,
+        /// The time at which that step began.
+        time: f64,
+    },
     /// A step led to an infinite position or velocity.
     #[error("step {step} from t = {time} with dt = {dt} led to a position or velocity that is not finite")]
     NotFinite {
@@ -78,6 +165,15 @@ pub enum Error {
         /// Largest component of the last correction (a length).
         residual: f64,
     },
+}
+
+/// What is wrong between two bodies.
+fn link(a: usize, b: usize, distance: f64) -> String {
+    if distance == 0.0 {
+        format!("bodies {a} and {b} coincide, where their law is not finite")
+    } else {
+        format!("what acts between bodies {a} and {b} at the distance {distance} is not finite")
+    }
 }
 
 /// A run that ended early: what it computed, and why it ended.

@@ -87,6 +87,18 @@ pub trait VelocityIndependent {}
 #[diagnostic::do_not_recommend]
 impl<P: Conservative> VelocityIndependent for P {}
 
+/// The law does not name the mass `m`, so that each coordinate may have a mass of its own
+/// ([`Simulation::masses`](crate::Simulation::masses)).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` names the mass `m`, which is one number, and here each coordinate has its own",
+    label = "this law has one mass",
+    note = "give the masses that the law needs as fields of `{Self}`, or set one mass with `.mass(m)`"
+)]
+pub trait MassIndependent {}
+
+#[diagnostic::do_not_recommend]
+impl<P: Conservative> MassIndependent for P {}
+
 /// What acts on a particle at one moment: a potential, and with it perhaps a force.
 ///
 /// Written by the macro; a conservative potential is its own field.
@@ -107,6 +119,25 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     #[inline(always)]
     fn half_force(&self, _q: [R; D], _v: [R; D]) -> [R; D] {
         [R::ZERO; D]
+    }
+
+    /// F(q, v, t); zero where there is no force beside the potential. The time is that of the force, as the energy-exact
+    /// step takes the potential and the force at different times.
+    #[inline(always)]
+    fn force(&self, _q: [R; D], _v: [R; D], _t: R) -> [R; D] {
+        [R::ZERO; D]
+    }
+
+    /// ∂F/∂q.
+    #[inline(always)]
+    fn force_dq(&self, _q: [R; D], _v: [R; D], _t: R) -> [[R; D]; D] {
+        [[R::ZERO; D]; D]
+    }
+
+    /// ∂F/∂v.
+    #[inline(always)]
+    fn force_dv(&self, _q: [R; D], _v: [R; D], _t: R) -> [[R; D]; D] {
+        [[R::ZERO; D]; D]
     }
 
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c with the potential alone.
@@ -138,6 +169,12 @@ pub trait Law<const D: usize, R: Real = f64> {
 
     /// What acts on a particle of mass `mass` at time `t`.
     fn field(&self, mass: R, t: R) -> Self::Field<'_>;
+
+    /// The mass of each coordinate over that of the particle: 1, except in [`Masses`](crate::Masses).
+    #[inline(always)]
+    fn mass_ratios(&self) -> [f64; D] {
+        [1.0; D]
+    }
 }
 
 #[diagnostic::do_not_recommend]

@@ -9,6 +9,9 @@ mod csv;
 mod error;
 mod invariant;
 mod law;
+mod masses;
+mod motion;
+mod pair;
 mod report;
 mod run;
 mod simulation;
@@ -18,6 +21,8 @@ mod vector;
 mod watch;
 
 pub mod newton;
+#[cfg(feature = "scene")]
+pub mod scene;
 pub mod scheme;
 pub mod verify;
 
@@ -26,9 +31,15 @@ pub use dmech_scalar as scalar;
 pub use dmech_scalar::{Mask, Real};
 pub use error::{Error, Interrupted};
 pub use invariant::{Drift, Invariant, Kept};
-pub use law::{Conservative, Derivation, Field, Force, Law, Potential, VelocityIndependent};
+pub use law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
+pub use masses::Masses;
+#[cfg(feature = "scene")]
+pub use pair::LinkLaw;
+pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use report::Report;
 pub use run::Run;
+#[cfg(feature = "scene")]
+pub use scene::{Scene, SceneState};
 pub use scheme::{DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start};
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
@@ -37,7 +48,9 @@ pub use verify::verify;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {
-    pub use crate::law::{Conservative, Derivation, Force, Law, Potential, VelocityIndependent};
+    pub use crate::law::{Conservative, Derivation, Force, Law, MassIndependent, Potential, VelocityIndependent};
+    #[cfg(feature = "scene")]
+    pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
         DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
     };

@@ -50,7 +50,7 @@ impl Report {
         self.dt
     }
 
-    /// The mass.
+    /// The mass; with masses per coordinate the unit that they are in.
     pub fn mass(&self) -> f64 {
         self.mass
     }

@@ -1,16 +1,15 @@
 //! Setting up and running.
 
-use std::time::Instant;
-
 use dmech_scalar::Real;
 
 use crate::error::{Error, Interrupted};
-use crate::law::Law;
-use crate::run::{Run, Work};
+use crate::law::{Law, MassIndependent};
+use crate::masses::Masses;
+use crate::motion::{record, steps_until};
+use crate::run::Run;
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::stepper::Stepper;
-use crate::watch::Watch;
 
 /// No scheme yet: such a simulation cannot run.
 #[derive(Clone, Copy, Debug)]
@@ -42,12 +41,12 @@ pub struct NoScheme;
 #[derive(Clone, Debug)]
 #[must_use = "a simulation does nothing until it is run"]
 pub struct Simulation<L, X, S = NoScheme> {
-    law: L,
-    start: X,
-    scheme: S,
-    mass: f64,
-    dt: Option<f64>,
-    record_every: u64,
+    pub(crate) law: L,
+    pub(crate) start: X,
+    pub(crate) scheme: S,
+    pub(crate) mass: f64,
+    pub(crate) dt: Option<f64>,
+    pub(crate) record_every: u64,
 }
 
 impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
@@ -61,11 +60,6 @@ impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
 }
 
 impl<L, X, S> Simulation<L, X, S> {
-    /// The mass of the particle (default 1).
-    pub fn mass(self, mass: f64) -> Self {
-        Simulation { mass, ..self }
-    }
-
     /// The scheme: `Explicit`, `Leapfrog`, `Implicit`, `DiscreteGradient`, `Kanatani`.
     pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T> {
         let Simulation { law, start, mass, dt, record_every, .. } = self;
@@ -85,6 +79,51 @@ impl<L, X, S> Simulation<L, X, S> {
 
 // The bounds stand on the methods and not on the block: a scheme that does not fit the law is then told in words.
 impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
+    /// The mass of the particle (default 1); with [`masses`](Simulation::masses) the unit that they are in.
+    pub fn mass(self, mass: f64) -> Self {
+        Simulation { mass, ..self }
+    }
+
+    /// A mass for each coordinate, mᵢ qᵢ″ = −∂Φ/∂qᵢ + Fᵢ, in units of [`mass`](Simulation::mass): for several bodies in
+    /// one law.
+    ///
+    /// Every scheme keeps its order and what it promises, K = Σ mᵢ vᵢ²/2 being the kinetic energy; the angular momentum is
+    /// not watched. See [`Masses`] for what happens; a simulation with one mass has none of it. A mass that is not positive
+    /// and finite is refused with [`Error::Mass`] when the simulation is run.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// /// Two bodies on a line, Φ = k (x − y)²/2: the heavy one hardly moves.
+    /// struct Bond { k: f64 }
+    /// # impl Conservative for Bond {}
+    /// # impl Potential<2> for Bond {
+    /// #     fn potential(&self, [x, y]: [f64; 2]) -> f64 { 0.5 * self.k * (x - y) * (x - y) }
+    /// #     fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] { [self.k * (x - y), self.k * (y - x)] }
+    /// #     fn hessian(&self, _: [f64; 2]) -> [[f64; 2]; 2] { [[self.k, -self.k], [-self.k, self.k]] }
+    /// #     fn discrete_gradient(&self, a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    /// #         self.gradient([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])])
+    /// #     }
+    /// #     fn discrete_gradient_jacobian(&self, a: [f64; 2], _: [f64; 2]) -> [[f64; 2]; 2] {
+    /// #         self.hessian(a).map(|row| row.map(|x| 0.5 * x))
+    /// #     }
+    /// # }
+    /// let run = Simulation::new(Bond { k: 4.0 }, State::new([1.0, 0.0], [0.0, 0.0]))
+    ///     .masses([1.0, 1836.0])
+    ///     .scheme(DiscreteGradient)
+    ///     .dt(0.01)
+    ///     .run(10_000)?;
+    /// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+    /// assert!(run.states().iter().all(|state| state.q[1].abs() < 2.0 / 1837.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn masses(self, masses: [f64; D]) -> Simulation<Masses<L, D>, State<D, R>, S>
+    where
+        L: MassIndependent,
+    {
+        let Simulation { law, start, scheme, mass, dt, record_every } = self;
+        Simulation { law: Masses::new(law, masses), start, scheme, mass, dt, record_every }
+    }
+
     /// A stepper, which neither records nor allocates.
     ///
     /// # Errors
@@ -121,14 +160,7 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         L: Law<D, R>,
         S: Scheme<L, D, R>,
     {
-        self.record(|start, dt| {
-            let n = (end - start) / dt;
-            // Beyond 2⁵³ the time t₀ + k h no longer distinguishes steps.
-            if !n.is_finite() || n > 9_007_199_254_740_992.0 {
-                return Err(Error::EndTime { end, dt });
-            }
-            Ok((n - 1e-9 * n).ceil().max(0.0) as u64)
-        })
+        self.record(|start, dt| steps_until(start, end, dt))
     }
 
     fn record(
@@ -140,49 +172,12 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         S: Scheme<L, D, R>,
     {
         let (start, record_every, mass, dt) = (self.start, self.record_every, self.mass, self.dt);
-        let mut run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
+        let run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
         let prepared = prepared.and_then(|stepper| Ok((count(start.t, dt.unwrap_or(f64::NAN))?, stepper)));
-        let (steps, mut stepper) = match prepared {
-            Ok(prepared) => prepared,
-            Err(cause) => return Err(Interrupted::new(run, cause)),
-        };
-        let clock = Instant::now();
-        let mut watch = Watch::begin(stepper.parts(), start, stepper.memory());
-        run.expect(steps / record_every);
-        run.record(start);
-        let mut until_record = record_every;
-        let mut failure = None;
-        for _ in 0..steps {
-            let before = stepper.memory().clone();
-            if let Err(error) = stepper.step() {
-                failure = Some(error);
-                break;
-            }
-            let (_, scheme, stride) = stepper.parts();
-            watch.add_work(scheme, stride, &before, stepper.memory());
-            until_record -= 1;
-            if until_record == 0 {
-                until_record = record_every;
-                let state = stepper.state();
-                watch.observe(stepper.parts(), &state, stepper.memory());
-                run.record(state);
-            }
-        }
-        let last = stepper.state();
-        if until_record != record_every {
-            watch.observe(stepper.parts(), &last, stepper.memory());
-        }
-        let work = Work {
-            steps: stepper.steps(),
-            evaluations: stepper.evaluations(),
-            iterations: stepper.iterations(),
-            elapsed: clock.elapsed(),
-        };
-        run.finish(last, watch.drifts(), work);
-        match failure {
-            None => Ok(run),
-            Some(cause) => Err(Interrupted::new(run, cause)),
+        match prepared {
+            Ok((steps, stepper)) => record(stepper, run, steps, record_every),
+            Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }
 }

@@ -4,9 +4,11 @@ use dmech_scalar::{Mask, Real};
 
 use crate::error::Error;
 use crate::law::{Field, Law, Potential};
+use crate::motion::Motion;
 use crate::newton::NotConverged;
 use crate::scheme::{Scheme, Stride};
 use crate::state::State;
+use crate::watch::{Drifts, Watch};
 
 /// A simulation advanced by hand: it records nothing and allocates nothing.
 ///
@@ -26,7 +28,7 @@ pub struct Stepper<L, S: Scheme<L, D, R>, const D: usize, R: Real = f64> {
 
 impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D, R> {
     pub(crate) fn new(law: L, scheme: S, start: State<D, R>, dt: f64, mass: f64) -> Result<Self, Error> {
-        check(dt, mass, &start)?;
+        check(dt, mass, law.mass_ratios(), &start)?;
         let stride = Stride::new(R::from_f64(dt), R::from_f64(mass));
         let field = law.field(stride.mass, R::from_f64(start.t));
         let potential = field.potential(start.q);
@@ -165,7 +167,40 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
     }
 }
 
-fn check<const D: usize, R: Real>(dt: f64, mass: f64, start: &State<D, R>) -> Result<(), Error> {
+impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Motion for Stepper<L, S, D, R> {
+    type State = State<D, R>;
+    type Watch = Watch<D, R>;
+
+    fn state(&self) -> State<D, R> {
+        Stepper::state(self)
+    }
+
+    fn watch(&self) -> Watch<D, R> {
+        Watch::begin(self.parts(), self.start, &self.memory)
+    }
+
+    #[inline(always)]
+    fn step_watched(&mut self, watch: &mut Watch<D, R>) -> Result<(), Error> {
+        let before = self.memory.clone();
+        self.step()?;
+        watch.add_work(self.parts(), &before, &self.memory);
+        Ok(())
+    }
+
+    fn observe(&self, watch: &mut Watch<D, R>, state: &State<D, R>) {
+        watch.observe(self.parts(), state, &self.memory);
+    }
+
+    fn drifts(watch: &Watch<D, R>) -> Drifts {
+        watch.drifts()
+    }
+
+    fn effort(&self) -> [u64; 3] {
+        [self.steps, self.evaluations, self.iterations]
+    }
+}
+
+fn check<const D: usize, R: Real>(dt: f64, mass: f64, mass_ratios: [f64; D], start: &State<D, R>) -> Result<(), Error> {
     let positive = |x: f64| x > 0.0 && x.is_finite();
     // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
     if !positive(dt) || !positive(R::from_f64(dt).to_f64()) {
@@ -173,6 +208,11 @@ fn check<const D: usize, R: Real>(dt: f64, mass: f64, start: &State<D, R>) -> Re
     }
     if !positive(mass) || !positive(R::from_f64(mass).to_f64()) {
         return Err(Error::Mass { mass });
+    }
+    for ratio in mass_ratios {
+        if !positive(ratio) || !positive(R::from_f64(ratio).to_f64()) || !positive(R::from_f64(ratio * mass).to_f64()) {
+            return Err(Error::Mass { mass: ratio });
+        }
     }
     if !start.t.is_finite() {
         return Err(Error::State { quantity: "t", value: start.t });

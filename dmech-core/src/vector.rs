@@ -41,6 +41,12 @@ pub(crate) fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {
     sum
 }
 
+/// Σ wᵢ xᵢ yᵢ; [`dot`] to the bit where the weights are 1.
+#[inline(always)]
+pub(crate) fn weighted<const D: usize, R: Real>(weights: [f64; D], x: [R; D], y: [R; D]) -> R {
+    dot(from_fn(|i| R::from_f64(weights[i]) * x[i]), y)
+}
+
 /// Every component is finite in every lane.
 #[inline(always)]
 pub(crate) fn finite<const D: usize, R: Real>(x: [R; D]) -> bool {

@@ -38,12 +38,11 @@ impl<const D: usize, R: Real> Watch<D, R> {
     #[inline]
     pub(crate) fn add_work<L, S: Scheme<L, D, R>>(
         &mut self,
-        scheme: &S,
-        stride: &Stride<R>,
+        (law, scheme, stride): (&L, &S, &Stride<R>),
         before: &S::Memory,
         after: &S::Memory,
     ) {
-        self.work.add(scheme.work(stride, before, after));
+        self.work.add(scheme.work(law, stride, before, after));
     }
 
     /// Looks at a recorded state.
@@ -80,12 +79,12 @@ impl<const D: usize, R: Real> Watch<D, R> {
         let t = R::from_f64(state.t);
         let value = match invariant {
             Invariant::Energy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => {
-                law.field(stride.mass, t).potential(state.q) + stride.kinetic_energy(state.v)
+                law.field(stride.mass, t).potential(state.q) + stride.kinetic_energy(law.mass_ratios(), state.v)
             }
             Invariant::DiscreteEnergy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => {
                 scheme.discrete_energy(law, stride, t, memory)?
             }
-            Invariant::WorkEnergy => (scheme.kinetic_energy(stride, memory) - self.work.hi) - self.work.lo,
+            Invariant::WorkEnergy => (scheme.kinetic_energy(law, stride, memory) - self.work.hi) - self.work.lo,
             Invariant::AngularMomentum if L::Field::<'_>::CENTRAL && D == 2 => {
                 angular_momentum(stride.mass, state, 0, 1)
             }

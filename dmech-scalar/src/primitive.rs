@@ -3,7 +3,7 @@
 use crate::{Mask, Real, atanc, atanhc, sinc, sinhc};
 
 /// Whether a fused multiply-add is one instruction: always on these architectures, by target feature on x86.
-const FUSED: bool = cfg!(any(
+pub(crate) const FUSED: bool = cfg!(any(
     target_feature = "fma",
     target_arch = "aarch64",
     target_arch = "powerpc64",

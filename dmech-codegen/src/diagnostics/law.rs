@@ -86,17 +86,6 @@ pub(crate) fn no_role(ty: &impl ToTokens) -> Error {
     )
 }
 
-pub(crate) fn later_role(attribute: &impl ToTokens) -> Error {
-    at(
-        attribute,
-        format!(
-            "`{}` cannot be run by this version, which runs a `#[potential]` and a `#[force]` of one particle; state the law by \
-             them, or remove the attribute and keep the method as an ordinary one",
-            text(attribute)
-        ),
-    )
-}
-
 pub(crate) fn role_arguments(attribute: &impl ToTokens) -> Error {
     at(attribute, "the role of a method takes no arguments; the method says it all")
 }

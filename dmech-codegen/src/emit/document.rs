@@ -44,11 +44,13 @@ impl Documents {
 }
 
 /// A title, formulas, and what they cost.
-fn block(title: &str, lines: Vec<String>, cost: String) -> Vec<String> {
+pub(super) fn block(title: &str, lines: Vec<String>, cost: String) -> Vec<String> {
     let mut text = vec![format!(" {title}"), String::new(), " ```text".to_owned()];
     text.extend(lines);
     text.push(" ```".to_owned());
-    text.extend([String::new(), format!(" Cost: {cost}.")]);
+    if !cost.is_empty() {
+        text.extend([String::new(), format!(" Cost: {cost}.")]);
+    }
     text
 }
 
@@ -184,12 +186,12 @@ impl Text<'_> {
     }
 }
 
-fn count(n: usize, what: &str) -> String {
+pub(super) fn count(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
 /// Long formulas explain nothing.
-fn shown(graph: &Graph, e: Expr) -> String {
+pub(super) fn shown(graph: &Graph, e: Expr) -> String {
     let mut page = Page { text: String::new(), left: 400 };
     // What does not fit is not even computed: written out, a formula can be far larger than its graph.
     if write!(page, "{}", graph.display(e)).is_err() {
@@ -214,6 +216,6 @@ impl Write for Page {
     }
 }
 
-fn subscript(i: usize, dimension: usize) -> String {
+pub(super) fn subscript(i: usize, dimension: usize) -> String {
     if dimension <= 3 { ["x", "y", "z"][i].to_owned() } else { format!("q{i}") }
 }

@@ -17,7 +17,7 @@ use crate::model::Model;
 /// moment is a hidden struct; what can be had without mass and time is implemented for the type itself too.
 pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let Derivation { model, lowered, kernels, forced } = derivation;
-    let Lowered { graph, variables, potential, force, parameters } = lowered;
+    let Lowered { graph, variables, potential, force, parameters, .. } = lowered;
     let scalar = scalar_name(model);
     let module = module(model);
     let runtime = runtime();
@@ -37,12 +37,14 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let printer = |law: TokenStream| Printer {
         graph,
         declared: mention.clone(),
-        names: Names::new(graph, variables, parameters),
+        names: Names::new(graph, variables, None, parameters),
         variables,
         parameters,
         scalar: scalar.clone(),
         runtime: quote!(#runtime),
-        dimension: d.clone(),
+        dimension: quote!(#d),
+        between: false,
+        layout: &[],
         law,
     };
     let (bare, momentary) = (printer(quote!(#receiver)), printer(quote!(#receiver.law)));
@@ -112,13 +114,13 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let (potential_functions, field_functions) = match forced {
         Some(forced) => {
             let (pointwise, steps) = (momentary.pointwise(kernels), momentary.forced_steps(forced));
-            let field = momentary.field_functions(kernels, forced);
+            let (field, force) = (momentary.field_functions(kernels, forced), momentary.force_functions(forced));
             let workless = forced.workless;
             let capabilities = quote! {
                 const FORCED: bool = true;
                 const CONSERVES_ENERGY: bool = #workless;
             };
-            (quote!(#pointwise #steps), quote!(#capabilities #field))
+            (quote!(#pointwise #steps), quote!(#capabilities #field #force))
         }
         None => (momentary.functions(kernels), TokenStream::new()),
     };
@@ -127,6 +129,12 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         quote! {
             #[automatically_derived]
             impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
+        }
+    });
+    let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #own_generics #runtime::MassIndependent for #self_ty #where_clause {}
         }
     });
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
@@ -140,6 +148,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             #of_itself
             #force_of_itself
             #velocity_independent
+            #mass_independent
 
             /// The law at one moment, for one mass.
             #[allow(dead_code)]
@@ -222,13 +231,13 @@ pub(crate) fn stub(model: &Model) -> TokenStream {
 }
 
 /// The hidden module of the facade that generated code refers to.
-fn module(model: &Model) -> TokenStream {
+pub(super) fn module(model: &Model) -> TokenStream {
     let krate = &model.krate;
     quote!(#krate::__private::v1)
 }
 
 /// The generic parameters of the law as an impl block declares them: a struct's may have defaults, a block's not.
-fn parameters_of(model: &Model) -> impl Iterator<Item = GenericParam> + '_ {
+pub(super) fn parameters_of(model: &Model) -> impl Iterator<Item = GenericParam> + '_ {
     model.generics.params.iter().cloned().map(|mut parameter| {
         match &mut parameter {
             GenericParam::Type(ty) => ty.default = None,
@@ -240,10 +249,16 @@ fn parameters_of(model: &Model) -> impl Iterator<Item = GenericParam> + '_ {
 }
 
 /// R, unless the user's own type or generics have that name.
-fn scalar_name(model: &Model) -> Ident {
-    let (self_ty, generics) = (&model.self_ty, &model.generics);
-    let tokens = quote!(#self_ty #generics).to_string();
+pub(super) fn scalar_name(model: &Model) -> Ident {
+    generic_name(model, ["R", "Scalar", "__R", "__Scalar"], "__DmechScalar")
+}
+
+/// The first name that neither the user's own type nor its generics have.
+pub(super) fn generic_name(model: &Model, candidates: [&str; 4], last_resort: &str) -> Ident {
+    let (self_ty, generics, data) = (&model.self_ty, &model.generics, model.pair.as_ref().map(|pair| &pair.data));
+    let data = data.into_iter().flatten();
+    let tokens = quote!(#self_ty #generics #(#data)*).to_string();
     let words: Vec<&str> = tokens.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
-    let free = ["R", "Scalar", "__R", "__Scalar"].into_iter().find(|name| !words.contains(name));
-    ident(free.unwrap_or("__DmechScalar"))
+    let free = candidates.into_iter().find(|name| !words.contains(name));
+    ident(free.unwrap_or(last_resort))
 }

@@ -3,13 +3,13 @@
 use dmech_symbolic::expression::{Graph, Symbol};
 use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, Step, Variables};
 use dmech_symbolic::program::Program;
-use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 use super::body::{Body, body};
 use super::document::{Documents, force_texts};
 use super::names::{Names, ident};
-use crate::lower::{Parameter, Source};
+use crate::lower::{Parameter, Read, Source};
 
 /// What all functions share.
 pub(super) struct Printer<'a> {
@@ -21,7 +21,11 @@ pub(super) struct Printer<'a> {
     /// The hidden module of the facade.
     pub(super) runtime: TokenStream,
     /// D, as it is to be printed.
-    pub(super) dimension: Literal,
+    pub(super) dimension: TokenStream,
+    /// The law is one between two bodies.
+    pub(super) between: bool,
+    /// What is read of a body, in order.
+    pub(super) layout: &'a [Read],
     /// The user's methods.
     pub(super) declared: Vec<TokenStream>,
     /// How a method of the implementation reaches the law itself: `self` or `self.law`.
@@ -140,7 +144,7 @@ impl Printer<'_> {
         quote!(#kick #implicit #exact)
     }
 
-    fn function(
+    pub(super) fn function(
         &self,
         name: &str,
         arrays: &[(&str, &[Symbol])],
@@ -187,8 +191,9 @@ impl Printer<'_> {
         let time = time.map(|t| quote!(, #t: #scalar));
         let Body { statements, outputs } = body(program, &self.names, scalar);
         let value = shape.gather(&outputs, self.variables.q.len());
+        let inline = self.inline();
         quote! {
-            #[inline]
+            #inline
             fn #name(&#receiver, #(#scalars,)* #(#signature),* #time) -> #result {
                 #(#mention)*
                 #(#unpack)*
@@ -197,6 +202,11 @@ impl Printer<'_> {
                 #value
             }
         }
+    }
+
+    /// A law between two bodies stands in the loop over all pairs, whose registers it must share.
+    fn inline(&self) -> TokenStream {
+        if self.between { quote!(#[inline(always)]) } else { quote!(#[inline]) }
     }
 
     /// `let [x, _] = …` with the names of the symbols that are used; none if none is.
@@ -224,6 +234,12 @@ impl Printer<'_> {
                 Source::Mass => {
                     let receiver = receiver();
                     quote!(let #name = #receiver.mass;)
+                }
+                Source::Body(body, read) => {
+                    let (receiver, body) = (receiver(), ident(body.name()));
+                    let i = self.layout.iter().position(|other| other.is_same(read)).unwrap_or_default();
+                    let i = proc_macro2::Literal::usize_unsuffixed(i);
+                    quote!(let #name = #receiver.#body[#i];)
                 }
                 Source::Time if time_is_given => TokenStream::new(),
                 Source::Time => {
@@ -312,10 +328,12 @@ impl Printer<'_> {
 
 /// What the results of a program are gathered into.
 #[derive(Clone, Copy)]
-enum Shape {
+pub(super) enum Shape {
     Scalar,
     Vector,
     Matrix,
+    /// Several, one after the other.
+    Matrices,
 }
 
 impl Shape {
@@ -326,6 +344,10 @@ impl Shape {
             Self::Matrix => {
                 let rows = outputs.chunks(dimension).map(|row| quote!([#(#row),*]));
                 quote!([#(#rows),*])
+            }
+            Self::Matrices => {
+                let matrices = outputs.chunks(dimension * dimension).map(|m| Self::Matrix.gather(m, dimension));
+                quote!([#(#matrices),*])
             }
         }
     }

@@ -7,6 +7,9 @@ mod kernels;
 mod middle;
 mod names;
 mod operation;
+mod pair;
+mod pair_document;
 mod region;
 
 pub(crate) use implementation::{implementation, stub};
+pub(crate) use pair::{pair_implementation, pair_stub};

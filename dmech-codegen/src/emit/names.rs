@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use dmech_symbolic::expression::{Graph, Symbol};
-use dmech_symbolic::kernel::Variables;
+use dmech_symbolic::kernel::{PairVariables, Variables};
 use dmech_symbolic::program::{Operation, Program};
 use proc_macro2::{Ident, Span};
 
@@ -22,18 +22,33 @@ pub(super) fn runtime() -> Ident {
 /// The identifiers of a law's symbols.
 pub(super) struct Names {
     of: HashMap<Symbol, String>,
+    /// What the functions call their arguments.
+    arguments: Vec<&'static str>,
 }
 
 /// What generated functions call their arguments.
 const ARGUMENTS: [&str; 5] = ["equation", "delta", "q", "v", "self"];
 
+/// And those of a law between two bodies.
+const OF_TWO_BODIES: [&str; 3] = ["d", "va", "vb"];
+
 impl Names {
-    pub(super) fn new(graph: &Graph, variables: &Variables, parameters: &[Parameter]) -> Self {
+    pub(super) fn new(
+        graph: &Graph,
+        variables: &Variables,
+        pair: Option<&PairVariables>,
+        parameters: &[Parameter],
+    ) -> Self {
         let mut of = HashMap::new();
-        let mut taken: HashSet<String> = ARGUMENTS.iter().map(|&name| name.to_owned()).collect();
+        let mut arguments = ARGUMENTS.to_vec();
+        if pair.is_some() {
+            arguments.extend(OF_TWO_BODIES);
+        }
+        let mut taken: HashSet<String> = arguments.iter().map(|&name| name.to_owned()).collect();
         let Variables { q, v, c, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b } = variables;
         let fixed = [q, v, a, b, delta, rhs, drift].into_iter().flatten().chain([c, g, rate, t_end, s, s_a, s_b]);
-        for &symbol in fixed {
+        let of_two = pair.into_iter().flat_map(|p| p.va.iter().chain(&p.vb).chain([&p.s, &p.s_a, &p.s_b]));
+        for &symbol in fixed.chain(of_two) {
             of.insert(symbol, graph.name(symbol).to_owned());
             taken.insert(graph.name(symbol).to_owned());
         }
@@ -45,7 +60,7 @@ impl Names {
             let name = candidates.chain(numbered).find(|name| usable(name) && taken.insert(name.clone()));
             of.insert(parameter.symbol, name.unwrap_or_default());
         }
-        Self { of }
+        Self { of, arguments }
     }
 
     pub(super) fn symbol(&self, symbol: Symbol) -> Ident {
@@ -55,7 +70,7 @@ impl Names {
     /// The formula's name of every value of a program, where it has one that is free.
     pub(super) fn values(&self, program: &Program) -> Vec<Option<Ident>> {
         let mut taken: HashSet<&str> = self.of.values().map(String::as_str).collect();
-        taken.extend(ARGUMENTS);
+        taken.extend(&self.arguments);
         let named = program.operations.iter().zip(&program.names);
         named
             .map(|(operation, name)| match (operation, name) {

@@ -3,13 +3,13 @@
 use proc_macro2::Ident;
 use syn::{Expr, ExprCall, ExprMethodCall, ExprPath, FnArg, ImplItemFn, ReceiverKind, ReturnType, Safety};
 
-use crate::diagnostics::body;
+use crate::diagnostics::{body, pair};
 use crate::model::{Sibling, vector_alias};
 
 use super::interpreter::Interpreter;
 use super::pattern::bare;
 use super::statement::result_of;
-use super::value::{At, Value};
+use super::value::{At, Owner, Value};
 
 /// An argument of a call, with the code to point at.
 #[derive(Clone)]
@@ -45,6 +45,9 @@ impl<'m> Interpreter<'m> {
             Value::Field(_) if super::vector::is_vector_method(&text) => self.vector_method(receiver, call, e),
             Value::Field(_) if super::sequence::is_sequence_method(&text) => {
                 self.refuse(body::field_of_unknown_length(&call.receiver))
+            }
+            Value::Field(field) if field.of != Owner::Law && super::function::arity(&text).is_none() => {
+                self.refuse(pair::method_of_data(name))
             }
             Value::Number(_) | Value::Field(_) if super::function::arity(&text).is_none() => {
                 self.report(body::unknown_function(name));

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use dmech_symbolic::expression::Graph;
-use dmech_symbolic::kernel::Variables;
+use dmech_symbolic::kernel::{PairVariables, Variables};
 use proc_macro2::{Ident, Literal, Span};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
@@ -13,15 +13,18 @@ use crate::diagnostics::body;
 
 use super::arithmetic::cast_tokens;
 use super::interpreter::{Formula, Interpreter};
-use super::lowered::{Parameter, Source};
-use super::value::{At, Field, Value};
+use super::lowered::{Parameter, Read, Source};
+use super::value::{At, Field, Owner, Value};
 use super::vector::component;
 
 /// Names that a parameter cannot have in formulas.
-pub(super) fn reserved_names(graph: &Graph, variables: &Variables) -> HashSet<String> {
+pub(super) fn reserved_names(graph: &Graph, variables: &Variables, pair: Option<&PairVariables>) -> HashSet<String> {
     let Variables { q, v, a, b, .. } = variables;
     let coordinates = [q, v, a, b].into_iter().flatten().map(|&symbol| graph.name(symbol).to_owned());
-    coordinates.chain(["m", "t"].map(str::to_owned)).collect()
+    let of_two = pair.into_iter().flat_map(|pair| pair.va.iter().chain(&pair.vb));
+    let of_two = of_two.map(|&symbol| graph.name(symbol).to_owned());
+    let arguments: &[&str] = if pair.is_some() { &["ma", "mb", "t", "r", "ra", "rb"] } else { &["m", "t"] };
+    coordinates.chain(of_two).chain(arguments.iter().map(|&name| name.to_owned())).collect()
 }
 
 impl<'m> Interpreter<'m> {
@@ -50,6 +53,7 @@ impl<'m> Interpreter<'m> {
         let receiver = Ident::new("self", Span::call_site().located_at(span));
         let text = member.to_token_stream().to_string();
         let field = Field {
+            of: Owner::Law,
             tokens: quote_spanned!(span=> #receiver.#member),
             key: format!("self.{text}"),
             name: member_name(member),
@@ -70,6 +74,7 @@ impl<'m> Interpreter<'m> {
     pub(super) fn field_member(&mut self, base: &Field, member: &Member) -> Value {
         let tokens = &base.tokens;
         Value::Field(Field {
+            of: base.of,
             tokens: quote!(#tokens.#member),
             key: format!("{}.{}", base.key, member.to_token_stream()),
             name: format!("{}_{}", base.name, member_name(member)),
@@ -81,6 +86,7 @@ impl<'m> Interpreter<'m> {
         let tokens = &base.tokens;
         let index = Literal::usize_unsuffixed(i);
         Value::Field(Field {
+            of: base.of,
             tokens: quote!(#tokens[#index]),
             key: format!("{}[{i}]", base.key),
             name: format!("{}_{i}", base.name),
@@ -106,12 +112,12 @@ impl<'m> Interpreter<'m> {
     pub(super) fn cast_field(&mut self, base: &Field, ty: &Type) -> Value {
         let tokens = cast_tokens(&base.tokens, ty);
         let key = format!("{} as f64", base.key);
-        Value::Number(self.parameter(&key, &base.name, Source::Law(tokens)))
+        Value::Number(self.parameter(&key, &base.name, base.of.source(tokens)))
     }
 
     /// A field where a number is needed.
     pub(super) fn field_number(&mut self, field: &Field) -> Formula {
-        self.parameter(&field.key, &field.name, Source::Law(field.tokens.clone()))
+        self.parameter(&field.key, &field.name, field.of.source(field.tokens.clone()))
     }
 
     /// The parameter with that key, new if need be.
@@ -120,7 +126,7 @@ impl<'m> Interpreter<'m> {
             return found;
         }
         let mut name = name.to_owned();
-        if matches!(source, Source::Law(_)) {
+        if matches!(source, Source::Law(_) | Source::Body(_, Read::Data(_))) {
             while !self.names.insert(name.clone()) {
                 name.insert_str(0, "law_");
             }

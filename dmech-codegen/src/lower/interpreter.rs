@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use dmech_symbolic::expression::{self, Graph, Node};
-use dmech_symbolic::kernel::Variables;
+use dmech_symbolic::expression::{self, Graph, Node, Symbol};
+use dmech_symbolic::kernel::{PairVariables, Variables};
 use quote::ToTokens;
 use syn::{Expr, Lit};
 
-use crate::diagnostics::body;
+use crate::diagnostics::{body, pair};
 use crate::model::{ArgumentRole, Formula as Role, Model, Shape};
 
 use super::budget::{self, Budget, Excess};
@@ -22,6 +22,8 @@ pub(super) struct Interpreter<'m> {
     pub(super) model: &'m Model,
     pub(super) graph: Graph,
     pub(super) variables: Variables,
+    /// Those that only a law between two bodies has.
+    pub(super) pair: Option<PairVariables>,
     pub(super) parameters: Vec<Parameter>,
     /// Parameters by the code that reads them.
     pub(super) known: BTreeMap<String, Formula>,
@@ -39,11 +41,13 @@ impl<'m> Interpreter<'m> {
     pub(super) fn new(model: &'m Model) -> Self {
         let mut graph = Graph::new();
         let variables = Variables::new(&mut graph, model.dimension);
-        let names = super::field::reserved_names(&graph, &variables);
+        let pair = model.pair.as_ref().map(|_| PairVariables::new(&mut graph, model.dimension));
+        let names = super::field::reserved_names(&graph, &variables, pair.as_ref());
         Self {
             model,
             graph,
             variables,
+            pair,
             parameters: vec![],
             known: BTreeMap::new(),
             names,
@@ -74,11 +78,12 @@ impl<'m> Interpreter<'m> {
         };
         match (potential, force) {
             (Some(potential), Some(force)) if self.errors.is_empty() => {
-                let Self { graph, variables, mut parameters, .. } = self;
+                let Self { mut graph, variables, mut parameters, pair, .. } = self;
                 let roots: Vec<_> = std::iter::once(potential).chain(force.iter().flatten().copied()).collect();
                 // What was read and then cancelled is no parameter of the law.
                 parameters.retain(|parameter| roots.iter().any(|&root| graph.depends_on(root, &[parameter.symbol])));
-                Ok(Lowered { graph, variables, potential, force, parameters })
+                let pair = pair.map(|variables| super::pair::lowered(&mut graph, variables, &parameters));
+                Ok(Lowered { graph, variables, potential, force, parameters, pair })
             }
             _ => Err(self.errors),
         }
@@ -149,19 +154,22 @@ impl<'m> Interpreter<'m> {
 
     fn argument(&mut self, role: ArgumentRole) -> Value {
         match role {
-            ArgumentRole::Position(shape) | ArgumentRole::Velocity(shape) => {
-                let position = matches!(role, ArgumentRole::Position(_));
-                let symbols = if position { self.variables.q.clone() } else { self.variables.v.clone() };
-                let x: Vec<_> = symbols.into_iter().map(|s| self.graph.symbol(s)).collect();
-                match shape {
-                    Shape::Number => x.first().map_or(Value::Unknown, |&x| Value::Number(x)),
-                    Shape::Array => Value::Array(x.into_iter().map(Value::Number).collect()),
-                    Shape::Vector => Value::Vector(x),
-                }
-            }
+            ArgumentRole::Position(shape) => self.coordinates(&self.variables.q.clone(), shape),
+            ArgumentRole::Velocity(shape) => self.coordinates(&self.variables.v.clone(), shape),
             ArgumentRole::Mass => Value::Number(self.parameter("m", "m", Source::Mass)),
             ArgumentRole::Time => Value::Number(self.parameter("t", "t", Source::Time)),
+            ArgumentRole::Pair(role) => self.pair_argument(role),
             ArgumentRole::Refused => Value::Unknown,
+        }
+    }
+
+    /// Symbols in the form of a position.
+    pub(super) fn coordinates(&mut self, symbols: &[Symbol], shape: Shape) -> Value {
+        let x: Vec<_> = symbols.iter().map(|&s| self.graph.symbol(s)).collect();
+        match shape {
+            Shape::Number => x.first().map_or(Value::Unknown, |&x| Value::Number(x)),
+            Shape::Array => Value::Array(x.into_iter().map(Value::Number).collect()),
+            Shape::Vector => Value::Vector(x),
         }
     }
 
@@ -301,6 +309,10 @@ impl<'m> Interpreter<'m> {
     pub(super) fn number(&mut self, value: Value, at: &dyn ToTokens) -> Option<Formula> {
         match value {
             Value::Number(formula) => Some(formula),
+            Value::Field(field) if field.is_data() => {
+                self.report(pair::whole_data(at));
+                None
+            }
             Value::Field(field) => Some(self.field_number(&field)),
             Value::Integer(n) => {
                 self.report(body::integer(at));

@@ -1,8 +1,10 @@
 //! What lowering hands to the engine and to the printer.
 
 use dmech_symbolic::expression::{Expr, Graph, Symbol};
-use dmech_symbolic::kernel::Variables;
+use dmech_symbolic::kernel::{PairVariables, Variables};
 use proc_macro2::TokenStream;
+
+use crate::model::Body;
 
 /// A law as expressions.
 pub struct Lowered {
@@ -16,6 +18,18 @@ pub struct Lowered {
     pub force: Option<Vec<Expr>>,
     /// What else the potential reads, in order of first use.
     pub parameters: Vec<Parameter>,
+    /// What only a law between two bodies has.
+    pub pair: Option<LoweredPair>,
+}
+
+/// A law between two bodies, beside its expressions.
+pub struct LoweredPair {
+    /// Velocities, squared distances.
+    pub variables: PairVariables,
+    /// What is read of a body, in order: the same for a and b.
+    pub layout: Vec<Read>,
+    /// What is read of a, each with the same of b.
+    pub exchange: Vec<(Symbol, Symbol)>,
 }
 
 /// Something that the potential reads beside the position.
@@ -30,8 +44,30 @@ pub struct Parameter {
 pub enum Source {
     /// An `f64` of the law: `self.gm`, `self.k[2]`, `Self::G`, with the user's spans.
     Law(TokenStream),
+    /// A number of one of two bodies.
+    Body(Body, Read),
     /// The mass of the particle, the argument `m`.
     Mass,
     /// The time, the argument `t`.
     Time,
+}
+
+/// What is read of a body.
+#[derive(Clone)]
+pub enum Read {
+    /// Its mass, the argument `ma` or `mb`.
+    Mass,
+    /// A number of its data, `data.q`, with the user's spans.
+    Data(TokenStream),
+}
+
+impl Read {
+    /// Whether both are the same number of a body.
+    pub fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Mass, Self::Mass) => true,
+            (Self::Data(one), Self::Data(two)) => one.to_string() == two.to_string(),
+            _ => false,
+        }
+    }
 }

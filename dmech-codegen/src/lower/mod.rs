@@ -14,6 +14,7 @@
 //! | [`sequence`] | arrays, ranges and their iterators |
 //! | [`call`] | helpers of the block, `f64::sqrt(x)`, closures |
 //! | [`name`] | variables, constants |
+//! | [`pair`] | the arguments of a law between two bodies |
 //! | [`field`] | `self.k`, `self.k[2]`, `Self::G` |
 //!
 //! Loops are unrolled, helpers inlined, branches merged with a selection. Every error is noted and its value replaced
@@ -30,6 +31,7 @@ mod interpreter;
 mod lowered;
 mod merge;
 mod name;
+mod pair;
 mod pattern;
 mod scope;
 mod sequence;
@@ -43,7 +45,8 @@ mod tests;
 use crate::model::Model;
 
 pub(crate) use budget::Excess;
-pub use lowered::{Lowered, Parameter, Source};
+pub use lowered::{Lowered, LoweredPair, Parameter, Read, Source};
+pub(crate) use pair::data;
 
 /// The law as expressions, or everything in its body that cannot be differentiated or understood.
 pub(crate) fn lower(model: &Model) -> Result<Lowered, Vec<syn::Error>> {

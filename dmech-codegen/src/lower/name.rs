@@ -4,11 +4,11 @@ use proc_macro2::Ident;
 use quote::quote_spanned;
 use syn::{Expr, ExprPath, GenericParam, ImplItemConst};
 
-use crate::diagnostics::body;
+use crate::diagnostics::{body, pair};
 use crate::model::{ArgumentRole, Known, Sibling, known_type};
 
 use super::interpreter::Interpreter;
-use super::value::{At, Field, Value};
+use super::value::{At, Field, Owner, Value};
 
 impl<'m> Interpreter<'m> {
     pub(super) fn path(&mut self, path: &'m ExprPath, e: &'m Expr) -> Value {
@@ -40,25 +40,26 @@ impl<'m> Interpreter<'m> {
         if text == "self" {
             return Value::Law;
         }
-        let error =
-            if self.model.generics.params.iter().any(|p| matches!(p, GenericParam::Const(c) if c.ident == *name)) {
-                body::const_parameter(name)
-            } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
-                body::imported_constant(name)
-            } else if self.calls.len() > 1 {
-                body::unknown_in_helper(name)
-            } else {
-                let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
-                let declared: Vec<_> =
-                    self.model.formulas().flat_map(|formula| &formula.arguments).filter(|a| position(a.role)).collect();
-                let declares_m = self.model.names_mass;
-                match text.as_str() {
-                    "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),
-                    "t" => body::undeclared_argument(name, "time"),
-                    "v" => body::velocity(name),
-                    _ => body::unknown_name(name, !declared.is_empty()),
-                }
-            };
+        let error = if let Some(error) = pair::undeclared(self.model, name) {
+            error
+        } else if self.model.generics.params.iter().any(|p| matches!(p, GenericParam::Const(c) if c.ident == *name)) {
+            body::const_parameter(name)
+        } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
+            body::imported_constant(name)
+        } else if self.calls.len() > 1 {
+            body::unknown_in_helper(name)
+        } else {
+            let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
+            let declared: Vec<_> =
+                self.model.formulas().flat_map(|formula| &formula.arguments).filter(|a| position(a.role)).collect();
+            let declares_m = self.model.names_mass;
+            match text.as_str() {
+                "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),
+                "t" => body::undeclared_argument(name, "time"),
+                "v" => body::velocity(name),
+                _ => body::unknown_name(name, !declared.is_empty()),
+            }
+        };
         self.refuse(error)
     }
 
@@ -74,7 +75,7 @@ impl<'m> Interpreter<'m> {
                 known if reads_as_number(&known) && !self.calls.iter().any(|call| call.starts_with("const ")) => {
                     let ty = &model.self_ty;
                     let tokens = quote_spanned!(last.span()=> <#ty>::#last);
-                    let field = Field { tokens, key: format!("Self::{name}"), name: name.to_owned() };
+                    let field = Field { of: Owner::Law, tokens, key: format!("Self::{name}"), name: name.to_owned() };
                     self.conform(Value::Field(field), &constant.ty, At::Other(path))
                 }
                 _ => self.evaluated_constant(constant),

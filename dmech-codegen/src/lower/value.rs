@@ -4,6 +4,8 @@ use dmech_symbolic::expression::{Condition, Expr};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
+use crate::model::Body;
+
 /// A value while the body is read.
 #[derive(Clone)]
 pub(super) enum Value {
@@ -40,15 +42,26 @@ pub(super) enum Truth {
     When(Condition),
 }
 
-/// A path that starts at the law: `self.a.k[2]`, `Self::G`.
+/// A path that starts at the law, `self.a.k[2]`, `Self::G`, or at the data of a body, `a.q`.
 #[derive(Clone)]
 pub(super) struct Field {
+    /// Where the path starts.
+    pub(super) of: Owner,
     /// The code that reads it.
     pub(super) tokens: TokenStream,
     /// The same as text, to know it again.
     pub(super) key: String,
     /// Its name in formulas: `a_k_2`.
     pub(super) name: String,
+}
+
+/// Where a path starts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Owner {
+    /// The law.
+    Law,
+    /// The data of a body.
+    Body(Body),
 }
 
 /// The code that a value comes from, to point at.
@@ -106,6 +119,7 @@ impl Value {
             Self::Tuple(parts) if parts.is_empty() => "nothing, `()`".into(),
             Self::Tuple(parts) => counted("a tuple", parts.len()),
             Self::Items(_) => "a range or an iterator".into(),
+            Self::Field(Field { of: Owner::Body(_), .. }) => "data of a body".into(),
             Self::Field(_) => "a field of the law".into(),
             Self::Law => "the law itself".into(),
             Self::Unset => "a variable without a value".into(),

@@ -79,6 +79,7 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
             body: block(*closure.body),
         }),
         force: None,
+        pair: None,
         methods: BTreeMap::new(),
         constants: BTreeMap::new(),
         fields: Some(fields(&item.fields)),

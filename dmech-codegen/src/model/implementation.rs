@@ -5,10 +5,12 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use syn::{Attribute, ImplItem, ImplItemFn, Item, ItemImpl, Path, Type};
 
-use crate::diagnostics::law;
+use crate::diagnostics::{self, law};
 
 use super::roles::{self, Role};
-use super::{ArgumentRole, Formula, Model, Parsed, Sibling, arguments, finish, nesting, signature};
+use super::{
+    ArgumentRole, Formula, Model, PairSignature, Parsed, Sibling, arguments, finish, nesting, pair, signature,
+};
 
 /// Reads the block that the attribute stands on.
 pub(crate) fn from_impl(attribute: TokenStream, item: TokenStream) -> Parsed {
@@ -49,7 +51,7 @@ fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<M
     for item in items {
         members.take(item, errors);
     }
-    let Members { potential, force, methods, constants, had_role } = members;
+    let Members { potential, force, pair: role_is_pair, methods, constants, had_role } = members;
     if potential.is_none() && force.is_none() {
         if !had_role {
             errors.push(law::no_role(&self_ty));
@@ -60,18 +62,27 @@ fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<M
     let docs = docs.filter(|a| a.path().is_ident("doc")).collect();
     let mut dimension = 0;
     let mut names = Vec::new();
+    let mut data = None;
     let mut read = |method: ImplItemFn, role: Role, errors: &mut Vec<syn::Error>| {
         let checked = signature::check(&method, role, &constants, errors);
         if dimension != 0 && checked.dimension != 0 && checked.dimension != dimension {
             errors.push(law::other_dimension(&method.sig.ident, checked.dimension, dimension));
         }
         dimension = dimension.max(checked.dimension);
+        match (&data, checked.data) {
+            (Some(one), Some(other)) if !pair::same(one, &other) => {
+                errors.push(diagnostics::pair::two_data_types(&other, one));
+            }
+            (None, other) => data = other,
+            _ => {}
+        }
         names.extend(checked.list.iter().map(|argument| argument.role));
         let formula = Formula { ident: method.sig.ident, arguments: checked.list, body: method.block };
         (formula, checked.result)
     };
-    let potential = potential.map(|method| read(method, Role::Potential, errors).0);
-    let force = force.map(|method| read(method, Role::Force, errors));
+    let roles = if role_is_pair { [Role::Pair, Role::PairForce] } else { [Role::Potential, Role::Force] };
+    let potential = potential.map(|method| read(method, roles[0], errors).0);
+    let force = force.map(|method| read(method, roles[1], errors));
     Some(Model {
         self_ty: *self_ty,
         generics,
@@ -81,6 +92,7 @@ fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<M
         names_mass: names.contains(&ArgumentRole::Mass),
         names_time: names.contains(&ArgumentRole::Time),
         docs,
+        pair: role_is_pair.then_some(PairSignature { data }),
         potential,
         force,
         methods,
@@ -104,6 +116,8 @@ fn type_name(ty: &Type) -> Option<String> {
 struct Members {
     potential: Option<ImplItemFn>,
     force: Option<ImplItemFn>,
+    /// They are a `#[pair]` and a `#[pair_force]`.
+    pair: bool,
     methods: BTreeMap<String, Sibling<ImplItemFn>>,
     constants: BTreeMap<String, Sibling<syn::ImplItemConst>>,
     had_role: bool,
@@ -128,10 +142,6 @@ impl Members {
         for attribute in &method.attrs {
             let Some(role) = Role::of(attribute) else { continue };
             self.had_role = true;
-            if matches!(role, Role::Pair | Role::PairForce) {
-                errors.push(law::later_role(attribute));
-                continue;
-            }
             if attribute.meta.require_path_only().is_err() {
                 errors.push(law::role_arguments(attribute));
             }
@@ -148,9 +158,17 @@ impl Members {
         if let Some(cfg) = method.attrs.iter().find(|a| is_cfg(a)) {
             errors.push(law::conditional_potential(cfg));
         }
+        let of_two = matches!(role, Role::Pair | Role::PairForce);
+        if of_two != self.pair && (self.potential.is_some() || self.force.is_some()) {
+            errors.push(diagnostics::pair::one_body_beside(&method.sig.ident));
+            return;
+        }
+        self.pair = of_two;
         let (slot, what) = match role {
             Role::Force => (&mut self.force, "force"),
-            _ => (&mut self.potential, "potential"),
+            Role::PairForce => (&mut self.force, "pair_force"),
+            Role::Pair => (&mut self.potential, "pair"),
+            Role::Potential => (&mut self.potential, "potential"),
         };
         match slot {
             Some(first) => {

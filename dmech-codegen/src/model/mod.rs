@@ -6,6 +6,7 @@ mod arguments;
 mod derived;
 mod implementation;
 mod nesting;
+mod pair;
 mod roles;
 mod signature;
 mod types;
@@ -22,6 +23,9 @@ use crate::lower;
 
 pub(crate) use derived::from_derive;
 pub(crate) use implementation::from_impl;
+pub use pair::{Body, PairSignature};
+
+pub(crate) use pair::PairArgument;
 pub(crate) use types::{Known, Length, VectorAlias, known_type, vector_alias};
 
 /// What was read, and the user's item as it is to be emitted again.
@@ -52,6 +56,8 @@ pub struct Model {
     pub names_time: bool,
     /// The doc comments of the potential.
     pub docs: Vec<Attribute>,
+    /// What only a law between two bodies has.
+    pub pair: Option<PairSignature>,
     /// The potential, if the law has one.
     pub(crate) potential: Option<Formula>,
     /// The force, if the law has one, and how its value is written.
@@ -93,6 +99,8 @@ pub(crate) enum ArgumentRole {
     Mass,
     /// The time, `t`.
     Time,
+    /// An argument of a law between two bodies.
+    Pair(PairArgument),
     /// Refused; its value silences further errors.
     Refused,
 }

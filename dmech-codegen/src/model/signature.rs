@@ -11,7 +11,7 @@ use crate::diagnostics::law;
 
 use super::roles::Role;
 use super::types::Length;
-use super::{Argument, ArgumentRole, Known, Shape, Sibling, known_type};
+use super::{Argument, ArgumentRole, Known, Shape, Sibling, known_type, pair};
 
 /// A symbolic Hessian of more coordinates than this is no help to anyone.
 const MAX_DIMENSION: usize = 64;
@@ -22,6 +22,8 @@ pub(super) struct Arguments {
     pub(super) dimension: usize,
     /// How the value is written.
     pub(super) result: Shape,
+    /// The type of the data of two bodies.
+    pub(super) data: Option<Type>,
 }
 
 impl Arguments {
@@ -66,12 +68,17 @@ pub(super) fn check(
         FnArg::Receiver(_) => None,
     });
     let mut arguments = arguments(typed, role, constants, errors);
-    if arguments.dimension == 0 && !arguments.list.iter().any(|argument| argument.role == ArgumentRole::Refused) {
+    if matches!(role, Role::Pair | Role::PairForce) {
+        pair::check(&arguments, &signature.ident, role, errors);
+    } else if arguments.dimension == 0 && !arguments.list.iter().any(|argument| argument.role == ArgumentRole::Refused)
+    {
         let missing = if role == Role::Force { law::no_position_or_velocity } else { law::no_position };
         errors.push(missing(&signature.ident));
     }
     match role {
-        Role::Force => arguments.result = returns_force(signature, arguments.dimension, constants, errors),
+        Role::Force | Role::PairForce => {
+            arguments.result = returns_force(signature, arguments.dimension, constants, errors)
+        }
         _ => returns_number(&signature.output, &signature.ident, errors),
     }
     arguments
@@ -121,9 +128,13 @@ pub(super) fn arguments<'a>(
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
     errors: &mut Vec<syn::Error>,
 ) -> Arguments {
-    let mut arguments = Arguments { list: vec![], dimension: 0, result: Shape::Number };
+    let mut arguments = Arguments { list: vec![], dimension: 0, result: Shape::Number, data: None };
     for PatType { pat, ty, .. } in typed {
-        let role = match argument(pat, ty, role, constants, &mut arguments.dimension) {
+        let read = match role {
+            Role::Pair | Role::PairForce => pair::argument(pat, ty, role, constants, &mut arguments),
+            _ => argument(pat, ty, role, constants, &mut arguments.dimension),
+        };
+        let role = match read {
             Ok(role) => role,
             Err(error) => {
                 errors.push(error);
@@ -167,14 +178,17 @@ fn argument(
     }
 }
 
-fn number(ty: &Type, quantity: &str, name: &str) -> Result<(), syn::Error> {
+pub(super) fn number(ty: &Type, quantity: &str, name: &str) -> Result<(), syn::Error> {
     match known_type(ty) {
         Known::Float if !matches!(ty, Type::Reference(_)) => Ok(()),
         _ => Err(law::not_a_number(ty, quantity, name)),
     }
 }
 
-fn position(ty: &Type, constants: &BTreeMap<String, Sibling<ImplItemConst>>) -> Result<(Shape, usize), syn::Error> {
+pub(super) fn position(
+    ty: &Type,
+    constants: &BTreeMap<String, Sibling<ImplItemConst>>,
+) -> Result<(Shape, usize), syn::Error> {
     if let Type::Reference(reference) = ty {
         let by_value = known_type(&reference.elem) != Known::Other;
         return Err(if by_value { law::position_by_reference(ty) } else { law::wrong_position(ty) });

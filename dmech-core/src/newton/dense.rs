@@ -1,5 +1,7 @@
 //! Newton for laws written by hand: the force and its Jacobian are values, the linear solve is done here.
 
+use core::array::from_fn;
+
 use dmech_scalar::Real;
 
 use super::{Correction, Equation, Increment, NotConverged, drive, elimination, once};
@@ -32,6 +34,23 @@ pub fn dense_discrete<const D: usize, R: Real>(
     })
 }
 
+/// As [`dense`], for a force (b, v′) ↦ (G, ∂G/∂b, ∂G/∂v′) that also depends on the velocity at the end of the step,
+/// v′ = v + (2/h)(Δ − drift).
+///
+/// # Errors
+/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
+pub fn dense_forced<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
+) -> Result<Increment<D, R>, NotConverged> {
+    drive(equation, |equation, delta, b| {
+        let Equation { v, drift, rate, .. } = equation;
+        let (gradient, by_position, by_velocity) = force(b, from_fn(|i| rate.mul_add(delta[i] - drift[i], v[i])));
+        let jacobian = from_fn(|i| from_fn(|j| rate.mul_add(by_velocity[i][j], by_position[i][j])));
+        correction(equation, delta, gradient, &jacobian)
+    })
+}
+
 /// As [`dense`], for a force that is linear in b: one correction from Δ = 0 is the solution.
 ///
 /// # Errors
@@ -54,11 +73,9 @@ fn correction<const D: usize, R: Real>(
 ) -> Correction<D, R> {
     let g = equation.g;
     let wanted = equation.increment(gradient);
-    let residual = core::array::from_fn(|i| wanted[i] - delta[i]);
-    let matrix = core::array::from_fn(|i| {
-        core::array::from_fn(|j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO }))
-    });
+    let residual = from_fn(|i| wanted[i] - delta[i]);
+    let matrix = from_fn(|i| from_fn(|j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO })));
     let delta = elimination::solve(matrix, residual);
-    let gradient = core::array::from_fn(|i| (0..D).fold(gradient[i], |sum, j| jacobian[i][j].mul_add(delta[j], sum)));
+    let gradient = from_fn(|i| (0..D).fold(gradient[i], |sum, j| jacobian[i][j].mul_add(delta[j], sum)));
     Correction { delta, gradient }
 }

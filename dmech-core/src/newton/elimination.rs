@@ -5,7 +5,7 @@ use dmech_scalar::{Mask, Real};
 /// Solves A x = b by elimination with row pivoting; a singular A gives numbers that are not finite.
 ///
 /// Rows are exchanged lane by lane with selections, so that several systems side by side each get their own pivots.
-pub(super) fn solve<const D: usize, R: Real>(mut a: [[R; D]; D], mut b: [R; D]) -> [R; D] {
+pub(crate) fn solve<const D: usize, R: Real>(mut a: [[R; D]; D], mut b: [R; D]) -> [R; D] {
     for k in 0..D {
         for i in k + 1..D {
             let larger = a[k][k].abs().less(a[i][k].abs());

@@ -7,7 +7,7 @@ use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential};
 use crate::newton::{Equation, Increment, NotConverged};
-use crate::vector::{difference, dot, finite, scaled, sum};
+use crate::vector::{difference, finite, scaled, sum, weighted};
 
 /// The energy-exact step (LaBudde–Greenspan): mean velocity, and the force as a discrete gradient.
 ///
@@ -36,7 +36,7 @@ use crate::vector::{difference, dot, finite, scaled, sum};
 /// R. LaBudde and D. Greenspan, J. Comput. Phys. 15 (1974) 134; K. Kanatani, J. Comput. Phys. (1983–84), §3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DiscreteGradient {
-    newton: Newton,
+    pub(crate) newton: Newton,
 }
 
 /// [`DiscreteGradient`](struct@DiscreteGradient) with the default options.
@@ -164,13 +164,13 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
         finite(memory.q.hi) && finite(memory.v.hi)
     }
 
-    fn kinetic_energy(&self, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(memory.v.value())
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(law.mass_ratios(), memory.v.value())
     }
 
     /// (−∇̄Φ(q, q′) + (F + F′)/2)·Δq.
-    fn work(&self, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
+    fn work(&self, law: &L, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
         let moved = sum(difference(after.q.hi, before.q.hi), difference(after.q.lo, before.q.lo));
-        -dot(after.gradients[0], moved)
+        -weighted(law.mass_ratios(), after.gradients[0], moved)
     }
 }

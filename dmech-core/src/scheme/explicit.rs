@@ -7,7 +7,7 @@ use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Law, Potential};
 use crate::newton::NotConverged;
-use crate::vector::{add_scaled, difference, dot, finite, scaled, sum};
+use crate::vector::{add_scaled, difference, finite, scaled, sum, weighted};
 
 /// The explicit formulas of the first discrete mechanics (Greenspan (1.1)–(1.3); LaBudde–Greenspan (2.7)).
 ///
@@ -82,13 +82,13 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Explicit {
         finite(memory.q) && finite(memory.v)
     }
 
-    fn kinetic_energy(&self, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(memory.v)
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(law.mass_ratios(), memory.v)
     }
 
     /// F_k·(q_{k+1} − q_k), with F_k as the kick applied it.
-    fn work(&self, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
+    fn work(&self, law: &L, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
         let force = scaled(stride.kick.recip(), difference(after.v, before.v));
-        dot(force, difference(after.q, before.q))
+        weighted(law.mass_ratios(), force, difference(after.q, before.q))
     }
 }

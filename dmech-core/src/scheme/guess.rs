@@ -43,8 +43,14 @@ impl Newton {
     }
 
     /// The allowed number of evaluations.
-    pub(super) const fn limit(&self) -> u32 {
+    pub(crate) const fn limit(&self) -> u32 {
         self.max_iterations
+    }
+
+    /// Where the iteration starts.
+    #[cfg(feature = "scene")]
+    pub(crate) const fn start(&self) -> Guess {
+        self.guess
     }
 
     /// The first Δ: h v − frozen − g (3G − 3G₋ + G₋₋), where G, G₋, G₋₋ are the last three forces.

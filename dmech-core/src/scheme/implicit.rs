@@ -7,7 +7,7 @@ use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential};
 use crate::newton::{Equation, NotConverged};
-use crate::vector::{add_scaled, dot, finite, scaled, sum};
+use crate::vector::{add_scaled, finite, scaled, sum, weighted};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
@@ -30,7 +30,7 @@ use crate::vector::{add_scaled, dot, finite, scaled, sum};
 /// D. Greenspan, Univ. of Wisconsin, Computer Sciences TR 122 (1971), §2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Implicit {
-    newton: Newton,
+    pub(crate) newton: Newton,
 }
 
 /// [`Implicit`](struct@Implicit) with the default options.
@@ -116,12 +116,12 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
         finite(memory.q) && finite(memory.v)
     }
 
-    fn kinetic_energy(&self, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(memory.v)
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(law.mass_ratios(), memory.v)
     }
 
     /// (F + F′)/2·Δq (2.7).
-    fn work(&self, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
-        R::from_f64(-0.5) * dot(sum(before.gradients[0], after.gradients[0]), after.moved)
+    fn work(&self, law: &L, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
+        R::from_f64(-0.5) * weighted(law.mass_ratios(), sum(before.gradients[0], after.gradients[0]), after.moved)
     }
 }

@@ -7,7 +7,7 @@ use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::newton::{Equation, Increment, NotConverged};
-use crate::vector::{add_scaled, difference, dot, finite, scaled};
+use crate::vector::{add_scaled, difference, finite, scaled, weighted};
 
 /// The energy-exact central difference (Kanatani (2.11)–(2.12) with the force of (3.7)).
 ///
@@ -37,8 +37,8 @@ use crate::vector::{add_scaled, difference, dot, finite, scaled};
 /// K. Kanatani, "The Accuracy and the Preservation Property of the Discrete Mechanics", J. Comput. Phys. (1983–84).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kanatani {
-    newton: Newton,
-    start: Start,
+    pub(crate) newton: Newton,
+    pub(crate) start: Start,
 }
 
 /// [`Kanatani`](struct@Kanatani) with the default options.
@@ -200,19 +200,20 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
     }
 
     /// m z²/2 (3.2).
-    fn kinetic_energy(&self, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(memory.z.value())
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(law.mass_ratios(), memory.z.value())
     }
 
     /// F·(q₊ − q₋)/2 (3.3)–(3.6).
-    fn work(&self, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
-        R::from_f64(-0.5) * dot(after.gradients[0], difference(after.q.value(), before.q_before))
+    fn work(&self, law: &L, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
+        R::from_f64(-0.5)
+            * weighted(law.mass_ratios(), after.gradients[0], difference(after.q.value(), before.q_before))
     }
 
     /// m z²/2 + (Φ(q) + Φ(q₋))/2 (3.9)–(3.10).
     fn discrete_energy(&self, law: &L, stride: &Stride<R>, t: R, memory: &Self::Memory) -> Option<R> {
         let field = law.field(stride.mass, t);
         let potentials = field.potential(memory.q.value()) + field.potential(memory.q_before);
-        Some(R::from_f64(0.5).mul_add(potentials, stride.kinetic_energy(memory.z.value())))
+        Some(R::from_f64(0.5).mul_add(potentials, stride.kinetic_energy(law.mass_ratios(), memory.z.value())))
     }
 }

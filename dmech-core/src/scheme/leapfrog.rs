@@ -7,7 +7,7 @@ use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Law, Potential, VelocityIndependent};
 use crate::newton::NotConverged;
-use crate::vector::{add_scaled, difference, dot, finite, scaled, sum};
+use crate::vector::{add_scaled, difference, finite, scaled, sum, weighted};
 
 /// Leap-frog: positions at whole steps, velocities at half steps (Greenspan (3.2)–(3.6); Kanatani (2.14)–(2.15)).
 ///
@@ -90,14 +90,14 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
     }
 
     /// m v²/2 at the half step before.
-    fn kinetic_energy(&self, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(memory.v_before)
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(law.mass_ratios(), memory.v_before)
     }
 
     /// F_k·(q_{k+1} − q_{k−1})/2, with F_k as the kick applied it and q_k − q_{k−1} = h v_{k−½}.
-    fn work(&self, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
+    fn work(&self, law: &L, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
         let force = scaled(stride.kick.recip(), difference(before.v_after, before.v_before));
         let two_steps = add_scaled(difference(after.q, before.q), stride.dt, before.v_before);
-        R::from_f64(0.5) * dot(force, two_steps)
+        R::from_f64(0.5) * weighted(law.mass_ratios(), force, two_steps)
     }
 }

@@ -70,10 +70,10 @@ pub trait Scheme<L, const D: usize, R: Real = f64>: Method {
     fn finite(&self, memory: &Self::Memory) -> bool;
 
     /// The scheme's own kinetic energy, the one that its work changes.
-    fn kinetic_energy(&self, stride: &Stride<R>, memory: &Self::Memory) -> R;
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R;
 
     /// The work done in one step, by the scheme's own definition.
-    fn work(&self, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R;
+    fn work(&self, law: &L, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R;
 
     /// The scheme's own energy where it differs from m v²/2 + Φ(q).
     fn discrete_energy(&self, _law: &L, _stride: &Stride<R>, _t: R, _memory: &Self::Memory) -> Option<R> {

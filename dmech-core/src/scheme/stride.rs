@@ -2,7 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Real, two_sum};
 
-use crate::vector::dot;
+use crate::vector::weighted;
 
 /// Time step and mass, with the coefficients that follow from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,10 +34,10 @@ impl<R: Real> Stride<R> {
         Stride::new(gamma * self.dt, self.mass)
     }
 
-    /// m v²/2.
+    /// Σ m μᵢ vᵢ²/2, with the [`mass_ratios`](crate::Law::mass_ratios) μᵢ of the law.
     #[inline]
-    pub fn kinetic_energy<const D: usize>(&self, v: [R; D]) -> R {
-        R::from_f64(0.5) * self.mass * dot(v, v)
+    pub fn kinetic_energy<const D: usize>(&self, mass_ratios: [f64; D], v: [R; D]) -> R {
+        R::from_f64(0.5) * self.mass * weighted(mass_ratios, v, v)
     }
 
     /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it.

@@ -1,9 +1,10 @@
-//! Gradient and Hessian against differences of what they are derivatives of; what the law claims of itself.
+//! Gradient, Hessian and the Jacobians of the force against differences of what they are derivatives of; what the law
+//! claims of itself.
 
 use core::array::from_fn;
 
 use super::difference::{Worst, derivative};
-use super::points::{MASS, Scales, around, largest, norm};
+use super::points::{Dice, Scales, around, largest, norm, with};
 use super::report::Check;
 use crate::law::{Field, Law, Potential};
 use crate::state::State;
@@ -13,7 +14,7 @@ use crate::vector::dot;
 pub(super) const ULPS: f64 = 64.0;
 
 pub(super) fn check<L: Law<D>, const D: usize>(law: &L, start: &State<D>, scales: &Scales, checks: &mut Vec<Check>) {
-    let field = law.field(MASS, start.t);
+    let field = law.field(scales.mass, start.t);
     let points = around(&field, start.q, scales.length);
     if points.is_empty() {
         checks.push(Check::failed("potential", "not finite anywhere around the start"));
@@ -26,18 +27,19 @@ pub(super) fn check<L: Law<D>, const D: usize>(law: &L, start: &State<D>, scales
         let second = field.hessian(q);
         let size = second.iter().map(largest).fold(0.0, f64::max);
         for j in 0..D {
-            let at = |s: f64| -> [f64; D] { from_fn(|i| if i == j { q[i] + s } else { q[i] }) };
+            let at = |x: f64| with(q, j, x);
             let scale = floor(largest(&g), size * scales.length);
-            gradient.compare(g[j], derivative(|s| field.potential(at(s)), h), scale);
+            gradient.compare(g[j], derivative(|x| field.potential(at(x)), q[j], h), scale);
             for i in 0..D {
                 let scale = floor(size, largest(&g) / scales.length);
-                hessian.compare(second[i][j], derivative(|s| field.gradient(at(s))[i], h), scale);
+                hessian.compare(second[i][j], derivative(|x| field.gradient(at(x))[i], q[j], h), scale);
             }
         }
     }
     checks.push(row("gradient", gradient, "against differences of the potential, relative"));
     checks.push(row("Hessian", hessian, "against differences of the gradient, relative"));
     slope(&field, &points, start, checks);
+    force(&field, &points, start, scales, checks);
     claims::<_, D>(&field, &points, start, checks);
 }
 
@@ -59,21 +61,54 @@ fn slope<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &St
     let (mut kick, mut alone) = (0.0_f64, 0.0_f64);
     let c = 0.37;
     for &q in points {
-        let (slope, gradient) = (field.slope(q, start.v), field.gradient(q));
+        let (slope, gradient, force) = (field.slope(q, start.v), field.gradient(q), field.force(q, start.v, start.t));
         let kicked = field.kick(c, q, start.v);
         let curvature = field.hessian(q).iter().map(largest).fold(0.0, f64::max) * largest(&q);
         let unit = f64::EPSILON * floor(largest(&gradient).max(largest(&slope)).max(curvature), largest(&start.v));
         for i in 0..D {
             kick = worse(kick, (kicked[i] - (start.v[i] - c * slope[i])).abs() / unit);
-            alone = worse(alone, (slope[i] - gradient[i]).abs() / unit);
+            alone = worse(alone, (slope[i] - (gradient[i] - force[i])).abs() / unit);
         }
     }
     checks.push(Check::at_most("kick and slope", kick, ULPS, "the same force, in units of rounding"));
-    if F::FORCED {
-        checks.push(Check::not_applicable("slope and gradient", "a force acts beside the potential"));
-    } else {
-        checks.push(Check::at_most("slope and gradient", alone, ULPS, "no force beside the potential"));
+    let note = if F::FORCED { "slope = gradient - force" } else { "no force beside the potential" };
+    checks.push(Check::at_most("slope and gradient", alone, ULPS, note));
+}
+
+/// ∂F/∂q and ∂F/∂v, with which the implicit steps solve their equation, at positions and velocities around the start.
+fn force<F: Field<D>, const D: usize>(
+    field: &F,
+    points: &[[f64; D]],
+    start: &State<D>,
+    scales: &Scales,
+    checks: &mut Vec<Check>,
+) {
+    let names = ["force by position", "force by velocity"];
+    if !F::FORCED {
+        checks.extend(names.map(|name| Check::not_applicable(name, "no force beside the potential")));
+        return;
     }
+    let (t, speed) = (start.t, scales.length / scales.time);
+    let (mut by_position, mut by_velocity) = (Worst::new(), Worst::new());
+    let mut dice = Dice::new();
+    for &q in points {
+        let v = dice.near(start.v, 0.15 * speed);
+        let size = largest(&field.force(q, v, t));
+        let (dq, dv) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
+        let entry = |matrix: &[[f64; D]; D]| matrix.iter().map(largest).fold(0.0, f64::max);
+        let (size_q, size_v) = (floor(entry(&dq), size / scales.length), floor(entry(&dv), size / speed));
+        for j in 0..D {
+            for i in 0..D {
+                let quotient = derivative(|x| field.force(with(q, j, x), v, t)[i], q[j], 0.02 * scales.length);
+                by_position.compare(dq[i][j], quotient, size_q);
+                let quotient = derivative(|x| field.force(q, with(v, j, x), t)[i], v[j], 0.02 * speed);
+                by_velocity.compare(dv[i][j], quotient, size_v);
+            }
+        }
+    }
+    let [position, velocity] = names;
+    checks.push(row(position, by_position, "its Jacobian against differences, relative"));
+    checks.push(row(velocity, by_velocity, "its Jacobian against differences, relative"));
 }
 
 /// Central, linear, without work: what the law says of itself, and what schemes rely on.

@@ -6,27 +6,25 @@ use crate::law::{Field, Law, Potential};
 use crate::state::State;
 use crate::vector::{dot, finite};
 
-/// The mass that all checks use.
-pub(super) const MASS: f64 = 1.0;
-
-/// A length and a time that are typical of the start.
+/// The mass that all checks use, and a length and a time that are typical of the start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales {
+    pub(super) mass: f64,
     pub(super) length: f64,
     pub(super) time: f64,
 }
 
 impl Scales {
     /// The length is |q|∞ (1 at the origin); the time is the shortest of length/|v|, √(length/|a|) and 1/√‖∂a/∂q‖.
-    pub(super) fn new<L: Law<D>, const D: usize>(law: &L, start: &State<D>) -> Self {
+    pub(super) fn new<L: Law<D>, const D: usize>(law: &L, start: &State<D>, mass: f64) -> Self {
         let positive = |x: &f64| *x > 0.0 && x.is_finite();
         let length = Some(largest(&start.q)).filter(positive).unwrap_or(1.0);
-        let field = law.field(MASS, start.t);
-        let acceleration = largest(&field.slope(start.q, start.v)) / MASS;
-        let stiffness = field.hessian(start.q).iter().map(largest).fold(0.0, f64::max) / MASS;
+        let field = law.field(mass, start.t);
+        let acceleration = largest(&field.slope(start.q, start.v)) / mass;
+        let stiffness = field.hessian(start.q).iter().map(largest).fold(0.0, f64::max) / mass;
         let times = [length / largest(&start.v), (length / acceleration).sqrt(), stiffness.sqrt().recip()];
         let time = times.into_iter().filter(positive).fold(f64::INFINITY, f64::min);
-        Scales { length, time: if time.is_finite() { time } else { 1.0 } }
+        Scales { mass, length, time: if time.is_finite() { time } else { 1.0 } }
     }
 }
 
@@ -38,6 +36,12 @@ pub(super) fn largest<const D: usize>(x: &[f64; D]) -> f64 {
 /// |x|.
 pub(super) fn norm<const D: usize>(x: [f64; D]) -> f64 {
     dot(x, x).sqrt()
+}
+
+/// The point with x for its coordinate j.
+pub(super) fn with<const D: usize>(mut q: [f64; D], j: usize, x: f64) -> [f64; D] {
+    q[j] = x;
+    q
 }
 
 /// Reproducible numbers in (−1, 1): G. Marsaglia, J. Stat. Softw. 8 (2003) no. 14.

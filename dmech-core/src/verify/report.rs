@@ -89,6 +89,7 @@ impl Check {
 pub struct Verification<L, const D: usize> {
     pub(super) law: L,
     pub(super) start: State<D>,
+    pub(super) mass: f64,
     pub(super) checks: Vec<Check>,
 }
 

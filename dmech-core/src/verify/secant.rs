@@ -1,10 +1,8 @@
 //! The identities of the discrete gradient.
 
-use core::array::from_fn;
-
 use super::derivatives::{ULPS, floor, row, worse};
 use super::difference::{Worst, derivative};
-use super::points::{Dice, MASS, Scales, around, largest, norm};
+use super::points::{Dice, Scales, around, largest, norm, with};
 use super::report::Check;
 use crate::law::{Law, Potential};
 use crate::state::State;
@@ -14,7 +12,7 @@ use crate::vector::{difference, dot};
 const GAPS: [f64; 6] = [0.25, 0.1, 1e-2, 1e-4, 1e-6, 1e-9];
 
 pub(super) fn check<L: Law<D>, const D: usize>(law: &L, start: &State<D>, scales: &Scales, checks: &mut Vec<Check>) {
-    let field = law.field(MASS, start.t);
+    let field = law.field(scales.mass, start.t);
     let points = around(&field, start.q, scales.length);
     if points.is_empty() {
         checks.push(Check::not_applicable("secant identity", "the potential is not finite around the start"));
@@ -49,9 +47,9 @@ pub(super) fn check<L: Law<D>, const D: usize>(law: &L, start: &State<D>, scales
             let exact = field.discrete_gradient_jacobian(a, b);
             let scale = floor(exact.iter().map(largest).fold(0.0, f64::max), curvature);
             for j in 0..D {
-                let at = |s: f64| -> [f64; D] { from_fn(|i| if i == j { b[i] + s } else { b[i] }) };
                 for i in 0..D {
-                    let quotient = derivative(|s| field.discrete_gradient(a, at(s))[i], 0.02 * scales.length);
+                    let quotient =
+                        derivative(|x| field.discrete_gradient(a, with(b, j, x))[i], b[j], 0.02 * scales.length);
                     jacobian.compare(exact[i][j], quotient, scale);
                 }
             }

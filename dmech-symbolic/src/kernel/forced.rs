@@ -236,7 +236,7 @@ fn does_no_work(graph: &mut Graph, force: &[Expr], velocity: &[Symbol]) -> bool 
 }
 
 /// a (b + c) = a b + a c, where a sum stands to the first power; only to recognise a zero.
-fn expand(graph: &mut Graph, e: Expr) -> Expr {
+pub(super) fn expand(graph: &mut Graph, e: Expr) -> Expr {
     const LARGEST: usize = 4096;
     match graph.node(e).clone() {
         Node::Sum { constant, terms } => {

@@ -1,8 +1,10 @@
 //! The programs that schemes need of a law, made for its structure.
 
 mod forced;
+mod pair;
 
 pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};
+pub use pair::{PairForce, PairKernels, PairLaw, PairPotential, PairVariables, Radial, Separation};
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};

@@ -1,0 +1,396 @@
+//! The impl blocks of a law between two bodies.
+
+use dmech_symbolic::expression::Symbol;
+use dmech_symbolic::kernel::{PairForce, PairPotential, Radial, Separation};
+use dmech_symbolic::program::Program;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::body::{Body, body};
+use super::implementation::{generic_name, module, parameters_of, scalar_name};
+use super::kernels::{Printer, Shape, receiver, underscored};
+use super::names::{Names, ident, runtime};
+use super::pair_document::{self, Documents};
+use crate::PairDerivation;
+use crate::lower::{LoweredPair, Read, Source, data};
+use crate::model::Model;
+
+/// The traits of a law between two bodies for the user's type.
+///
+/// What acts between two bodies at one moment is a hidden struct that holds the law and the numbers of both.
+pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
+    let PairDerivation { model, lowered, pair, kernels } = derivation;
+    let LoweredPair { variables: of_two, layout, .. } = pair;
+    let names = Generics::of(model);
+    let Generics { scalar, own, all, with_data, data: data_type, dimension, .. } = &names;
+    let (module, runtime, self_ty) = (module(model), runtime(), &model.self_ty);
+    let where_clause = &model.generics.where_clause;
+    let receiver = receiver();
+    let mention: Vec<_> = model.formulas().map(|f| &f.ident).map(|method| quote!(<#self_ty>::#method)).collect();
+    let printer = Printer {
+        graph: &lowered.graph,
+        declared: mention,
+        names: Names::new(&lowered.graph, &lowered.variables, Some(of_two), &lowered.parameters),
+        variables: &lowered.variables,
+        parameters: &lowered.parameters,
+        scalar: scalar.clone(),
+        runtime: quote!(#runtime),
+        dimension: dimension.clone(),
+        between: true,
+        layout,
+        law: quote!(#receiver.law),
+    };
+    let documents = Documents::new(derivation);
+    let text = pair_document::derivation(derivation);
+    let (constants, functions) = potential(&printer, &kernels.potential, derivation, &documents);
+    let force = kernels.force.as_ref().map(|force| printer.pair_force(force, derivation, &documents));
+    let acts = match (&kernels.potential, &kernels.force) {
+        (PairPotential::None, _) => quote!(
+            const POTENTIAL: bool = false;
+        ),
+        _ => TokenStream::new(),
+    };
+    let symmetric = kernels.symmetric.then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #own #runtime::Symmetric for #self_ty #where_clause {}
+        }
+    });
+    let velocity_independent = !kernels.force.as_ref().is_some_and(|force| force.depends_on_velocity);
+    let velocity_independent = velocity_independent.then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #own #runtime::VelocityIndependent for #self_ty #where_clause {}
+        }
+    });
+    let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
+    let reads = reads(&printer, &names, model, layout);
+    let (pair, law, mass_count) = (ident("Pair"), ident("Law"), Literal::usize_unsuffixed(layout.len()));
+    let (a, b, t) = (ident("a"), ident("b"), ident("t"));
+    let numbers = quote!([#scalar; #mass_count]);
+    quote! {
+        #[allow(clippy::approx_constant)]
+        const _: () = {
+            use #module as #runtime;
+
+            #[automatically_derived]
+            impl #own #runtime::Derivation for #self_ty #where_clause {
+                fn derivation(&#receiver) -> &'static ::core::primitive::str {
+                    #text
+                }
+            }
+            #symmetric
+            #velocity_independent
+            #reads
+
+            /// The law between two bodies at one moment.
+            #[allow(dead_code)]
+            pub struct #pair<'law, #law, #scalar> {
+                law: &'law #law,
+                a: #numbers,
+                b: #numbers,
+                t: #scalar,
+            }
+
+            #[automatically_derived]
+            impl #with_data #runtime::PairLaw<#dimension, #data_type, #scalar> for #self_ty #where_clause {
+                type Between<'law> = #pair<'law, Self, #scalar> where Self: 'law;
+                const AUTONOMOUS: bool = #autonomous;
+                #[inline(always)]
+                fn between(&self, #a: #numbers, #b: #numbers, #t: #scalar) -> Self::Between<'_> {
+                    #pair { law: self, a: #a, b: #b, t: #t }
+                }
+            }
+
+            #[automatically_derived]
+            impl #all #runtime::Potential<#dimension, #scalar> for #pair<'_, #self_ty, #scalar> #where_clause {
+                #constants
+                #functions
+            }
+
+            #[automatically_derived]
+            impl #all #runtime::Between<#dimension, #scalar> for #pair<'_, #self_ty, #scalar> #where_clause {
+                #acts
+                #force
+            }
+        };
+    }
+}
+
+/// The generic parameters of the impl blocks.
+struct Generics {
+    scalar: Ident,
+    /// The law's own.
+    own: TokenStream,
+    /// With the dimension, where it is any, and the scalar.
+    all: TokenStream,
+    /// Without the law's own.
+    foreign: TokenStream,
+    /// With the law's own and the data of the bodies, where they are any.
+    with_data: TokenStream,
+    data: TokenStream,
+    dimension: TokenStream,
+}
+
+impl Generics {
+    fn of(model: &Model) -> Self {
+        let runtime = module(model);
+        let scalar = scalar_name(model);
+        let any_dimension = model.dimension == 0;
+        let dimension = match any_dimension {
+            true => {
+                let name = generic_name(model, ["D", "Dim", "__D", "__Dim"], "__DmechDimension");
+                quote!(#name)
+            }
+            false => {
+                let d = Literal::usize_unsuffixed(model.dimension);
+                quote!(#d)
+            }
+        };
+        let data = match model.pair.as_ref().and_then(|pair| pair.data.as_ref()) {
+            Some(data) => quote!(#data),
+            None => {
+                let name = generic_name(model, ["P", "Data", "__P", "__Data"], "__DmechData");
+                quote!(#name)
+            }
+        };
+        let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
+        let parameters: Vec<_> = parameters_of(model).collect();
+        let any_dimension = any_dimension.then(|| quote!(const #dimension: usize,));
+        let any_data = any_data.then(|| quote!(#data,));
+        Self {
+            own: quote!(<#(#parameters),*>),
+            all: quote!(<#(#parameters,)* #any_dimension #scalar: #runtime::Real>),
+            foreign: quote!(<#any_dimension #scalar: #runtime::Real>),
+            with_data: quote!(<#(#parameters,)* #any_dimension #any_data #scalar: #runtime::Real>),
+            scalar,
+            data,
+            dimension,
+        }
+    }
+}
+
+/// What the law reads of a body.
+fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]) -> TokenStream {
+    let (runtime, self_ty, where_clause) = (&printer.runtime, &model.self_ty, &model.generics.where_clause);
+    let parameters: Vec<_> = parameters_of(model).collect();
+    let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
+    let data_type = &names.data;
+    let any_data = any_data.then(|| quote!(#data_type));
+    let count = Literal::usize_unsuffixed(layout.len());
+    let (mass, data) = (ident("mass"), data());
+    let reads_mass = layout.iter().any(|read| matches!(read, Read::Mass));
+    let reads_data = layout.iter().any(|read| matches!(read, Read::Data(_)));
+    let mass_argument = underscored(&mass, reads_mass);
+    let data_argument = if reads_data { data.clone() } else { ident("_data") };
+    let numbers = layout.iter().map(|read| match read {
+        Read::Mass => quote!(#mass),
+        Read::Data(tokens) => tokens.clone(),
+    });
+    quote! {
+        #[automatically_derived]
+        impl <#(#parameters,)* #any_data> #runtime::Reads<#data_type> for #self_ty #where_clause {
+            type Numbers = [::core::primitive::f64; #count];
+            #[inline(always)]
+            fn numbers(&self, #mass_argument: ::core::primitive::f64, #data_argument: &#data_type) -> Self::Numbers {
+                [#(#numbers),*]
+            }
+        }
+    }
+}
+
+/// The constants and functions of `Potential`.
+fn potential(
+    printer: &Printer<'_>,
+    potential: &PairPotential,
+    derivation: &PairDerivation,
+    documents: &Documents,
+) -> (TokenStream, TokenStream) {
+    let (central, linear) = match potential {
+        PairPotential::None => (true, true),
+        PairPotential::Radial(radial) => (true, radial.linear),
+        PairPotential::Separation(separation) => (false, separation.linear),
+    };
+    let constants = quote! {
+        const CENTRAL: bool = #central;
+        const LINEAR: bool = #linear;
+    };
+    let functions = match potential {
+        PairPotential::None => printer.no_potential(),
+        PairPotential::Radial(radial) => printer.radial(radial, derivation, documents),
+        PairPotential::Separation(separation) => printer.separation(separation, documents),
+    };
+    (constants, functions)
+}
+
+impl Printer<'_> {
+    /// A force alone.
+    fn no_potential(&self) -> TokenStream {
+        let (scalar, d, receiver) = (&self.scalar, &self.dimension, receiver());
+        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+        let zeros = [quote!([#scalar::ZERO; #d]), quote!([[#scalar::ZERO; #d]; #d])];
+        let [zero, zero_matrix] = &zeros;
+        let (q, a, b) = (ident("_d"), ident("_a"), ident("_b"));
+        let mention = &self.declared;
+        quote! {
+            #[inline(always)]
+            fn potential(&#receiver, #q: #vector) -> #scalar {
+                #(let _ = #mention;)*
+                #scalar::ZERO
+            }
+            #[inline(always)]
+            fn gradient(&#receiver, #q: #vector) -> #vector { #zero }
+            #[inline(always)]
+            fn hessian(&#receiver, #q: #vector) -> #matrix { #zero_matrix }
+            #[inline(always)]
+            fn discrete_gradient(&#receiver, #a: #vector, #b: #vector) -> #vector { #zero }
+            #[inline(always)]
+            fn discrete_gradient_jacobian(&#receiver, #a: #vector, #b: #vector) -> #matrix { #zero_matrix }
+        }
+    }
+
+    /// A potential of the distance.
+    fn radial(&self, radial: &Radial, derivation: &PairDerivation, documents: &Documents) -> TokenStream {
+        let (scalar, d) = (&self.scalar, &self.dimension);
+        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+        let pair = &derivation.pair.variables;
+        let q = [("d", pair.s)];
+        let ends = [("a", pair.s_a), ("b", pair.s_b)];
+        let functions = [
+            self.radial_function("potential", &q, quote!(#scalar), &radial.energy),
+            self.radial_function("gradient", &q, vector.clone(), &radial.gradient),
+            self.radial_function("hessian", &q, matrix.clone(), &radial.hessian),
+            self.radial_function("discrete_gradient", &ends, vector, &radial.discrete_gradient),
+            self.radial_function("discrete_gradient_jacobian", &ends, matrix, &radial.discrete_gradient_jacobian),
+        ];
+        let documented = functions.iter().zip(&documents.potential).map(|(f, text)| quote!(#(#[doc = #text])* #f));
+        quote!(#(#documented)*)
+    }
+
+    /// One function of separations, of which the program sees the squares.
+    fn radial_function(
+        &self,
+        name: &str,
+        arguments: &[(&str, Symbol)],
+        result: TokenStream,
+        program: &Program,
+    ) -> TokenStream {
+        let (scalar, d, runtime) = (&self.scalar, &self.dimension, &self.runtime);
+        let used = program.symbols();
+        let arrays: Vec<_> = arguments.iter().map(|(array, _)| ident(array)).collect();
+        let is_energy = name == "potential";
+        let needed = |s: &Symbol| !is_energy || used.contains(s);
+        let signature = arguments.iter().map(|(array, s)| {
+            let array = underscored(&ident(array), needed(s));
+            quote!(#array: [#scalar; #d])
+        });
+        let squares = arguments.iter().filter(|(_, s)| used.contains(s)).map(|(array, s)| {
+            let (array, s) = (ident(array), self.names.symbol(*s));
+            quote!(let #s = #runtime::radial::square(#array);)
+        });
+        let parameters = self.bind_parameters(&used, false);
+        let Body { statements, outputs } = body(program, &self.names, scalar);
+        let mention = self.declared.iter().filter(|_| is_energy);
+        let value = match is_energy {
+            true => outputs[0].clone(),
+            false => {
+                let function = ident(name);
+                quote!(#runtime::radial::#function(#(#outputs,)* #(#arrays),*))
+            }
+        };
+        let (name, receiver) = (ident(name), receiver());
+        quote! {
+            #[inline(always)]
+            fn #name(&#receiver, #(#signature),*) -> #result {
+                #(let _ = #mention;)*
+                #(#squares)*
+                #parameters
+                #statements
+                #value
+            }
+        }
+    }
+
+    /// A potential of the separation.
+    fn separation(&self, separation: &Separation, documents: &Documents) -> TokenStream {
+        let (scalar, d, variables) = (&self.scalar, &self.dimension, self.variables);
+        let (number, vector, matrix) = (quote!(#scalar), quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+        let q = vec![("d", &variables.q[..])];
+        let ends = vec![("a", &variables.a[..]), ("b", &variables.b[..])];
+        let jacobian = &separation.discrete_gradient_jacobian;
+        let list = [
+            ("potential", &q, &number, Shape::Scalar, &separation.energy),
+            ("gradient", &q, &vector, Shape::Vector, &separation.gradient),
+            ("hessian", &q, &matrix, Shape::Matrix, &separation.hessian),
+            ("discrete_gradient", &ends, &vector, Shape::Vector, &separation.discrete_gradient),
+            ("discrete_gradient_jacobian", &ends, &matrix, Shape::Matrix, jacobian),
+        ];
+        let functions = list.iter().zip(&documents.potential).map(|(&(name, arrays, result, shape, program), text)| {
+            let function = self.function(name, arrays, &[], result.clone(), shape, program);
+            quote!(#(#[doc = #text])* #function)
+        });
+        quote!(#(#functions)*)
+    }
+
+    /// What `Between` says of a law with a force.
+    fn pair_force(&self, force: &PairForce, derivation: &PairDerivation, documents: &Documents) -> TokenStream {
+        let (scalar, d) = (&self.scalar, &self.dimension);
+        let pair = &derivation.pair.variables;
+        let arrays = [("d", &self.variables.q[..]), ("va", &pair.va[..]), ("vb", &pair.vb[..])];
+        let (vector, matrices) = (quote!([#scalar; #d]), quote!([[[#scalar; #d]; #d]; 3]));
+        let [force_doc, jacobians_doc] = &documents.force;
+        let reciprocal = force.reciprocal;
+        let jacobians = self.function("force_jacobians", &arrays, &[], matrices, Shape::Matrices, &force.jacobians);
+        let force = self.function("force", &arrays, &[], vector, Shape::Vector, &force.force);
+        quote! {
+            const FORCED: bool = true;
+            const RECIPROCAL: bool = #reciprocal;
+            #(#[doc = #force_doc])* #force
+            #(#[doc = #jacobians_doc])* #jacobians
+        }
+    }
+}
+
+/// An implementation without content, so that one mistake in the law shows as one error.
+pub(crate) fn pair_stub(model: &Model) -> TokenStream {
+    let Generics { scalar, own, foreign, with_data, data, dimension: d, .. } = Generics::of(model);
+    let (runtime, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
+    let parameters: Vec<_> = parameters_of(model).collect();
+    let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none()).then(|| quote!(#data));
+    let (pair, numbers, q) = (ident("Pair"), ident("_numbers"), ident("_d"));
+    let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+    let unreachable = quote!({ ::core::unreachable!() });
+    quote! {
+        const _: () = {
+            #[automatically_derived]
+            impl #own #runtime::Derivation for #self_ty #where_clause {
+                fn derivation(&self) -> &'static ::core::primitive::str #unreachable
+            }
+            #[automatically_derived]
+            impl #own #runtime::Symmetric for #self_ty #where_clause {}
+            #[automatically_derived]
+            impl #own #runtime::VelocityIndependent for #self_ty #where_clause {}
+            #[automatically_derived]
+            impl <#(#parameters,)* #any_data> #runtime::Reads<#data> for #self_ty #where_clause {
+                type Numbers = [::core::primitive::f64; 0];
+                fn numbers(&self, _: ::core::primitive::f64, _: &#data) -> Self::Numbers #unreachable
+            }
+            pub struct #pair;
+            #[automatically_derived]
+            impl #with_data #runtime::PairLaw<#d, #data, #scalar> for #self_ty #where_clause {
+                type Between<'law> = #pair where Self: 'law;
+                fn between(&self, _: [#scalar; 0], #numbers: [#scalar; 0], _: #scalar) -> #pair #unreachable
+            }
+            #[automatically_derived]
+            impl #foreign #runtime::Potential<#d, #scalar> for #pair {
+                fn potential(&self, #q: #vector) -> #scalar #unreachable
+                fn gradient(&self, #q: #vector) -> #vector #unreachable
+                fn hessian(&self, #q: #vector) -> #matrix #unreachable
+                fn discrete_gradient(&self, #q: #vector, _: #vector) -> #vector #unreachable
+                fn discrete_gradient_jacobian(&self, #q: #vector, _: #vector) -> #matrix #unreachable
+            }
+            #[automatically_derived]
+            impl #foreign #runtime::Between<#d, #scalar> for #pair {}
+        };
+    }
+}

@@ -1,0 +1,188 @@
+//! Masses per coordinate.
+
+use core::array::from_fn;
+
+use dmech_scalar::Real;
+
+use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
+use crate::newton::{self, Equation, Increment, NotConverged};
+
+/// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
+///
+/// ```text
+/// m μᵢ qᵢ″ = −∂Φ/∂qᵢ + Fᵢ,   K = Σ m μᵢ vᵢ²/2
+/// ```
+///
+/// The schemes see a particle of the one mass m in the slope (∇Φ − F)ᵢ/μᵢ: row i of every gradient, force and Jacobian is
+/// divided by μᵢ. The division is a true one. A product with a rounded 1/μᵢ would be wrong by the same relative amount
+/// in each step, and feed energy in at a constant rate. Products of such vectors, the kinetic energy and the work, are
+/// weighted by μᵢ again, so that Σ μᵢ (∇̄Φᵢ/μᵢ) Δqᵢ = Φ(b) − Φ(a) stays exact; Φ itself is not scaled.
+///
+/// A row that is divided has no closed form of its own: implicit steps use [`newton::dense`] and its like, whatever the
+/// structure of the law. The angular momentum is not claimed, also where the law is central: with two masses it is not kept.
+#[derive(Clone, Copy, Debug)]
+pub struct Masses<L, const D: usize> {
+    law: L,
+    ratios: [f64; D],
+}
+
+impl<L, const D: usize> Masses<L, D> {
+    pub(crate) fn new(law: L, ratios: [f64; D]) -> Self {
+        Masses { law, ratios }
+    }
+
+    /// The law itself.
+    pub fn law(&self) -> &L {
+        &self.law
+    }
+}
+
+impl<L: VelocityIndependent, const D: usize> VelocityIndependent for Masses<L, D> {}
+
+impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Masses<L, D> {
+    type Field<'a>
+        = Divided<L::Field<'a>, D, R>
+    where
+        Self: 'a;
+
+    const AUTONOMOUS: bool = L::AUTONOMOUS;
+
+    #[inline(always)]
+    fn field(&self, mass: R, t: R) -> Self::Field<'_> {
+        Divided { field: self.law.field(mass, t), ratios: self.ratios.map(R::from_f64), t }
+    }
+
+    #[inline(always)]
+    fn mass_ratios(&self) -> [f64; D] {
+        self.ratios
+    }
+}
+
+/// What acts at one moment, row i divided by μᵢ.
+#[derive(Clone, Copy, Debug)]
+pub struct Divided<F, const D: usize, R: Real> {
+    field: F,
+    ratios: [R; D],
+    t: R,
+}
+
+impl<F, const D: usize, R: Real> Divided<F, D, R> {
+    #[inline(always)]
+    fn rows(&self, x: [R; D]) -> [R; D] {
+        from_fn(|i| x[i] / self.ratios[i])
+    }
+
+    #[inline(always)]
+    fn matrix(&self, x: [[R; D]; D]) -> [[R; D]; D] {
+        from_fn(|i| x[i].map(|x| x / self.ratios[i]))
+    }
+
+    /// (G − c F)/μ, with G and its Jacobian and F and its two.
+    #[inline(always)]
+    fn less(
+        &self,
+        (g, g_dq): ([R; D], [[R; D]; D]),
+        c: R,
+        (f, f_dq, f_dv): ([R; D], [[R; D]; D], [[R; D]; D]),
+    ) -> ([R; D], [[R; D]; D], [[R; D]; D]) {
+        let by_position = from_fn(|i| from_fn(|j| (-c).mul_add(f_dq[i][j], g_dq[i][j])));
+        let by_velocity = f_dv.map(|row| row.map(|x| -c * x));
+        (self.rows(from_fn(|i| (-c).mul_add(f[i], g[i]))), self.matrix(by_position), self.matrix(by_velocity))
+    }
+}
+
+impl<F: Field<D, R>, const D: usize, R: Real> Divided<F, D, R> {
+    fn force_and_jacobians(&self, q: [R; D], v: [R; D], t: R) -> ([R; D], [[R; D]; D], [[R; D]; D]) {
+        (self.field.force(q, v, t), self.field.force_dq(q, v, t), self.field.force_dv(q, v, t))
+    }
+}
+
+impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, R> {
+    const LINEAR: bool = F::LINEAR;
+
+    #[inline(always)]
+    fn potential(&self, q: [R; D]) -> R {
+        self.field.potential(q)
+    }
+    #[inline(always)]
+    fn gradient(&self, q: [R; D]) -> [R; D] {
+        self.rows(self.field.gradient(q))
+    }
+    #[inline(always)]
+    fn hessian(&self, q: [R; D]) -> [[R; D]; D] {
+        self.matrix(self.field.hessian(q))
+    }
+    #[inline(always)]
+    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
+        self.rows(self.field.discrete_gradient(a, b))
+    }
+    #[inline(always)]
+    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
+        self.matrix(self.field.discrete_gradient_jacobian(a, b))
+    }
+    #[inline(always)]
+    fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
+        let slope = self.slope(q, v);
+        from_fn(|i| v[i] - c * slope[i])
+    }
+
+    fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        if F::FORCED {
+            return newton::dense_forced(equation, |b, v| {
+                let conservative = (self.field.gradient(b), self.field.hessian(b));
+                self.less(conservative, R::ONE, self.force_and_jacobians(b, v, equation.t_end))
+            });
+        }
+        let force = |b| (self.gradient(b), self.hessian(b));
+        if F::LINEAR { newton::linear(equation, force) } else { newton::dense(equation, force) }
+    }
+
+    fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        if !F::FORCED {
+            return self.potential_increment(equation);
+        }
+        let half = R::from_f64(0.5);
+        let mean = |x: [R; D], y: [R; D]| from_fn(|i| half * (x[i] + y[i]));
+        newton::dense_forced(equation, |b, v| {
+            let a = equation.a;
+            let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
+            if F::CONSERVES_ENERGY {
+                // In the middle, where a force that does no work does none in the step; half of each mean is the end.
+                let (f, f_dq, f_dv) = self.force_and_jacobians(mean(a, b), mean(equation.v, v), self.t);
+                let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
+                return self.less(conservative, R::ONE, (f, halved(f_dq), halved(f_dv)));
+            }
+            self.less(conservative, half, self.force_and_jacobians(b, v, equation.t_end))
+        })
+    }
+}
+
+impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
+    const FORCED: bool = F::FORCED;
+    const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
+
+    #[inline(always)]
+    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.rows(self.field.slope(q, v))
+    }
+    #[inline(always)]
+    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.rows(self.field.half_force(q, v))
+    }
+    #[inline(always)]
+    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
+        self.rows(self.field.force(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.matrix(self.field.force_dq(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.matrix(self.field.force_dv(q, v, t))
+    }
+
+    fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        newton::dense_discrete(equation, |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b)))
+    }
+}

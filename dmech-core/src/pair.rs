@@ -1,0 +1,174 @@
+//! Laws between two bodies.
+
+use dmech_scalar::Real;
+
+use crate::law::Potential;
+
+/// A few numbers of one body, stored in columns and gathered into registers: `[f64; K]`, and `[R; K]` in a kernel.
+pub trait Numbers: Copy + core::fmt::Debug + Send + Sync + 'static {
+    /// K.
+    const COUNT: usize;
+    /// `[R; K]`.
+    type Of<R: Real>: Copy + Send + Sync;
+
+    /// The numbers as a slice.
+    fn as_slice(&self) -> &[f64];
+    /// [f(0), …, f(K − 1)].
+    fn gather<R: Real>(f: impl FnMut(usize) -> R) -> Self::Of<R>;
+}
+
+impl<const K: usize> Numbers for [f64; K] {
+    const COUNT: usize = K;
+    type Of<R: Real> = [R; K];
+
+    #[inline(always)]
+    fn as_slice(&self) -> &[f64] {
+        self
+    }
+
+    #[inline(always)]
+    fn gather<R: Real>(f: impl FnMut(usize) -> R) -> [R; K] {
+        core::array::from_fn(f)
+    }
+}
+
+/// What a pair law reads of a body with data `P`: its mass, its charge, … as numbers.
+///
+/// Written by the macro from the arguments `ma`, `mb`, `a`, `b`; a law that names none reads no numbers of any `P`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not read bodies that carry a `{P}`",
+    label = "the bodies of this scene carry a `{P}`",
+    note = "the arguments `a: &P` and `b: &P` of the law name the data that its bodies carry: `.body_with(m, q, v, data)`"
+)]
+pub trait Reads<P> {
+    /// `[f64; K]`.
+    type Numbers: Numbers;
+
+    /// The numbers of a body.
+    fn numbers(&self, mass: f64, data: &P) -> Self::Numbers;
+}
+
+/// A law between two bodies: for the numbers of a and b it is what acts along the separation d = q_a − q_b.
+///
+/// Written by the macro for a block with `#[pair]` or `#[pair_force]`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law between bodies in {D} dimensions",
+    note = "declare one with `#[dmech::law]` and a `#[pair]` of the distance `r` or the separation `d: [f64; {D}]`, or a `#[pair_force]`"
+)]
+pub trait PairLaw<const D: usize, P, R: Real = f64>: Reads<P> + Sync {
+    /// What acts between two bodies at one moment.
+    type Between<'a>: Between<D, R>
+    where
+        Self: 'a;
+
+    /// The law does not name the time.
+    const AUTONOMOUS: bool = true;
+
+    /// What acts between a body with numbers `a` and one with numbers `b` at time `t`.
+    fn between(
+        &self,
+        a: <Self::Numbers as Numbers>::Of<R>,
+        b: <Self::Numbers as Numbers>::Of<R>,
+        t: R,
+    ) -> Self::Between<'_>;
+}
+
+/// What acts between two bodies a and b: a potential of d = q_a − q_b, and with it perhaps a force on a.
+///
+/// Of the [`Potential`] the force on a is −∇Φ(d) and that on b is +∇Φ(d). The force on b from a is the law's with a and b
+/// exchanged: `law.between(b, a, t).force(−d, vb, va)`.
+pub trait Between<const D: usize, R: Real = f64>: Potential<D, R> {
+    /// A potential acts; if not, its functions are zero and need not be called.
+    const POTENTIAL: bool = true;
+    /// A force acts beside the potential.
+    const FORCED: bool = false;
+    /// The force on b from a is opposite to that on a from b.
+    const RECIPROCAL: bool = true;
+
+    /// The force on a from b.
+    #[inline(always)]
+    fn force(&self, _d: [R; D], _va: [R; D], _vb: [R; D]) -> [R; D] {
+        [R::ZERO; D]
+    }
+    /// Its derivatives with respect to d, v_a and v_b.
+    #[inline(always)]
+    fn force_jacobians(&self, _d: [R; D], _va: [R; D], _vb: [R; D]) -> [[[R; D]; D]; 3] {
+        [[[R::ZERO; D]; D]; 3]
+    }
+}
+
+/// A [`PairLaw`] for one pair of bodies at a time and for eight: what scenes run.
+///
+/// A law written by hand is one if it is implemented for every scalar: `impl<R: Real> PairLaw<3, P, R> for MyLaw`.
+#[cfg(feature = "scene")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law between bodies in {D} dimensions that carry a `{P}`",
+    note = "declare one with `#[dmech::law]` and a `#[pair]` of the distance `r` or the separation `d: [f64; {D}]`, or a `#[pair_force]`",
+    note = "the arguments `a: &P` and `b: &P` of the law name the data that its bodies carry: `.body_with(m, q, v, data)`",
+    note = "a law written by hand is implemented for every scalar: `impl<R: Real> PairLaw<{D}, {P}, R> for {Self}`"
+)]
+pub trait LinkLaw<const D: usize, P>: PairLaw<D, P, f64> + PairLaw<D, P, dmech_scalar::Lanes> {}
+
+#[cfg(feature = "scene")]
+#[diagnostic::do_not_recommend]
+impl<const D: usize, P, X: PairLaw<D, P, f64> + PairLaw<D, P, dmech_scalar::Lanes>> LinkLaw<D, P> for X {}
+
+/// The energy of two bodies does not depend on which is called a: E(a, b) = E(b, a), and E(d) = E(−d).
+///
+/// Found by the engine from the expression. A law without this property has a meaning where the bodies are ordered, as
+/// on a chain; on all pairs it has none.
+#[diagnostic::on_unimplemented(
+    message = "the energy of `{Self}` depends on which of the two bodies comes first",
+    label = "not symmetric in a and b",
+    note = "on all pairs there is no first body: E(a, b) must be E(b, a), and an energy of the separation must be even in `d`",
+    note = "on a chain or on bonds the order is known: use `.chain(law)` or `.bonds(law, list)`"
+)]
+pub trait Symmetric {}
+
+/// Potentials of the distance alone, Φ = φ(s) with s = |d|², in any number of dimensions.
+///
+/// With c = 2 φ′ the gradient is c d; with C = (φ(s_b) − φ(s_a))/(s_b − s_a) the discrete gradient is C (a + b), along the
+/// sum, which is what keeps the angular momentum (Kanatani (3.25) is an instance).
+pub mod radial {
+    use core::array::from_fn;
+
+    use dmech_scalar::Real;
+
+    use crate::vector::{dot, scaled, sum};
+
+    /// |d|².
+    #[inline(always)]
+    pub fn square<const D: usize, R: Real>(d: [R; D]) -> R {
+        dot(d, d)
+    }
+
+    /// c d.
+    #[inline(always)]
+    pub fn gradient<const D: usize, R: Real>(c: R, d: [R; D]) -> [R; D] {
+        scaled(c, d)
+    }
+
+    /// c 1 + 2c′ d⊗d, with c′ = dc/ds.
+    #[inline(always)]
+    pub fn hessian<const D: usize, R: Real>(c: R, c1: R, d: [R; D]) -> [[R; D]; D] {
+        rank_one(c, scaled(c1 + c1, d), d)
+    }
+
+    /// C (a + b).
+    #[inline(always)]
+    pub fn discrete_gradient<const D: usize, R: Real>(c: R, a: [R; D], b: [R; D]) -> [R; D] {
+        scaled(c, sum(a, b))
+    }
+
+    /// C 1 + 2 ∂C/∂s_b (a + b)⊗b.
+    #[inline(always)]
+    pub fn discrete_gradient_jacobian<const D: usize, R: Real>(c: R, c1: R, a: [R; D], b: [R; D]) -> [[R; D]; D] {
+        rank_one(c, scaled(c1 + c1, sum(a, b)), b)
+    }
+
+    /// c 1 + x⊗y.
+    #[inline(always)]
+    fn rank_one<const D: usize, R: Real>(c: R, x: [R; D], y: [R; D]) -> [[R; D]; D] {
+        from_fn(|i| from_fn(|j| if i == j { x[i].mul_add(y[j], c) } else { x[i] * y[j] }))
+    }
+}

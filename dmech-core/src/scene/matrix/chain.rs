@@ -1,0 +1,146 @@
+//! Consecutive bodies: block-tridiagonal.
+
+use crate::newton::elimination;
+use crate::scene::vectors::Vectors;
+
+/// A block of the matrix.
+type Block<const D: usize> = [[f64; D]; D];
+
+/// J with blocks on the diagonal and beside it, and the factors of 1 + g J by block elimination without exchange of rows
+/// between bodies; within a block rows are exchanged.
+///
+/// 1 + g J is near 1 where the step resolves the motion, and for a stiff chain it is the matrix of a string under tension:
+/// in both cases the diagonal blocks dominate and elimination in the order of the bodies is stable (N. J. Higham,
+/// Accuracy and Stability of Numerical Algorithms, 2nd ed., §13.2).
+#[derive(Clone, Debug)]
+pub struct ChainMatrix<const D: usize> {
+    /// J_ii, J_i,i−1, J_i,i+1.
+    diagonal: Vec<Block<D>>,
+    lower: Vec<Block<D>>,
+    upper: Vec<Block<D>>,
+    /// E_i = D_i⁻¹ and W_i = E_i U_i, with D_i the eliminated diagonal; g_i J_i,i−1.
+    inverse: Vec<Block<D>>,
+    following: Vec<Block<D>>,
+    preceding: Vec<Block<D>>,
+}
+
+impl<const D: usize> ChainMatrix<D> {
+    pub(super) fn new(bodies: usize) -> Self {
+        let zeros = vec![[[0.0; D]; D]; bodies];
+        ChainMatrix {
+            diagonal: zeros.clone(),
+            lower: zeros.clone(),
+            upper: zeros.clone(),
+            inverse: zeros.clone(),
+            following: zeros.clone(),
+            preceding: zeros,
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        for blocks in [&mut self.diagonal, &mut self.lower, &mut self.upper] {
+            blocks.fill([[0.0; D]; D]);
+        }
+    }
+
+    #[inline]
+    pub(super) fn add_block(&mut self, a: usize, b: usize, block: Block<D>) {
+        let place = if a == b {
+            &mut self.diagonal[a]
+        } else if b < a {
+            &mut self.lower[a]
+        } else {
+            &mut self.upper[a]
+        };
+        for k in 0..D {
+            for l in 0..D {
+                place[k][l] += block[k][l];
+            }
+        }
+    }
+
+    pub(super) fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
+        let n = self.diagonal.len();
+        for i in 0..n {
+            let mut sum = times(&self.diagonal[i], x.get(i));
+            if i > 0 {
+                sum = plus(sum, times(&self.lower[i], x.get(i - 1)));
+            }
+            if i + 1 < n {
+                sum = plus(sum, times(&self.upper[i], x.get(i + 1)));
+            }
+            y.add(i, sum);
+        }
+    }
+
+    pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
+        let mut regular = true;
+        let mut before = [[0.0; D]; D];
+        for i in 0..self.diagonal.len() {
+            let g = g.get(i);
+            let scaled = |block: &Block<D>| -> Block<D> {
+                core::array::from_fn(|k| core::array::from_fn(|l| g[k] * block[k][l]))
+            };
+            self.preceding[i] = scaled(&self.lower[i]);
+            let eliminated = product(&self.preceding[i], &before);
+            let mut pivot = scaled(&self.diagonal[i]);
+            for k in 0..D {
+                for l in 0..D {
+                    pivot[k][l] += f64::from(u8::from(k == l)) - eliminated[k][l];
+                }
+            }
+            let inverse = invert(&pivot);
+            regular &= inverse.iter().flatten().all(|x| x.is_finite());
+            before = product(&inverse, &scaled(&self.upper[i]));
+            (self.inverse[i], self.following[i]) = (inverse, before);
+        }
+        regular
+    }
+
+    pub(super) fn solve(&mut self, x: &mut Vectors<D>) {
+        let n = self.diagonal.len();
+        let mut before = [0.0; D];
+        for i in 0..n {
+            let (own, known) = (x.get(i), times(&self.preceding[i], before));
+            before = times(&self.inverse[i], core::array::from_fn(|k| own[k] - known[k]));
+            x.set(i, before);
+        }
+        let mut after = [0.0; D];
+        for i in (0..n).rev() {
+            let (own, known) = (x.get(i), times(&self.following[i], after));
+            after = core::array::from_fn(|k| own[k] - known[k]);
+            x.set(i, after);
+        }
+    }
+}
+
+#[inline(always)]
+fn times<const D: usize>(block: &Block<D>, x: [f64; D]) -> [f64; D] {
+    core::array::from_fn(|k| (0..D).map(|l| block[k][l] * x[l]).sum())
+}
+
+#[inline(always)]
+fn plus<const D: usize>(x: [f64; D], y: [f64; D]) -> [f64; D] {
+    core::array::from_fn(|k| x[k] + y[k])
+}
+
+#[inline(always)]
+fn product<const D: usize>(x: &Block<D>, y: &Block<D>) -> Block<D> {
+    core::array::from_fn(|k| core::array::from_fn(|l| (0..D).map(|m| x[k][m] * y[m][l]).sum()))
+}
+
+/// X⁻¹, column by column.
+#[inline(always)]
+fn invert<const D: usize>(x: &Block<D>) -> Block<D> {
+    if D == 1 {
+        return x.map(|row| row.map(f64::recip));
+    }
+    let mut inverse = [[0.0; D]; D];
+    for l in 0..D {
+        let column = elimination::solve(*x, core::array::from_fn(|k| f64::from(u8::from(k == l))));
+        for k in 0..D {
+            inverse[k][l] = column[k];
+        }
+    }
+    inverse
+}

@@ -1,0 +1,84 @@
+//! The Newton matrix of a scene: its pattern follows from what links the bodies.
+
+mod chain;
+mod dense;
+
+use chain::ChainMatrix;
+use dense::DenseMatrix;
+
+use super::terms::Topology;
+use super::vectors::Vectors;
+
+/// A Jacobian in D×D blocks, and the factors of 1 + g J made of it.
+#[derive(Clone, Debug)]
+pub enum Matrix<const D: usize> {
+    /// Consecutive bodies are linked: block-tridiagonal, O(n).
+    Chain(ChainMatrix<D>),
+    /// Any bodies may be linked: dense, O(n³) to factorise.
+    Dense(DenseMatrix<D>),
+}
+
+impl<const D: usize> Matrix<D> {
+    /// The matrix that fits a topology.
+    pub fn new(bodies: usize, topology: &Topology) -> Self {
+        match topology {
+            Topology::Chain => Matrix::Chain(ChainMatrix::new(bodies)),
+            // A dense matrix fits everything.
+            Topology::Sparse { .. } | Topology::Dense => Matrix::Dense(DenseMatrix::new(bodies)),
+        }
+    }
+
+    /// J ← 0.
+    pub fn clear(&mut self) {
+        match self {
+            Matrix::Chain(matrix) => matrix.clear(),
+            Matrix::Dense(matrix) => matrix.clear(),
+        }
+    }
+
+    /// J_ab += block.
+    #[inline]
+    pub fn add_block(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
+        match self {
+            Matrix::Chain(matrix) => matrix.add_block(a, b, block),
+            Matrix::Dense(matrix) => matrix.add_block(a, b, block),
+        }
+    }
+
+    /// What a link with ∂G_d/∂d = block adds: G_a = G_d and G_b = −G_d.
+    #[inline]
+    pub fn add_link(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
+        let opposite = block.map(|row| row.map(|x| -x));
+        self.add_block(a, a, block);
+        self.add_block(a, b, opposite);
+        self.add_block(b, a, opposite);
+        self.add_block(b, b, block);
+    }
+
+    /// y += J x.
+    pub fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
+        match self {
+            Matrix::Chain(matrix) => matrix.multiply_add(x, y),
+            Matrix::Dense(matrix) => matrix.multiply_add(x, y),
+        }
+    }
+
+    /// Factorises 1 + g J, with one g for each coordinate (0 for those of pinned bodies). `false` if it is singular.
+    pub fn factorise(&mut self, g: &Vectors<D>) -> bool {
+        match self {
+            Matrix::Chain(matrix) => matrix.factorise(g),
+            Matrix::Dense(matrix) => matrix.factorise(g),
+        }
+    }
+
+    /// x ← (1 + g J)⁻¹ x.
+    pub fn solve(&mut self, x: &mut Vectors<D>) {
+        match self {
+            Matrix::Chain(matrix) => matrix.solve(x),
+            Matrix::Dense(matrix) => matrix.solve(x),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

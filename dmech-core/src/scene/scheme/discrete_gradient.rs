@@ -1,0 +1,154 @@
+//! The energy-exact scheme on scenes.
+
+use super::{SceneScheme, Start, guess, shift};
+use crate::newton::NotConverged;
+use crate::scene::compensated::CompensatedVectors;
+use crate::scene::matrix::Matrix;
+use crate::scene::newton::{Equation, Solver, Unknown};
+use crate::scene::setting::{Setting, System};
+use crate::scene::terms::Acts;
+use crate::scene::vectors::Vectors;
+use crate::scheme::{DiscreteGradient, Effort, Newton};
+
+/// What [`DiscreteGradient`](struct@DiscreteGradient) carries for a scene.
+#[derive(Clone, Debug)]
+pub struct DiscreteGradientScene<const D: usize> {
+    q: CompensatedVectors<D>,
+    v: CompensatedVectors<D>,
+    /// ∇̄Φ less the mean force of the last three steps, the newest first; ∇Φ − F before the first step.
+    gradients: [Vectors<D>; 3],
+    /// h times the velocity.
+    drift: Vectors<D>,
+    /// −F/2 at the start of the step.
+    half_force: Vectors<D>,
+    g: Vectors<D>,
+}
+
+/// ∇̄Φ(a, b) − F(b, v)/2.
+struct Exact<'a, const D: usize, A> {
+    acts: &'a A,
+    a: &'a Vectors<D>,
+    middle: f64,
+    end: f64,
+}
+
+impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
+    const LINEAR: bool = A::LINEAR && !A::FORCED;
+
+    fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
+        self.acts.add_discrete_gradient(self.a, b, self.middle, out);
+        self.acts.subtract_force(0.5, b, v, self.end, out);
+    }
+
+    fn jacobian(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>) {
+        self.acts.add_discrete_jacobian(self.a, b, self.middle, out);
+        self.acts.subtract_force_jacobian(0.5, b, v, self.end, rate, out);
+    }
+}
+
+impl<const D: usize> DiscreteGradientScene<D> {
+    fn new<A: Acts<D>>(system: &System<D, A>, start: Start<'_, D>) -> Self {
+        let mut gradient = Vectors::zeros(start.q.bodies());
+        system.slope(start.q, start.v, start.t, &mut gradient);
+        DiscreteGradientScene {
+            q: CompensatedVectors::new(start.q.clone()),
+            v: CompensatedVectors::new(start.v.clone()),
+            drift: gradient.clone(),
+            half_force: gradient.clone(),
+            g: system.setting.g(0.5 * system.setting.dt),
+            gradients: core::array::from_fn(|_| gradient.clone()),
+        }
+    }
+
+    /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.
+    fn advance<A: Acts<D>>(
+        &mut self,
+        system: &System<D, A>,
+        t: f64,
+        solver: &mut Solver<D>,
+        newton: &Newton,
+    ) -> Result<Effort, NotConverged> {
+        let DiscreteGradientScene { q, v, gradients, drift, half_force, g } = self;
+        let h = system.setting.dt;
+        let [gradient, before, earlier] = &*gradients;
+        // The share of the force at the start of the step is known.
+        half_force.clear();
+        system.acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
+        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
+            *drift = h * v.hi.flat()[i] + h * v.lo.flat()[i];
+        }
+        // The gradients of the last steps hold the whole force.
+        guess(newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
+        let max_iterations = newton.limit();
+        let equation =
+            Equation { q: &q.hi, q_low: &q.lo, drift, known: half_force, g, v: &v.hi, rate: 2.0 / h, max_iterations };
+        let unknown = Exact { acts: &system.acts, a: &q.hi, middle: t + 0.5 * h, end: t + h };
+        let effort = solver.solve(&equation, &unknown)?;
+        for (found, half) in solver.gradient.flat_mut().iter_mut().zip(half_force.flat()) {
+            *found += half;
+        }
+        let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
+        let change = |i: usize| -kick[i] * found[i];
+        q.add(|i| drift.flat()[i] + 0.5 * h * change(i));
+        v.add(change);
+        shift(gradients, &mut solver.gradient);
+        Ok(effort)
+    }
+}
+
+/// One step back from the start, for schemes that need the position before it.
+pub(super) fn step_back<const D: usize, A: Acts<D> + Clone>(
+    system: &System<D, A>,
+    start: Start<'_, D>,
+    solver: &mut Solver<D>,
+    newton: &Newton,
+) -> Result<Vectors<D>, NotConverged> {
+    let back = System { acts: system.acts.clone(), setting: system.setting.times(-1.0) };
+    let mut before = DiscreteGradientScene::new(&back, start);
+    before.advance(&back, start.t, solver, newton)?;
+    Ok(before.q.hi)
+}
+
+impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for DiscreteGradient {
+    type Memory = DiscreteGradientScene<D>;
+
+    fn begin(
+        &self,
+        system: &System<D, A>,
+        start: Start<'_, D>,
+        _: &mut Solver<D>,
+    ) -> Result<Self::Memory, NotConverged> {
+        Ok(DiscreteGradientScene::new(system, start))
+    }
+
+    fn step(
+        &self,
+        system: &System<D, A>,
+        t: f64,
+        memory: &mut Self::Memory,
+        solver: &mut Solver<D>,
+    ) -> Result<Effort, NotConverged> {
+        memory.advance(system, t, solver, &self.newton)
+    }
+
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Vectors<D> {
+        &memory.q.hi
+    }
+
+    fn velocity(&self, _: &System<D, A>, _: f64, memory: &Self::Memory) -> Vectors<D> {
+        memory.v.hi.clone()
+    }
+
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        memory.q.is_finite() && memory.v.is_finite()
+    }
+
+    fn kinetic_energy(&self, setting: &Setting<D>, memory: &Self::Memory) -> f64 {
+        setting.kinetic_energy(&memory.v.hi)
+    }
+
+    /// Σ (−∇̄Φ(q, q′) + (F + F′)/2)·Δq.
+    fn work(&self, setting: &Setting<D>, before: &Self::Memory, after: &Self::Memory) -> f64 {
+        setting.work(&after.gradients[0], |i| after.q.since(&before.q, i))
+    }
+}

@@ -1,0 +1,175 @@
+//! Kanatani's scheme on scenes.
+
+use super::{SceneScheme, Start, discrete_gradient, guess, shift};
+use crate::law::VelocityIndependent;
+use crate::newton::NotConverged;
+use crate::scene::compensated::CompensatedVectors;
+use crate::scene::matrix::Matrix;
+use crate::scene::newton::{Equation, Solver, Unknown};
+use crate::scene::setting::{Setting, System};
+use crate::scene::terms::Acts;
+use crate::scene::vectors::Vectors;
+use crate::scheme::{Effort, Kanatani, Start as Beginning};
+
+/// What [`Kanatani`](struct@Kanatani) carries for a scene.
+#[derive(Clone, Debug)]
+pub struct KanataniScene<const D: usize> {
+    q_before: Vectors<D>,
+    q: CompensatedVectors<D>,
+    z: CompensatedVectors<D>,
+    /// ∇̄Φ − F of the last three steps, the newest first.
+    gradients: [Vectors<D>; 3],
+    /// h times the velocity.
+    drift: Vectors<D>,
+    /// −F at the position now.
+    force: Vectors<D>,
+    g: Vectors<D>,
+}
+
+/// ∇̄Φ(q₋, b).
+struct Exact<'a, const D: usize, A> {
+    acts: &'a A,
+    before: &'a Vectors<D>,
+    q: &'a Vectors<D>,
+    t: f64,
+}
+
+impl<const D: usize, A: Acts<D>> Exact<'_, D, A> {
+    /// q + θ (q₋ − q): both ends move as the step is lengthened.
+    fn behind(&self, theta: f64) -> Vectors<D> {
+        let mut a = self.q.clone();
+        for (a, before) in a.flat_mut().iter_mut().zip(self.before.flat()) {
+            *a += theta * (before - *a);
+        }
+        a
+    }
+}
+
+impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
+    const LINEAR: bool = A::LINEAR;
+
+    fn gradient(&self, theta: f64, b: &Vectors<D>, _: &Vectors<D>, out: &mut Vectors<D>) {
+        if theta == 1.0 {
+            self.acts.add_discrete_gradient(self.before, b, self.t, out);
+        } else {
+            self.acts.add_discrete_gradient(&self.behind(theta), b, self.t, out);
+        }
+    }
+
+    fn jacobian(&self, theta: f64, b: &Vectors<D>, _: &Vectors<D>, _: f64, out: &mut Matrix<D>) {
+        if theta == 1.0 {
+            self.acts.add_discrete_jacobian(self.before, b, self.t, out);
+        } else {
+            self.acts.add_discrete_jacobian(&self.behind(theta), b, self.t, out);
+        }
+    }
+}
+
+impl<const D: usize, A: Acts<D> + VelocityIndependent + Clone> SceneScheme<D, A> for Kanatani {
+    type Memory = KanataniScene<D>;
+
+    fn begin(
+        &self,
+        system: &System<D, A>,
+        start: Start<'_, D>,
+        solver: &mut Solver<D>,
+    ) -> Result<Self::Memory, NotConverged> {
+        let Start { t, q, v } = start;
+        let h = system.setting.dt;
+        let mut gradient = Vectors::zeros(q.bodies());
+        system.slope(q, v, t, &mut gradient);
+        let (mut q_before, mut z) = (q.clone(), v.clone());
+        match self.start {
+            Beginning::Formula => {
+                for i in 0..z.flat().len() {
+                    z.flat_mut()[i] += 0.5 * system.setting.kick.flat()[i] * gradient.flat()[i];
+                    q_before.flat_mut()[i] -= h * z.flat()[i];
+                }
+            }
+            Beginning::BackwardStep => {
+                q_before = discrete_gradient::step_back(system, start, solver, &self.newton)?;
+                for (i, z) in z.flat_mut().iter_mut().enumerate() {
+                    *z = (q.flat()[i] - q_before.flat()[i]) / h;
+                }
+            }
+        }
+        Ok(KanataniScene {
+            q_before,
+            q: CompensatedVectors::new(q.clone()),
+            z: CompensatedVectors::new(z),
+            drift: gradient.clone(),
+            force: gradient.clone(),
+            g: system.setting.g(h),
+            gradients: core::array::from_fn(|_| gradient.clone()),
+        })
+    }
+
+    /// (q₊ − 2q + q₋)/h² = −∇̄Φ(q₋, q₊)/m; z = (q − q₋)/h.
+    fn step(
+        &self,
+        system: &System<D, A>,
+        t: f64,
+        memory: &mut Self::Memory,
+        solver: &mut Solver<D>,
+    ) -> Result<Effort, NotConverged> {
+        let KanataniScene { q_before, q, z, gradients, drift, force, g } = memory;
+        let h = system.setting.dt;
+        let [gradient, before, earlier] = &*gradients;
+        // A force beside the potential is that at the position now.
+        force.clear();
+        system.acts.subtract_force(1.0, &q.hi, &z.hi, t, force);
+        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
+            *drift = h * z.hi.flat()[i] + h * z.lo.flat()[i];
+        }
+        guess(&self.newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
+        let max_iterations = self.newton.limit();
+        let equation = Equation { q: &q.hi, q_low: &q.lo, drift, known: force, g, v: &z.hi, rate: 0.0, max_iterations };
+        let unknown = Exact { acts: &system.acts, before: q_before, q: &q.hi, t };
+        let effort = solver.solve(&equation, &unknown)?;
+        for (found, force) in solver.gradient.flat_mut().iter_mut().zip(force.flat()) {
+            *found += force;
+        }
+        let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
+        let change = |i: usize| -kick[i] * found[i];
+        q_before.clone_from(&q.hi);
+        q.add(|i| drift.flat()[i] + h * change(i));
+        z.add(change);
+        shift(gradients, &mut solver.gradient);
+        Ok(effort)
+    }
+
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Vectors<D> {
+        &memory.q.hi
+    }
+
+    /// z + (h/2) a(q).
+    fn velocity(&self, system: &System<D, A>, t: f64, memory: &Self::Memory) -> Vectors<D> {
+        let mut gradient = Vectors::zeros(memory.q.hi.bodies());
+        system.slope(&memory.q.hi, &memory.z.hi, t, &mut gradient);
+        let mut v = memory.z.hi.clone();
+        for (i, v) in v.flat_mut().iter_mut().enumerate() {
+            *v -= 0.5 * system.setting.kick.flat()[i] * gradient.flat()[i];
+        }
+        v
+    }
+
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        memory.q.is_finite() && memory.z.is_finite()
+    }
+
+    /// Σ m z²/2 (3.2).
+    fn kinetic_energy(&self, setting: &Setting<D>, memory: &Self::Memory) -> f64 {
+        setting.kinetic_energy(&memory.z.hi)
+    }
+
+    /// Σ F·(q₊ − q₋)/2 (3.3)–(3.6).
+    fn work(&self, setting: &Setting<D>, before: &Self::Memory, after: &Self::Memory) -> f64 {
+        setting.work(&after.gradients[0], |i| 0.5 * setting.dt * (before.z.sum(i) + after.z.sum(i)))
+    }
+
+    /// Σ m z²/2 + (Φ(q) + Φ(q₋))/2 (3.9)–(3.10).
+    fn discrete_energy(&self, system: &System<D, A>, t: f64, memory: &Self::Memory) -> Option<f64> {
+        let potentials = system.acts.potential(&memory.q.hi, t) + system.acts.potential(&memory.q_before, t);
+        Some(system.setting.kinetic_energy(&memory.z.hi) + 0.5 * potentials)
+    }
+}

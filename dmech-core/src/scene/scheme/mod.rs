@@ -1,0 +1,104 @@
+//! The schemes on scenes: the same formulas as for one body, over all bodies at once.
+
+mod discrete_gradient;
+mod explicit;
+mod implicit;
+mod kanatani;
+mod leapfrog;
+
+use super::newton::Solver;
+use super::setting::{Setting, System};
+use super::terms::Acts;
+use super::vectors::Vectors;
+use crate::newton::NotConverged;
+use crate::scheme::{Effort, Guess, Method, Newton};
+
+/// The state that a scheme starts from.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<'a, const D: usize> {
+    /// Time.
+    pub t: f64,
+    /// Positions.
+    pub q: &'a Vectors<D>,
+    /// Velocities.
+    pub v: &'a Vectors<D>,
+}
+
+/// A scheme for scenes in which the terms `A` act.
+#[diagnostic::on_unimplemented(
+    message = "the scheme `{Self}` cannot step this scene",
+    note = "`Leapfrog` and `Kanatani` need forces that do not depend on velocities"
+)]
+pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
+    /// What is carried from step to step.
+    type Memory: Clone + core::fmt::Debug;
+
+    /// Prepares the first step.
+    ///
+    /// # Errors
+    /// [`NotConverged`] where the start itself solves an equation.
+    fn begin(
+        &self,
+        system: &System<D, A>,
+        start: Start<'_, D>,
+        solver: &mut Solver<D>,
+    ) -> Result<Self::Memory, NotConverged>;
+
+    /// Advances from time t to t + dt.
+    ///
+    /// # Errors
+    /// [`NotConverged`]; the memory is then of no use.
+    fn step(
+        &self,
+        system: &System<D, A>,
+        t: f64,
+        memory: &mut Self::Memory,
+        solver: &mut Solver<D>,
+    ) -> Result<Effort, NotConverged>;
+
+    /// The positions now.
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Vectors<D>;
+
+    /// The velocities now, at time t.
+    fn velocity(&self, system: &System<D, A>, t: f64, memory: &Self::Memory) -> Vectors<D>;
+
+    /// Whether everything in the memory is finite.
+    fn finite(&self, memory: &Self::Memory) -> bool;
+
+    /// The scheme's own kinetic energy, the one that its work changes.
+    fn kinetic_energy(&self, setting: &Setting<D>, memory: &Self::Memory) -> f64;
+
+    /// The work done in one step, by the scheme's own definition.
+    fn work(&self, setting: &Setting<D>, before: &Self::Memory, after: &Self::Memory) -> f64;
+
+    /// The scheme's own energy where it differs from Σ m v²/2 + Φ(q).
+    fn discrete_energy(&self, _system: &System<D, A>, _t: f64, _memory: &Self::Memory) -> Option<f64> {
+        None
+    }
+}
+
+/// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
+fn guess<const D: usize>(
+    newton: &Newton,
+    drift: &Vectors<D>,
+    known: Option<&Vectors<D>>,
+    g: &Vectors<D>,
+    [last, before, earlier]: [&Vectors<D>; 3],
+    delta: &mut Vectors<D>,
+) {
+    if newton.start() == Guess::Previous {
+        delta.clear();
+        return;
+    }
+    for (i, delta) in delta.flat_mut().iter_mut().enumerate() {
+        let next = 3.0 * (last.flat()[i] - before.flat()[i]) + earlier.flat()[i];
+        let all = known.map_or(next, |known| known.flat()[i] + next);
+        *delta = drift.flat()[i] - g.flat()[i] * all;
+    }
+}
+
+/// Makes `newest` the first of three, and forgets the last.
+fn shift<const D: usize>(gradients: &mut [Vectors<D>; 3], newest: &mut Vectors<D>) {
+    gradients.rotate_right(1);
+    core::mem::swap(&mut gradients[0], newest);
+}

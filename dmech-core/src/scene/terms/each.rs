@@ -1,0 +1,109 @@
+//! A law on each body.
+
+use super::{Acts, Fault, Term, Topology};
+use crate::error::Error;
+use crate::law::{Field, Law, Potential, VelocityIndependent};
+use crate::scene::builder::Bodies;
+use crate::scene::matrix::Matrix;
+use crate::scene::vectors::Vectors;
+
+/// A law that acts on each body by itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Each<X> {
+    pub(crate) law: X,
+}
+
+/// A law that acts on each body, with their masses.
+#[derive(Clone, Debug)]
+pub struct EachReady<X> {
+    law: X,
+    masses: Vec<f64>,
+}
+
+impl<X: VelocityIndependent> VelocityIndependent for EachReady<X> {}
+
+impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
+    type Ready = EachReady<X>;
+
+    fn prepare(self, bodies: &Bodies<D, P>) -> Result<EachReady<X>, Error> {
+        Ok(EachReady { law: self.law, masses: bodies.masses.clone() })
+    }
+}
+
+impl<X> EachReady<X> {
+    fn fields<const D: usize>(&self, t: f64) -> impl Iterator<Item = (usize, X::Field<'_>)>
+    where
+        X: Law<D>,
+    {
+        self.masses.iter().enumerate().map(move |(i, &mass)| (i, self.law.field(mass, t)))
+    }
+}
+
+impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
+    const FORCED: bool = X::Field::<'_>::FORCED;
+    const CONSERVES_ENERGY: bool = !X::Field::<'_>::FORCED && X::AUTONOMOUS;
+    const AUTONOMOUS: bool = X::AUTONOMOUS;
+    const LINEAR_MOMENTUM: bool = false;
+    const ANGULAR_MOMENTUM: bool = X::Field::<'_>::CENTRAL;
+    const LINEAR: bool = X::Field::<'_>::LINEAR;
+
+    fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
+        self.fields(t).map(|(i, field)| field.potential(q.get(i))).sum()
+    }
+
+    fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        for (i, field) in self.fields(t) {
+            out.add(i, field.gradient(q.get(i)));
+        }
+    }
+
+    fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if Self::FORCED {
+            for (i, field) in self.fields(t) {
+                let force = field.force(q.get(i), v.get(i), t);
+                out.add(i, force.map(|f| -c * f));
+            }
+        }
+    }
+
+    fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        for (i, field) in self.fields(t) {
+            out.add(i, field.discrete_gradient(a.get(i), b.get(i)));
+        }
+    }
+
+    fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        for (i, field) in self.fields(t) {
+            out.add_block(i, i, field.hessian(q.get(i)).map(|row| row.map(|x| c * x)));
+        }
+    }
+
+    fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        for (i, field) in self.fields(t) {
+            out.add_block(i, i, field.discrete_gradient_jacobian(a.get(i), b.get(i)));
+        }
+    }
+
+    fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>) {
+        if Self::FORCED {
+            for (i, field) in self.fields(t) {
+                let (q, v) = (q.get(i), v.get(i));
+                let (by_q, by_v) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
+                let block = |k: usize, l: usize| -c * rate.mul_add(by_v[k][l], by_q[k][l]);
+                out.add_block(i, i, core::array::from_fn(|k| core::array::from_fn(|l| block(k, l))));
+            }
+        }
+    }
+
+    fn links(&self, _: usize) -> Topology {
+        Topology::Chain
+    }
+
+    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+        self.fields(t).find_map(|(body, field)| {
+            let (q, v) = (q.get(body), v.get(body));
+            let values = field.slope(q, v).into_iter().chain([field.potential(q)]);
+            values.into_iter().find(|x| !x.is_finite()).map(|value| Fault::Body { body, value })
+        })
+    }
+}

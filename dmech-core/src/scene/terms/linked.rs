@@ -1,0 +1,202 @@
+//! A law along links.
+
+use core::marker::PhantomData;
+
+use super::links::Links;
+use super::numbers::NumberColumns;
+use super::packed::Packed;
+use super::sweep::Kernel;
+use super::{Acts, Fault, Term, Topology};
+use crate::error::Error;
+use crate::law::{Potential, VelocityIndependent};
+use crate::pair::{Between, LinkLaw, Numbers, PairLaw, Reads};
+use crate::scene::builder::Bodies;
+use crate::scene::matrix::Matrix;
+use crate::scene::vectors::Vectors;
+
+/// A law that acts along links.
+#[derive(Clone, Debug)]
+pub struct Linked<X, T> {
+    pub(crate) law: X,
+    pub(crate) links: T,
+}
+
+/// A law that acts along links, with what it reads of the bodies.
+#[derive(Clone, Debug)]
+pub struct LinkedReady<X: Reads<P>, T, P> {
+    law: X,
+    links: T,
+    numbers: NumberColumns<X::Numbers>,
+    data: PhantomData<fn() -> P>,
+}
+
+impl<X: Reads<P> + VelocityIndependent, T, P> VelocityIndependent for LinkedReady<X, T, P> {}
+
+impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
+    type Ready = LinkedReady<X, T, P>;
+
+    fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
+        self.links.check(bodies.masses.len())?;
+        let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| self.law.numbers(mass, data));
+        let numbers = NumberColumns::new(read);
+        Ok(LinkedReady { law: self.law, links: self.links, numbers, data: PhantomData })
+    }
+}
+
+/// d ↦ ∇Φ(d).
+struct Slope<'a, X, P> {
+    law: &'a X,
+    t: f64,
+    data: PhantomData<fn() -> P>,
+}
+
+impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers, R> for Slope<'_, X, P> {
+    #[inline(always)]
+    fn gradient(
+        &self,
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        [d]: [[R; D]; 1],
+    ) -> [R; D] {
+        self.law.between(a, b, R::from_f64(self.t)).gradient(d)
+    }
+}
+
+/// (d, d′) ↦ ∇̄Φ(d, d′).
+struct Secant<'a, X, P>(Slope<'a, X, P>);
+
+impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Secant<'_, X, P> {
+    #[inline(always)]
+    fn gradient(
+        &self,
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        [from, to]: [[R; D]; 2],
+    ) -> [R; D] {
+        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient(from, to)
+    }
+}
+
+impl<X: Reads<P>, T: Links, P> LinkedReady<X, T, P> {
+    fn slope(&self, t: f64) -> Slope<'_, X, P> {
+        Slope { law: &self.law, t, data: PhantomData }
+    }
+
+    /// The law between two bodies, as seen from the first.
+    #[inline(always)]
+    fn between<const D: usize>(&self, a: usize, b: usize, t: f64) -> <X as PairLaw<D, P>>::Between<'_>
+    where
+        X: PairLaw<D, P>,
+    {
+        PairLaw::<D, P, f64>::between(&self.law, self.numbers.at(a), self.numbers.at(b), t)
+    }
+}
+
+#[inline(always)]
+fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
+    let (a, b) = (q.get(a), q.get(b));
+    core::array::from_fn(|k| a[k] - b[k])
+}
+
+/// c X + d Y.
+fn combine<const D: usize>(c: f64, x: [[f64; D]; D], d: f64, y: [[f64; D]; D]) -> [[f64; D]; D] {
+    core::array::from_fn(|k| core::array::from_fn(|l| c.mul_add(x[k][l], d * y[k][l])))
+}
+
+impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T, P> {
+    const FORCED: bool = <X as PairLaw<D, P>>::Between::<'_>::FORCED;
+    const CONSERVES_ENERGY: bool = !<X as PairLaw<D, P>>::Between::<'_>::FORCED && <X as PairLaw<D, P>>::AUTONOMOUS;
+    const AUTONOMOUS: bool = <X as PairLaw<D, P>>::AUTONOMOUS;
+    const LINEAR_MOMENTUM: bool = <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL;
+    const ANGULAR_MOMENTUM: bool =
+        <X as PairLaw<D, P>>::Between::<'_>::CENTRAL && !<X as PairLaw<D, P>>::Between::<'_>::FORCED;
+    const LINEAR: bool = <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
+
+    fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
+        let mut sum = 0.0;
+        self.links.each(q.bodies(), |a, b| sum += self.between(a, b, t).potential(separation(q, a, b)));
+        sum
+    }
+
+    fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.sweep(&self.slope(t), [q], &self.numbers, out);
+        }
+    }
+
+    fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if !Self::FORCED {
+            return;
+        }
+        self.links.each(q.bodies(), |a, b| {
+            let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
+            let on_a = self.between(a, b, t).force(d, va, vb);
+            out.add(a, on_a.map(|f| -c * f));
+            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                out.add(b, on_a.map(|f| c * f));
+            } else {
+                let on_b = self.between(b, a, t).force(d.map(|x| -x), vb, va);
+                out.add(b, on_b.map(|f| -c * f));
+            }
+        });
+    }
+
+    fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.sweep(&Secant(self.slope(t)), [a, b], &self.numbers, out);
+        }
+    }
+
+    fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.each(q.bodies(), |a, b| {
+                let hessian = self.between(a, b, t).hessian(separation(q, a, b));
+                out.add_link(a, b, hessian.map(|row| row.map(|x| c * x)));
+            });
+        }
+    }
+
+    fn add_discrete_jacobian(&self, from: &Vectors<D>, to: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.each(from.bodies(), |a, b| {
+                let (from, to) = (separation(from, a, b), separation(to, a, b));
+                out.add_link(a, b, self.between(a, b, t).discrete_gradient_jacobian(from, to));
+            });
+        }
+    }
+
+    fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>) {
+        if !Self::FORCED {
+            return;
+        }
+        // F_ab depends on d = q_a − q_b, v_a and v_b.
+        let mut row = |a: usize, b: usize| {
+            let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
+            let [by_d, by_va, by_vb] = self.between(a, b, t).force_jacobians(d, va, vb);
+            out.add_block(a, a, combine(-c, by_d, -c * rate, by_va));
+            out.add_block(a, b, combine(c, by_d, -c * rate, by_vb));
+        };
+        self.links.each(q.bodies(), |a, b| {
+            row(a, b);
+            row(b, a);
+        });
+    }
+
+    fn links(&self, _: usize) -> Topology {
+        self.links.topology()
+    }
+
+    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+        self.links.find(q.bodies(), |a, b| {
+            let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
+            let between = self.between(a, b, t);
+            let gradient = between.gradient(d);
+            let force = between.force(d, va, vb);
+            let back = self.between(b, a, t).force(d.map(|x| -x), vb, va);
+            let finite =
+                between.potential(d).is_finite() && [gradient, force, back].iter().flatten().all(|x| x.is_finite());
+            let distance = d.iter().map(|x| x * x).sum::<f64>().sqrt();
+            (!finite).then_some(Fault::Link { a, b, distance })
+        })
+    }
+}

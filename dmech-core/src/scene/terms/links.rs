@@ -1,0 +1,156 @@
+//! Which bodies a law links: any two, neighbours, or those of a list.
+
+use std::collections::HashSet;
+
+use super::Topology;
+use super::numbers::NumberColumns;
+use super::sweep::{self, Kernels};
+use crate::error::Error;
+use crate::pair::Numbers;
+use crate::scene::vectors::Vectors;
+
+/// A set of links between bodies.
+pub trait Links {
+    /// Visits every link (a, b) in a fixed order.
+    fn each(&self, bodies: usize, visit: impl FnMut(usize, usize));
+
+    /// The first link that `find` accepts.
+    fn find<X>(&self, bodies: usize, mut find: impl FnMut(usize, usize) -> Option<X>) -> Option<X> {
+        let mut found = None;
+        self.each(bodies, |a, b| {
+            if found.is_none() {
+                found = find(a, b);
+            }
+        });
+        found
+    }
+
+    /// Adds the gradient of every link to its two bodies.
+    fn sweep<const D: usize, const S: usize, N: Numbers>(
+        &self,
+        kernel: &impl Kernels<D, S, N>,
+        q: [&Vectors<D>; S],
+        numbers: &NumberColumns<N>,
+        out: &mut Vectors<D>,
+    );
+
+    /// What it means for the Jacobian.
+    fn topology(&self) -> Topology;
+
+    /// Whether every link is between two bodies of the scene.
+    ///
+    /// # Errors
+    /// [`Error::Bond`], [`Error::SelfBond`], [`Error::DuplicateBond`].
+    fn check(&self, _bodies: usize) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+/// Any two bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Pairs;
+
+impl Links for Pairs {
+    #[inline]
+    fn each(&self, bodies: usize, mut visit: impl FnMut(usize, usize)) {
+        for a in 0..bodies {
+            for b in a + 1..bodies {
+                visit(a, b);
+            }
+        }
+    }
+
+    fn sweep<const D: usize, const S: usize, N: Numbers>(
+        &self,
+        kernel: &impl Kernels<D, S, N>,
+        q: [&Vectors<D>; S],
+        numbers: &NumberColumns<N>,
+        out: &mut Vectors<D>,
+    ) {
+        sweep::pairs(kernel, q, numbers, out);
+    }
+
+    fn topology(&self) -> Topology {
+        Topology::Dense
+    }
+}
+
+/// Consecutive bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Chain;
+
+impl Links for Chain {
+    #[inline]
+    fn each(&self, bodies: usize, mut visit: impl FnMut(usize, usize)) {
+        for b in 1..bodies {
+            visit(b - 1, b);
+        }
+    }
+
+    fn sweep<const D: usize, const S: usize, N: Numbers>(
+        &self,
+        kernel: &impl Kernels<D, S, N>,
+        q: [&Vectors<D>; S],
+        numbers: &NumberColumns<N>,
+        out: &mut Vectors<D>,
+    ) {
+        sweep::chain(kernel, q, numbers, out);
+    }
+
+    fn topology(&self) -> Topology {
+        Topology::Chain
+    }
+}
+
+/// The bodies of a list.
+#[derive(Clone, Debug)]
+pub struct Bonds {
+    list: Vec<(usize, usize)>,
+}
+
+impl Bonds {
+    pub(crate) fn new(list: impl IntoIterator<Item = (usize, usize)>) -> Self {
+        Bonds { list: list.into_iter().collect() }
+    }
+}
+
+impl Links for Bonds {
+    #[inline]
+    fn each(&self, _: usize, mut visit: impl FnMut(usize, usize)) {
+        for &(a, b) in &self.list {
+            visit(a, b);
+        }
+    }
+
+    fn sweep<const D: usize, const S: usize, N: Numbers>(
+        &self,
+        kernel: &impl Kernels<D, S, N>,
+        q: [&Vectors<D>; S],
+        numbers: &NumberColumns<N>,
+        out: &mut Vectors<D>,
+    ) {
+        for &(a, b) in &self.list {
+            sweep::link(kernel, q, numbers, a, b, out);
+        }
+    }
+
+    fn topology(&self) -> Topology {
+        Topology::Sparse { bonds: self.list.clone(), chain: false }
+    }
+
+    fn check(&self, bodies: usize) -> Result<(), Error> {
+        let mut seen = HashSet::with_capacity(self.list.len());
+        for &(a, b) in &self.list {
+            if a >= bodies || b >= bodies {
+                return Err(Error::Bond { a, b, bodies });
+            }
+            if a == b {
+                return Err(Error::SelfBond { body: a });
+            }
+            if !seen.insert((a.min(b), a.max(b))) {
+                return Err(Error::DuplicateBond { a, b });
+            }
+        }
+        Ok(())
+    }
+}

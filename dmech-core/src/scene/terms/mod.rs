@@ -1,0 +1,210 @@
+//! What acts in a scene: on each body, and along links between bodies.
+
+mod each;
+mod linked;
+mod links;
+mod numbers;
+mod packed;
+mod sweep;
+
+pub use each::Each;
+pub use linked::Linked;
+pub use links::{Bonds, Chain, Pairs};
+
+use super::builder::Bodies;
+use super::matrix::Matrix;
+use super::vectors::Vectors;
+use crate::error::Error;
+use crate::law::VelocityIndependent;
+
+/// A term of a scene as it was declared, for bodies that carry a `P`.
+pub trait Term<const D: usize, P> {
+    /// The term with what it reads of the bodies in columns.
+    type Ready: Acts<D>;
+
+    /// Reads the bodies.
+    ///
+    /// # Errors
+    /// [`Error`] for links between bodies that are not there.
+    fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error>;
+}
+
+/// What acts in a scene, all terms together: a sum of potentials, and perhaps of forces.
+///
+/// Every function adds to what it is given.
+pub trait Acts<const D: usize> {
+    /// A force acts beside the potentials.
+    const FORCED: bool;
+    /// The energy Σ m v²/2 + Φ is kept.
+    const CONSERVES_ENERGY: bool;
+    /// No term names the time.
+    const AUTONOMOUS: bool;
+    /// Σ m v is kept while no body is pinned.
+    const LINEAR_MOMENTUM: bool;
+    /// Σ m q∧v is kept while no body is pinned.
+    const ANGULAR_MOMENTUM: bool;
+    /// Every Hessian is constant.
+    const LINEAR: bool;
+
+    /// Φ(q).
+    fn potential(&self, q: &Vectors<D>, t: f64) -> f64;
+    /// ∇Φ(q).
+    fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+    /// −c F(q, v).
+    fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+    /// ∇̄Φ(a, b).
+    fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+    /// c ∂²Φ/∂q∂q.
+    fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>);
+    /// ∂∇̄Φ(a, b)/∂b.
+    fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>);
+    /// −c (∂F/∂q + rate ∂F/∂v).
+    fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>);
+    /// Every pair of bodies that the Jacobian links; how far apart in the order of bodies says which solver fits.
+    fn links(&self, bodies: usize) -> Topology;
+    /// The first link or body on which what acts is not finite.
+    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault>;
+}
+
+/// Which bodies a Jacobian links.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Topology {
+    /// Consecutive bodies at most.
+    Chain,
+    /// The pairs of a list, beside consecutive bodies where `chain` says so.
+    Sparse {
+        /// The listed pairs.
+        bonds: Vec<(usize, usize)>,
+        /// Consecutive bodies are linked too.
+        chain: bool,
+    },
+    /// Any two.
+    Dense,
+}
+
+impl Topology {
+    /// Both together.
+    pub fn and(self, other: Topology) -> Topology {
+        match (self, other) {
+            (Topology::Dense, _) | (_, Topology::Dense) => Topology::Dense,
+            (Topology::Chain, Topology::Chain) => Topology::Chain,
+            (Topology::Chain, Topology::Sparse { bonds, .. }) | (Topology::Sparse { bonds, .. }, Topology::Chain) => {
+                Topology::Sparse { bonds, chain: true }
+            }
+            (Topology::Sparse { bonds: mut all, chain }, Topology::Sparse { bonds, chain: other }) => {
+                all.extend(bonds);
+                Topology::Sparse { bonds: all, chain: chain || other }
+            }
+        }
+    }
+}
+
+/// Where what acts is not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fault {
+    /// Between two bodies.
+    Link {
+        /// The first body.
+        a: usize,
+        /// The second body.
+        b: usize,
+        /// Their distance.
+        distance: f64,
+    },
+    /// On one body.
+    Body {
+        /// The body.
+        body: usize,
+        /// A component of the force, or the potential.
+        value: f64,
+    },
+}
+
+/// Nothing acts.
+impl<const D: usize, P> Term<D, P> for () {
+    type Ready = ();
+
+    fn prepare(self, _: &Bodies<D, P>) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<const D: usize> Acts<D> for () {
+    const FORCED: bool = false;
+    const CONSERVES_ENERGY: bool = true;
+    const AUTONOMOUS: bool = true;
+    const LINEAR_MOMENTUM: bool = true;
+    const ANGULAR_MOMENTUM: bool = true;
+    const LINEAR: bool = true;
+
+    fn potential(&self, _: &Vectors<D>, _: f64) -> f64 {
+        0.0
+    }
+    fn add_gradient(&self, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
+    fn subtract_force(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
+    fn add_discrete_gradient(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
+    fn add_hessian(&self, _: f64, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
+    fn add_discrete_jacobian(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
+    fn subtract_force_jacobian(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: f64, _: &mut Matrix<D>) {}
+    fn links(&self, _: usize) -> Topology {
+        Topology::Chain
+    }
+    fn fault(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64) -> Option<Fault> {
+        None
+    }
+}
+
+/// Two terms, or a list of them and one more.
+impl<const D: usize, P, A: Term<D, P>, B: Term<D, P>> Term<D, P> for (A, B) {
+    type Ready = (A::Ready, B::Ready);
+
+    fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
+        Ok((self.0.prepare(bodies)?, self.1.prepare(bodies)?))
+    }
+}
+
+impl<A: VelocityIndependent, B: VelocityIndependent> VelocityIndependent for (A, B) {}
+impl VelocityIndependent for () {}
+
+impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
+    const FORCED: bool = A::FORCED || B::FORCED;
+    const CONSERVES_ENERGY: bool = A::CONSERVES_ENERGY && B::CONSERVES_ENERGY;
+    const AUTONOMOUS: bool = A::AUTONOMOUS && B::AUTONOMOUS;
+    const LINEAR_MOMENTUM: bool = A::LINEAR_MOMENTUM && B::LINEAR_MOMENTUM;
+    const ANGULAR_MOMENTUM: bool = A::ANGULAR_MOMENTUM && B::ANGULAR_MOMENTUM;
+    const LINEAR: bool = A::LINEAR && B::LINEAR;
+
+    fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
+        self.0.potential(q, t) + self.1.potential(q, t)
+    }
+    fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.add_gradient(q, t, out);
+        self.1.add_gradient(q, t, out);
+    }
+    fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.subtract_force(c, q, v, t, out);
+        self.1.subtract_force(c, q, v, t, out);
+    }
+    fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.add_discrete_gradient(a, b, t, out);
+        self.1.add_discrete_gradient(a, b, t, out);
+    }
+    fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        self.0.add_hessian(c, q, t, out);
+        self.1.add_hessian(c, q, t, out);
+    }
+    fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        self.0.add_discrete_jacobian(a, b, t, out);
+        self.1.add_discrete_jacobian(a, b, t, out);
+    }
+    fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>) {
+        self.0.subtract_force_jacobian(c, q, v, t, rate, out);
+        self.1.subtract_force_jacobian(c, q, v, t, rate, out);
+    }
+    fn links(&self, bodies: usize) -> Topology {
+        self.0.links(bodies).and(self.1.links(bodies))
+    }
+    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+        self.0.fault(q, v, t).or_else(|| self.1.fault(q, v, t))
+    }
+}

@@ -1,0 +1,39 @@
+//! What a pair law reads of the bodies, in columns.
+
+use dmech_scalar::Real;
+
+use super::packed::Packed;
+use crate::pair::Numbers;
+
+/// K numbers of each of n bodies, by column.
+#[derive(Clone, Debug)]
+pub struct NumberColumns<N> {
+    bodies: usize,
+    flat: Vec<f64>,
+    layout: core::marker::PhantomData<N>,
+}
+
+impl<N: Numbers> NumberColumns<N> {
+    pub(super) fn new(list: impl ExactSizeIterator<Item = N>) -> Self {
+        let bodies = list.len();
+        let mut flat = vec![0.0; N::COUNT * bodies];
+        for (i, numbers) in list.enumerate() {
+            for (k, &x) in numbers.as_slice().iter().enumerate() {
+                flat[k * bodies + i] = x;
+            }
+        }
+        NumberColumns { bodies, flat, layout: core::marker::PhantomData }
+    }
+
+    /// Those of body i, in each lane.
+    #[inline(always)]
+    pub(super) fn at<R: Real>(&self, i: usize) -> N::Of<R> {
+        N::gather(|k| R::from_f64(self.flat[k * self.bodies + i]))
+    }
+
+    /// Those of as many bodies as R has lanes, from body i on.
+    #[inline(always)]
+    pub(super) fn load<R: Packed>(&self, i: usize) -> N::Of<R> {
+        N::gather(|k| R::load(&self.flat[k * self.bodies..(k + 1) * self.bodies], i))
+    }
+}

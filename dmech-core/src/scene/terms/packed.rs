@@ -1,0 +1,42 @@
+//! One body at a time or eight.
+
+use dmech_scalar::{Lanes, Real};
+
+/// A scalar that is loaded from consecutive numbers of a column.
+pub trait Packed: Real {
+    /// How many.
+    const COUNT: usize;
+
+    /// column[i..i + COUNT].
+    fn load(column: &[f64], i: usize) -> Self;
+    /// column[i..i + COUNT] += self.
+    fn add_to(self, column: &mut [f64], i: usize);
+}
+
+impl Packed for f64 {
+    const COUNT: usize = 1;
+
+    #[inline(always)]
+    fn load(column: &[f64], i: usize) -> f64 {
+        column[i]
+    }
+
+    #[inline(always)]
+    fn add_to(self, column: &mut [f64], i: usize) {
+        column[i] += self;
+    }
+}
+
+impl Packed for Lanes {
+    const COUNT: usize = Lanes::COUNT;
+
+    #[inline(always)]
+    fn load(column: &[f64], i: usize) -> Lanes {
+        Lanes::from_slice(&column[i..])
+    }
+
+    #[inline(always)]
+    fn add_to(self, column: &mut [f64], i: usize) {
+        (Lanes::from_slice(&column[i..]) + self).store(&mut column[i..]);
+    }
+}

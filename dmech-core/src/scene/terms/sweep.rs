@@ -1,0 +1,132 @@
+//! The loops over links that add up gradients: in lanes where bodies are consecutive.
+
+use dmech_scalar::Lanes;
+
+use super::numbers::NumberColumns;
+use super::packed::Packed;
+use crate::pair::Numbers;
+use crate::scene::vectors::Vectors;
+
+/// The gradient along a link at S moments: one for ∇Φ(d), two for ∇̄Φ(d, d′).
+pub trait Kernel<const D: usize, const S: usize, N: Numbers, R: Packed>: Sync {
+    /// With respect to d = q_a − q_b, for the numbers of a and b.
+    fn gradient(&self, a: N::Of<R>, b: N::Of<R>, d: [[R; D]; S]) -> [R; D];
+}
+
+/// One at a time and eight at a time.
+pub trait Kernels<const D: usize, const S: usize, N: Numbers>: Kernel<D, S, N, f64> + Kernel<D, S, N, Lanes> {}
+
+impl<K: Kernel<D, S, N, f64> + Kernel<D, S, N, Lanes>, const D: usize, const S: usize, N: Numbers> Kernels<D, S, N>
+    for K
+{
+}
+
+/// The columns of the positions at S moments.
+type Moments<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
+
+/// q_a − q_b at each moment, for each b of the lanes.
+#[inline(always)]
+fn from_one<const D: usize, const S: usize, R: Packed>(q: &Moments<'_, D, S>, a: usize, b: usize) -> [[R; D]; S] {
+    q.map(|q| q.map(|column| R::from_f64(column[a]) - R::load(column, b)))
+}
+
+/// One link.
+#[inline(always)]
+pub(super) fn link<const D: usize, const S: usize, N: Numbers>(
+    kernel: &impl Kernels<D, S, N>,
+    q: [&Vectors<D>; S],
+    numbers: &NumberColumns<N>,
+    a: usize,
+    b: usize,
+    out: &mut Vectors<D>,
+) {
+    let d = q.map(|q| {
+        let (a, b) = (q.get(a), q.get(b));
+        core::array::from_fn(|k| a[k] - b[k])
+    });
+    let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), d);
+    out.add(a, gradient);
+    out.add(b, gradient.map(|x| -x));
+}
+
+/// Any two bodies, each pair once: one a against eight b, from the block after that of a on.
+pub(super) fn pairs<const D: usize, const S: usize, N: Numbers>(
+    kernel: &impl Kernels<D, S, N>,
+    q: [&Vectors<D>; S],
+    numbers: &NumberColumns<N>,
+    out: &mut Vectors<D>,
+) {
+    let bodies = out.bodies();
+    let q = q.map(|q| q.columns());
+    let out = out.columns_mut();
+    for a in 0..bodies {
+        // Blocks begin at multiples of the number of lanes; what is before the first and after the last goes singly.
+        let first = (a + 1).next_multiple_of(Lanes::COUNT).min(bodies);
+        let last = first + (bodies - first) / Lanes::COUNT * Lanes::COUNT;
+        let mut on_a = [0.0; D];
+        for b in (a + 1..first).chain(last..bodies) {
+            let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), from_one(&q, a, b));
+            for k in 0..D {
+                on_a[k] += gradient[k];
+                out[k][b] -= gradient[k];
+            }
+        }
+        let numbers_of_a = numbers.at::<Lanes>(a);
+        let mut sums = [Lanes::splat(0.0); D];
+        for b in (first..last).step_by(Lanes::COUNT) {
+            let gradient: [Lanes; D] = kernel.gradient(numbers_of_a, numbers.load(b), from_one(&q, a, b));
+            for k in 0..D {
+                sums[k] += gradient[k];
+                (-gradient[k]).add_to(out[k], b);
+            }
+        }
+        for k in 0..D {
+            out[k][a] += on_a[k] + sums[k].sum();
+        }
+    }
+}
+
+/// Consecutive bodies: G_j += g_j − g_{j−1}, with g_j of the link between j and j + 1.
+pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
+    kernel: &impl Kernels<D, S, N>,
+    q: [&Vectors<D>; S],
+    numbers: &NumberColumns<N>,
+    out: &mut Vectors<D>,
+) {
+    let links = out.bodies().saturating_sub(1);
+    let q = q.map(|q| q.columns());
+    let out = out.columns_mut();
+    let blocks = links - links % Lanes::COUNT;
+    let mut last = [0.0; D];
+    for j in (0..blocks).step_by(Lanes::COUNT) {
+        let gradient: [Lanes; D] = neighbours(kernel, &q, numbers, j);
+        for k in 0..D {
+            (gradient[k] - gradient[k].after(last[k])).add_to(out[k], j);
+            last[k] = gradient[k].last();
+        }
+    }
+    for j in blocks..links {
+        let gradient: [f64; D] = neighbours(kernel, &q, numbers, j);
+        for k in 0..D {
+            out[k][j] += gradient[k] - last[k];
+        }
+        last = gradient;
+    }
+    if links > 0 {
+        for k in 0..D {
+            out[k][links] -= last[k];
+        }
+    }
+}
+
+/// The links from body j to j + 1, and the following ones in further lanes.
+#[inline(always)]
+fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
+    kernel: &impl Kernel<D, S, N, R>,
+    q: &Moments<'_, D, S>,
+    numbers: &NumberColumns<N>,
+    j: usize,
+) -> [R; D] {
+    let d = q.map(|q| q.map(|column| R::load(column, j) - R::load(column, j + 1)));
+    kernel.gradient(numbers.load(j), numbers.load(j + 1), d)
+}

@@ -1,0 +1,136 @@
+//! Vectors of many bodies, stored by component.
+
+/// One vector of D components for each of n bodies: D columns of n numbers, one after another.
+///
+/// Loops over bodies then read memory in order, and what treats all components alike runs over one slice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vectors<const D: usize> {
+    bodies: usize,
+    flat: Vec<f64>,
+}
+
+impl<const D: usize> Vectors<D> {
+    /// n vectors of zeros.
+    pub fn zeros(bodies: usize) -> Self {
+        Vectors { bodies, flat: vec![0.0; D * bodies] }
+    }
+
+    /// The vectors of a list.
+    pub fn from_list(list: &[[f64; D]]) -> Self {
+        let mut vectors = Vectors::zeros(list.len());
+        for (i, &x) in list.iter().enumerate() {
+            vectors.set(i, x);
+        }
+        vectors
+    }
+
+    /// The same, body by body.
+    pub fn to_list(&self) -> Vec<[f64; D]> {
+        (0..self.bodies).map(|i| self.get(i)).collect()
+    }
+
+    /// The number of bodies.
+    #[inline]
+    pub fn bodies(&self) -> usize {
+        self.bodies
+    }
+
+    /// All components, column after column: component k of body i is at k n + i.
+    #[inline]
+    pub fn flat(&self) -> &[f64] {
+        &self.flat
+    }
+
+    /// The same, to be written to.
+    #[inline]
+    pub fn flat_mut(&mut self) -> &mut [f64] {
+        &mut self.flat
+    }
+
+    /// The columns.
+    #[inline]
+    pub fn columns(&self) -> [&[f64]; D] {
+        core::array::from_fn(|k| &self.flat[k * self.bodies..(k + 1) * self.bodies])
+    }
+
+    /// The columns, to be written to.
+    #[inline]
+    pub fn columns_mut(&mut self) -> [&mut [f64]; D] {
+        let mut rest = &mut self.flat[..];
+        core::array::from_fn(|_| rest.split_off_mut(..self.bodies).unwrap_or_default())
+    }
+
+    /// The vector of body i.
+    #[inline(always)]
+    pub fn get(&self, i: usize) -> [f64; D] {
+        core::array::from_fn(|k| self.flat[k * self.bodies + i])
+    }
+
+    /// Replaces the vector of body i.
+    #[inline(always)]
+    pub fn set(&mut self, i: usize, x: [f64; D]) {
+        for k in 0..D {
+            self.flat[k * self.bodies + i] = x[k];
+        }
+    }
+
+    /// Adds to the vector of body i.
+    #[inline(always)]
+    pub fn add(&mut self, i: usize, x: [f64; D]) {
+        for k in 0..D {
+            self.flat[k * self.bodies + i] += x[k];
+        }
+    }
+
+    /// Sets every component to zero.
+    #[inline]
+    pub fn clear(&mut self) {
+        self.flat.fill(0.0);
+    }
+
+    /// Whether every component is finite.
+    #[inline]
+    pub fn is_finite(&self) -> bool {
+        // 0·x is 0 for a finite x and NaN for any other; one sum over all needs no branch.
+        let mut sums = [0.0; 8];
+        let mut chunks = self.flat.chunks_exact(8);
+        for chunk in &mut chunks {
+            for (sum, x) in sums.iter_mut().zip(chunk) {
+                *sum += 0.0 * x;
+            }
+        }
+        let rest: f64 = chunks.remainder().iter().map(|x| 0.0 * x).sum();
+        sums.iter().sum::<f64>() + rest == 0.0
+    }
+
+    /// The largest component in absolute value; NaN if one is.
+    pub fn largest(&self) -> f64 {
+        largest(&self.flat)
+    }
+}
+
+/// max |xᵢ|; NaN if one is.
+pub(super) fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |max: f64, x| if x.abs() > max || x.is_nan() { x.abs() } else { max })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_hold_the_vectors_of_a_list() {
+        let list = [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]];
+        let mut vectors = Vectors::from_list(&list);
+        assert_eq!(vectors.flat(), [1.0, 4.0, 2.0, 5.0, 3.0, 6.0]);
+        vectors.columns_mut()[1][0] += 10.0;
+        vectors.add(1, [0.5, 0.0, -6.0]);
+        assert_eq!(vectors.to_list(), [[1.0, 12.0, 3.0], [4.5, 5.0, 0.0]]);
+        assert_eq!((vectors.largest(), vectors.is_finite()), (12.0, true));
+        for (i, bad) in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].into_iter().enumerate() {
+            let mut wrong = Vectors::<1>::zeros(11);
+            wrong.flat_mut()[5 * i] = bad;
+            assert!(!wrong.is_finite() && !wrong.largest().is_finite());
+        }
+    }
+}

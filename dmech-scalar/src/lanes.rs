@@ -1,0 +1,377 @@
+//! Eight `f64` side by side.
+
+use core::fmt;
+use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use wide::f64x8;
+
+use crate::primitive::FUSED;
+use crate::{Mask, Real};
+
+/// Whether `wide` has the fused instruction where the target does; elsewhere each lane asks for it itself.
+const FUSED_WIDE: bool = cfg!(any(
+    all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "fma"),
+    all(target_arch = "aarch64", target_feature = "neon"),
+));
+
+/// Eight `f64` that take part in every operation together, such as eight pairs of bodies or eight members of an ensemble.
+///
+/// Each lane of a result is the result of the `f64` operation on that lane, to the bit, so that a loop may run in
+/// lanes and its remainder in `f64`. The sign and payload of a NaN are outside this promise, because Rust leaves them open
+/// for `f64` itself. (It also leaves open which zero `min` and `max` return for 0 and −0; a test holds the lanes to the
+/// one that `f64` gives.)
+///
+/// | one instruction, or a few | lane by lane, through `f64` |
+/// |---|---|
+/// | + − × ÷, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `min`, `max`, comparisons, `select` | all other functions |
+///
+/// With AVX-512 the eight are one register, with AVX two, with SSE2 or NEON four.
+///
+/// [`Real::select`] evaluates both sides and blends them, because its lanes may disagree: neither side may rely on the
+/// mask to be free of side effects or to end, and a NaN or infinity in a lane that is not taken does no harm.
+///
+/// ```
+/// use dmech_scalar::{Lanes, Real};
+///
+/// let x = Lanes::from_fn(|i| i as f64);
+/// let r2 = x.mul_add(x, Lanes::ONE);
+/// let weight = Lanes::select(r2.less(Lanes::splat(20.0)), || r2.sqrt().recip(), || Lanes::ZERO);
+/// assert_eq!((weight[4], weight[5]), (1.0 / 17.0_f64.sqrt(), 0.0));
+///
+/// let mut stored = [0.0; 10];
+/// weight.store(&mut stored[2..]);
+/// assert_eq!(Lanes::from_slice(&stored[2..]), weight);
+/// ```
+#[derive(Clone, Copy, Default, PartialEq)]
+#[repr(transparent)]
+pub struct Lanes(f64x8);
+
+/// The outcome of a comparison of [`Lanes`]: true or false in each lane.
+#[derive(Clone, Copy)]
+#[repr(transparent)]
+pub struct LanesMask(f64x8);
+
+impl Lanes {
+    /// The number of lanes.
+    pub const COUNT: usize = 8;
+
+    /// x in every lane.
+    #[inline(always)]
+    pub const fn splat(x: f64) -> Self {
+        Self(f64x8::new([x; 8]))
+    }
+
+    /// The lanes one by one.
+    #[inline(always)]
+    pub const fn from_array(lanes: [f64; 8]) -> Self {
+        Self(f64x8::new(lanes))
+    }
+
+    /// f(i) in lane i.
+    #[inline(always)]
+    pub fn from_fn(f: impl FnMut(usize) -> f64) -> Self {
+        Self::from_array(core::array::from_fn(f))
+    }
+
+    /// The first eight numbers of a slice; it need not be aligned. `as_chunks::<8>` and [`Lanes::from_array`] do the same
+    /// without a check of the length.
+    ///
+    /// # Panics
+    /// If the slice has fewer than eight.
+    #[inline(always)]
+    pub fn from_slice(x: &[f64]) -> Self {
+        let (first, _) = x.split_first_chunk().expect("eight numbers for eight lanes");
+        Self::from_array(*first)
+    }
+
+    /// Writes the lanes to the first eight places of a slice.
+    ///
+    /// # Panics
+    /// If the slice has fewer than eight.
+    #[inline(always)]
+    pub fn store(self, x: &mut [f64]) {
+        let (first, _) = x.split_first_chunk_mut().expect("eight places for eight lanes");
+        *first = self.to_array();
+    }
+
+    /// The lanes one by one.
+    #[inline(always)]
+    pub fn to_array(self) -> [f64; 8] {
+        self.0.to_array()
+    }
+
+    /// The last lane.
+    #[inline(always)]
+    pub fn last(self) -> f64 {
+        self.to_array()[7]
+    }
+
+    /// Each lane moved up by one, with `first` in the first: what comes before each lane.
+    ///
+    /// ```
+    /// use dmech_scalar::Lanes;
+    /// let x = Lanes::from_fn(|i| i as f64);
+    /// assert_eq!(x.after(-1.0), x - Lanes::splat(1.0));
+    /// ```
+    #[inline(always)]
+    pub fn after(self, first: f64) -> Self {
+        let [x0, x1, x2, x3, x4, x5, x6, _] = self.to_array();
+        Self::from_array([first, x0, x1, x2, x3, x4, x5, x6])
+    }
+
+    /// The sum of the lanes, halves folded onto each other, on every target in this order:
+    /// ((x₀ + x₄) + (x₂ + x₆)) + ((x₁ + x₅) + (x₃ + x₇)).
+    ///
+    /// ```
+    /// use dmech_scalar::Lanes;
+    /// let x = Lanes::from_array([1e16, 1.0, -3.0, 0.5, -1e16, 0.25, 3.0, 2.0]);
+    /// assert_eq!(x.sum(), 3.75);
+    /// ```
+    #[inline(always)]
+    pub fn sum(self) -> f64 {
+        let x = self.to_array();
+        let four = [x[0] + x[4], x[1] + x[5], x[2] + x[6], x[3] + x[7]];
+        let two = [four[0] + four[2], four[1] + four[3]];
+        two[0] + two[1]
+    }
+
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let x = self.to_array();
+        Self::from_fn(|i| f(x[i]))
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let (x, y) = (self.to_array(), other.to_array());
+        Self::from_fn(|i| f(x[i], y[i]))
+    }
+}
+
+impl From<[f64; 8]> for Lanes {
+    #[inline(always)]
+    fn from(lanes: [f64; 8]) -> Self {
+        Self::from_array(lanes)
+    }
+}
+
+impl From<Lanes> for [f64; 8] {
+    #[inline(always)]
+    fn from(lanes: Lanes) -> Self {
+        lanes.to_array()
+    }
+}
+
+/// Lane i.
+///
+/// # Panics
+/// If i is not below eight.
+impl Index<usize> for Lanes {
+    type Output = f64;
+    #[inline(always)]
+    fn index(&self, i: usize) -> &f64 {
+        &self.0.as_array()[i]
+    }
+}
+
+impl IndexMut<usize> for Lanes {
+    #[inline(always)]
+    fn index_mut(&mut self, i: usize) -> &mut f64 {
+        &mut self.0.as_mut_array()[i]
+    }
+}
+
+impl fmt::Debug for Lanes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.to_array(), f)
+    }
+}
+
+/// As `f64` in each lane, precision and width too: `[1.00, 2.00, …]` for `{:.2}`.
+impl fmt::Display for Lanes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, x) in self.to_array().iter().enumerate() {
+            f.write_str(if i == 0 { "[" } else { ", " })?;
+            fmt::Display::fmt(x, f)?;
+        }
+        f.write_str("]")
+    }
+}
+
+macro_rules! operators {
+    ($($Op:ident::$op:ident, $OpAssign:ident::$op_assign:ident;)*) => {$(
+        impl $Op for Lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $op(self, other: Self) -> Self {
+                Self($Op::$op(self.0, other.0))
+            }
+        }
+        impl $OpAssign for Lanes {
+            #[inline(always)]
+            fn $op_assign(&mut self, other: Self) {
+                *self = $Op::$op(*self, other);
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add::add, AddAssign::add_assign;
+    Sub::sub, SubAssign::sub_assign;
+    Mul::mul, MulAssign::mul_assign;
+    Div::div, DivAssign::div_assign;
+}
+
+impl Neg for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl LanesMask {
+    /// The outcome in each lane.
+    #[inline(always)]
+    pub fn to_array(self) -> [bool; 8] {
+        let bits = self.0.to_bitmask();
+        core::array::from_fn(|i| bits >> i & 1 == 1)
+    }
+}
+
+impl fmt::Debug for LanesMask {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.to_array(), f)
+    }
+}
+
+impl Mask for LanesMask {
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.0.all()
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.any()
+    }
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0)
+    }
+}
+
+/// `method(argument)` is the function of `f64` in each lane.
+macro_rules! lane_by_lane {
+    ($($name:ident($($other:ident)?);)*) => {$(
+        #[inline]
+        fn $name(self $(, $other: Self)?) -> Self {
+            lane_by_lane!(@ self $name $($other)?)
+        }
+    )*};
+    (@ $x:ident $name:ident) => { $x.map(<f64 as Real>::$name) };
+    (@ $x:ident $name:ident $y:ident) => { $x.zip($y, <f64 as Real>::$name) };
+}
+
+impl Real for Lanes {
+    type Mask = LanesMask;
+
+    const ZERO: Self = Self::splat(0.0);
+    const ONE: Self = Self::splat(1.0);
+    const EPSILON: Self = Self::splat(f64::EPSILON);
+
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self::splat(x)
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self.to_array()[0]
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> LanesMask {
+        LanesMask(self.0.simd_lt(other.0))
+    }
+    #[inline(always)]
+    fn less_or_equal(self, other: Self) -> LanesMask {
+        LanesMask(self.0.simd_le(other.0))
+    }
+    #[inline(always)]
+    fn equal(self, other: Self) -> LanesMask {
+        LanesMask(self.0.simd_eq(other.0))
+    }
+    #[inline(always)]
+    fn finite(self) -> LanesMask {
+        self.abs().less(Self::splat(f64::INFINITY))
+    }
+    #[inline(always)]
+    fn select(mask: LanesMask, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self {
+        Self(mask.0.select(yes().0, no().0))
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        if FUSED_WIDE {
+            Self(self.0.mul_add(b.0, c.0))
+        } else if FUSED {
+            let (a, b, c) = (self.to_array(), b.to_array(), c.to_array());
+            Self::from_fn(|i| a[i].mul_add(b[i], c[i]))
+        } else {
+            self * b + c
+        }
+    }
+    #[inline(always)]
+    fn recip(self) -> Self {
+        Self::ONE / self
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+    #[inline(always)]
+    fn signum(self) -> Self {
+        let sign = Self::ONE.0 | (self.0 & Self::splat(-0.0).0);
+        Self(self.0.is_nan().select(self.0, sign))
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // The other way round for the sake of signed zeros: `wide` returns its second argument when the two are equal, `f64`
+        // the first.
+        Self(other.0.min(self.0))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(other.0.max(self.0))
+    }
+    /// By squaring and multiplying, lowest bit first, and one division for n < 0: the products that `f64::powi` forms.
+    #[inline(always)]
+    fn powi(self, n: i32) -> Self {
+        let (mut square, mut rest) = (self, n.unsigned_abs());
+        let mut power = if rest & 1 == 1 { self } else { Self::ONE };
+        while rest > 1 {
+            rest >>= 1;
+            square *= square;
+            if rest & 1 == 1 {
+                power *= square;
+            }
+        }
+        if n < 0 { power.recip() } else { power }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+    lane_by_lane! {
+        powf(p); cbrt(); exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
+        sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
+        sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
+        sinc(); sinc_slope(); sinhc(); sinhc_slope(); atanc(); atanc_slope(); atanhc(); atanhc_slope();
+    }
+}

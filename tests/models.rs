@@ -8,7 +8,8 @@ use dmech::models::*;
 use dmech::prelude::*;
 use dmech::{Field, Real};
 
-const MASS: f64 = 1.3;
+mod motion;
+use motion::*;
 
 /// Runs a macro for every model: what acts, whether every scheme fits, the model with parameters that are distinct and
 /// not 1, coordinates, a start. Starts are such that the h term of Explicit's error does not nearly cancel at t = 1: where
@@ -294,31 +295,6 @@ fn dual_numbers_differentiate() {
     assert!((f.slope - exact).abs() < 1e-15);
 }
 
-fn end<L, S, const D: usize>(law: L, scheme: S, start: State<D>, steps: u64) -> State<D>
-where
-    L: Law<D> + Copy,
-    S: Scheme<L, D>,
-{
-    let run = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(1.0 / steps as f64).run(steps);
-    *run.unwrap_or_else(|interrupted| panic!("{interrupted}")).last()
-}
-
-fn distance<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
-    a.iter().zip(&b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
-}
-
-/// log₂ of |u_h − u_{h/2}| / |u_{h/2} − u_{h/4}|, positions at t = 1.
-fn measured_order<L, S, const D: usize>(law: L, scheme: S, start: State<D>) -> f64
-where
-    L: Law<D> + Copy,
-    S: Scheme<L, D>,
-{
-    let [one, two, four] = [400, 800, 1600].map(|steps| end(law, scheme, start, steps).q);
-    let (coarse, fine) = (distance(one, two), distance(two, four));
-    assert!(fine > 1e-11, "{fine:e}: at the level of rounding there is no order to measure");
-    (coarse / fine).log2()
-}
-
 #[test]
 fn orders_are_as_declared() {
     let mut measured = 0;
@@ -326,10 +302,7 @@ fn orders_are_as_declared() {
         // The wall's force has a kink: a step that straddles it has a local error of its own.
         ($scheme:ident, $kind:ident, Wall $($rest:tt)*) => {};
         ($scheme:ident, $kind:ident, $name:ident $p:tt, $d:literal, $q:expr, $v:expr) => {{
-            let order = measured_order::<_, _, $d>($name $p, $scheme, State::new($q, $v));
-            println!("{:<16} {:<17} {order:.3}", stringify!($name), stringify!($scheme));
-            let declared = f64::from(<$scheme as Method>::ORDER);
-            assert!((order - declared).abs() < 0.05, "{} on {}: {order}", stringify!($scheme), stringify!($name));
+            has_its_order::<_, _, $d>($name $p, $scheme, State::new($q, $v), 0.05, stringify!($name));
             measured += 1;
         }};
     }
@@ -340,49 +313,20 @@ fn orders_are_as_declared() {
     assert_eq!(measured, PAIRINGS - 5);
 }
 
-/// Kinetic and potential energy without regard to sign, the largest of the run: they may cancel, and driving adds.
-fn energy_scale<L: Law<D>, const D: usize>(law: &L, states: &[State<D>]) -> f64 {
-    let of =
-        |s: &State<D>| law.field(MASS, s.t).potential(s.q).abs() + 0.5 * MASS * s.v.iter().map(|v| v * v).sum::<f64>();
-    states.iter().map(of).fold(0.0, f64::max)
-}
-
 fn capabilities<L: Law<D>, const D: usize>(_: &L) -> (bool, bool) {
     (<L::Field<'_> as Field<D>>::CONSERVES_ENERGY, <L::Field<'_> as Potential<D>>::CENTRAL)
 }
 
 #[test]
 fn what_is_kept_exactly_is_kept_to_round_off_and_what_is_bounded_does_not_drift() {
-    const STEPS: u64 = 20_000;
-    let (mut exact, mut bounded, mut refused) = (0, 0, 0);
-    let mut worst_exact: f64 = 0.0;
+    let (mut tally, mut refused) = (Tally::default(), 0);
     macro_rules! one {
         ($scheme:ident, $kind:ident, $name:ident $p:tt, $d:literal, $q:expr, $v:expr) => {{
-            let (law, start) = ($name $p, State::<$d>::new($q, $v));
-            // The explicit orbits spiral outward, some to infinity.
-            let steps = if <$scheme as Method>::ORDER == 1 { 200 } else { STEPS };
-            let run = Simulation::new(law, start).mass(MASS).scheme($scheme).dt(0.01).run(steps);
-            let run = run.unwrap_or_else(|interrupted| panic!("{interrupted}"));
-            let scale = energy_scale::<_, $d>(&law, run.states());
+            let law = $name $p;
+            let run = long_run::<_, _, $d>(law, $scheme, State::new($q, $v));
+            // Driving adds energy: the scale is the largest of the run.
+            tally.check($scheme, &run, energy_scale(&law, run.states()), stringify!($name));
             let name = concat!(stringify!($scheme), " on ", stringify!($name));
-            for invariant in Invariant::ALL {
-                let Some(drift) = run.drift(invariant) else {
-                    continue;
-                };
-                let worst = drift.max_abs() / if invariant == Invariant::AngularMomentum { 1.0 } else { scale };
-                match <$scheme as Method>::keeps(invariant) {
-                    Kept::Exact => {
-                        assert!(worst < 2e-13 * (STEPS as f64 / 1e3).sqrt(), "{name}: {invariant:?} {worst:e}");
-                        worst_exact = worst_exact.max(worst);
-                        exact += 1;
-                    }
-                    Kept::Bounded => {
-                        assert!(worst < 0.02, "{name}: {invariant:?} {worst:e}");
-                        bounded += 1;
-                    }
-                    Kept::No => {}
-                }
-            }
             let (keeps_energy, central) = capabilities::<_, $d>(&law);
             assert_eq!(keeps_energy, stringify!($kind) != "damped", "{name}");
             assert_eq!(run.drift(Invariant::Energy).is_some(), keeps_energy, "{name}: energy");
@@ -396,22 +340,11 @@ fn what_is_kept_exactly_is_kept_to_round_off_and_what_is_bounded_does_not_drift(
         ($($row:tt)*) => { for_each_scheme!(one, $($row)*); };
     }
     for_each_model!(every);
+    let Tally { exact, bounded, worst_exact } = tally;
     println!("{exact} exact (worst {worst_exact:.1e}), {bounded} bounded, {refused} without energy");
     // Work for each pairing; the energy of DiscreteGradient and Kanatani; two schemes bound it on conservative laws.
     assert!(exact > PAIRINGS + 2 * CONSERVATIVE && bounded >= 2 * CONSERVATIVE, "{exact} exact, {bounded} bounded");
     assert_eq!(refused, 3 * 4);
-}
-
-/// There and back; `home` is the law under the reversal of time.
-fn miss<L, S, const D: usize>(law: L, home: L, scheme: S, start: State<D>) -> f64
-where
-    L: Law<D> + Copy,
-    S: Scheme<L, D>,
-{
-    let there = end(law, scheme, start, 500);
-    assert!(distance(there.q, start.q) > 0.05, "it did not move");
-    let back = end(home, scheme, State::new(there.q, there.v).reversed(), 500).reversed();
-    distance(back.q, start.q) + distance(back.v, start.v)
 }
 
 #[test]
@@ -422,7 +355,6 @@ fn symmetric_schemes_return_when_the_velocity_is_reversed() {
         (Kanatani, $($rest:tt)*) => {};
         (Explicit, $($rest:tt)*) => {};
         ($scheme:ident, conservative, $name:ident $p:tt, $d:literal, $q:expr, $v:expr) => {{
-            assert!(<$scheme as Method>::SYMMETRIC);
             let miss = miss::<_, _, $d>($name $p, $name $p, $scheme, State::new($q, $v));
             assert!(miss < 1e-12, "{} on {}: {miss:e}", stringify!($scheme), stringify!($name));
             (returned, worst) = (returned + 1, worst.max(miss));

@@ -151,14 +151,14 @@ impl Potential<1> for DragField<'_> {
         [v[0] - c * (self.gradient(q)[0] - self.force(q, v, 0.0)[0])]
     }
     fn implicit_increment(&self, equation: &Equation<1, f64>) -> Result<Increment<1, f64>, NotConverged> {
-        newton::dense_forced(equation, |q, v| {
+        newton::dense_forced(equation, |_, _, q, v| {
             let [dq, dv] = [self.force_dq(q, v, 0.0), self.force_dv(q, v, 0.0)].map(|jacobian| jacobian[0][0]);
             let slope = self.gradient(q)[0] - self.force(q, v, 0.0)[0];
             ([slope], [[self.hessian(q)[0][0] - dq]], [[-dv]])
         })
     }
     fn discrete_increment(&self, equation: &Equation<1, f64>) -> Result<Increment<1, f64>, NotConverged> {
-        newton::dense_forced(equation, |q, v| {
+        newton::dense_forced(equation, |equation, _, q, v| {
             let [dq, dv] = [self.force_dq(q, v, 0.0), self.force_dv(q, v, 0.0)].map(|jacobian| jacobian[0][0]);
             let slope = self.discrete_gradient(equation.a, q)[0] - 0.5 * self.force(q, v, 0.0)[0];
             let by_position = self.discrete_gradient_jacobian(equation.a, q)[0][0] - 0.5 * dq;

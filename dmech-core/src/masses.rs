@@ -37,6 +37,7 @@ impl<L, const D: usize> Masses<L, D> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<L: VelocityIndependent, const D: usize> VelocityIndependent for Masses<L, D> {}
 
 impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Masses<L, D> {
@@ -128,7 +129,7 @@ impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, 
 
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         if F::FORCED {
-            return newton::dense_forced(equation, |b, v| {
+            return newton::dense_forced(equation, |equation, _, b, v| {
                 let conservative = (self.field.gradient(b), self.field.hessian(b));
                 self.less(conservative, R::ONE, self.force_and_jacobians(b, v, equation.t_end))
             });
@@ -142,13 +143,14 @@ impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, 
             return self.potential_increment(equation);
         }
         let half = R::from_f64(0.5);
-        let mean = |x: [R; D], y: [R; D]| from_fn(|i| half * (x[i] + y[i]));
-        newton::dense_forced(equation, |b, v| {
+        newton::dense_forced(equation, |equation, delta, b, v| {
             let a = equation.a;
             let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
             if F::CONSERVES_ENERGY {
-                // In the middle, where a force that does no work does none in the step; half of each mean is the end.
-                let (f, f_dq, f_dv) = self.force_and_jacobians(mean(a, b), mean(equation.v, v), self.t);
+                // In the middle, where a force that does no work does none in the step; half of each mean is the end. The
+                // mean velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
+                let (middle, mean) = (from_fn(|i| half * (a[i] + b[i])), delta.map(|x| half * equation.rate * x));
+                let (f, f_dq, f_dv) = self.force_and_jacobians(middle, mean, self.t);
                 let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
                 return self.less(conservative, R::ONE, (f, halved(f_dq), halved(f_dv)));
             }

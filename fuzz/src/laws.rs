@@ -14,11 +14,11 @@ pub(crate) const LAWS: [&str; 6] = [
     }",
     "impl Law { #[potential] fn energy(&self, q: Vector3<f64>) -> f64 {
             let d = q - self.c; let mut e = -d / 2.0; e.x += q.dot(&d); e[1] *= 3.0;
-            let n = Vector3::new(1.0, e.y, self.k).cross(&d).norm();
-            if n > 1.0 { n } else { d.norm_squared() }
+            let n = Vector3::new(1.0, e.y, self.k).cross(&d).norm(); let Self { g, .. } = *self;
+            if n > 1.0 { n } else if n > g { d.norm_squared() } else { q.map(|x| x * x).sum() }
         } }",
     "impl Kepler { #[potential] fn energy(&self, q: f64) -> f64 { -self.gm / (q * q + 1e-3).sqrt() }
-        fn drag(&self, v: f64) -> f64 { -v } }",
+        fn drag(&self, v: f64) -> f64 { -v } #[cfg(test)] const MASS: f64 = 1.0; }",
     "impl Wind { #[potential] fn bowl(&self, q: [f64; 2]) -> f64 { 0.25 * (q[0] * q[0] + 2.0 * q[1] * q[1]).powi(2) }
         #[force] fn drag(&self, q: [f64; 2], v: [f64; 2], t: f64, m: f64) -> [f64; 2] {
             let w = self.g * (self.omega * t).cos(); let c = m * (0.1 + v[0] * v[0]).sqrt(); [-c * (v[0] - w), -c * v[1] * q[0]] } }",

@@ -34,18 +34,19 @@ pub fn dense_discrete<const D: usize, R: Real>(
     })
 }
 
-/// As [`dense`], for a force (b, v′) ↦ (G, ∂G/∂b, ∂G/∂v′) that also depends on the velocity at the end of the step,
-/// v′ = v + (2/h)(Δ − drift).
+/// As [`dense`], for a force (equation, Δ, b, v′) ↦ (G, ∂G/∂b, ∂G/∂v′) that also depends on the velocity at the end of
+/// the step, v′ = v + (2/h)(Δ − drift); its mean is Δ/h. The equation passed in may be that of a shorter step.
 ///
 /// # Errors
 /// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
 pub fn dense_forced<const D: usize, R: Real>(
     equation: &Equation<D, R>,
-    mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
+    mut force: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
     drive(equation, |equation, delta, b| {
         let Equation { v, drift, rate, .. } = equation;
-        let (gradient, by_position, by_velocity) = force(b, from_fn(|i| rate.mul_add(delta[i] - drift[i], v[i])));
+        let (gradient, by_position, by_velocity) =
+            force(equation, delta, b, from_fn(|i| rate.mul_add(delta[i] - drift[i], v[i])));
         let jacobian = from_fn(|i| from_fn(|j| rate.mul_add(by_velocity[i][j], by_position[i][j])));
         correction(equation, delta, gradient, &jacobian)
     })

@@ -16,8 +16,7 @@ pub struct System<const D: usize, A> {
 impl<const D: usize, A: Acts<D>> System<D, A> {
     /// out ← ∇Φ(q) − F(q, v) at time t.
     pub(super) fn slope(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        out.clear();
-        self.acts.add_gradient(q, t, out);
+        self.acts.set_gradient(q, t, out);
         self.acts.subtract_force(1.0, q, v, t, out);
     }
 }

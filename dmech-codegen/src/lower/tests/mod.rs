@@ -4,7 +4,6 @@
 mod constructs;
 mod functions;
 mod limits;
-mod mutations;
 mod parameters;
 mod refusals;
 mod vectors;

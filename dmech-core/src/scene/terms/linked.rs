@@ -120,7 +120,15 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
 
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep(&self.slope(t), [q], &self.numbers, out);
+            self.links.sweep::<false, D, 1, _>(&self.slope(t), [q], &self.numbers, out);
+        }
+    }
+
+    fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.sweep::<true, D, 1, _>(&self.slope(t), [q], &self.numbers, out);
+        } else {
+            out.clear();
         }
     }
 
@@ -143,7 +151,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
 
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep(&Secant(self.slope(t)), [a, b], &self.numbers, out);
+            self.links.sweep::<false, D, 2, _>(&Secant(self.slope(t)), [a, b], &self.numbers, out);
         }
     }
 

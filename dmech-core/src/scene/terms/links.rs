@@ -25,8 +25,8 @@ pub trait Links {
         found
     }
 
-    /// Adds the gradient of every link to its two bodies.
-    fn sweep<const D: usize, const S: usize, N: Numbers>(
+    /// Adds the gradient of every link to its two bodies; if `SET`, in place of what is there.
+    fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
@@ -60,13 +60,16 @@ impl Links for Pairs {
         }
     }
 
-    fn sweep<const D: usize, const S: usize, N: Numbers>(
+    fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
     ) {
+        if SET {
+            out.clear();
+        }
         sweep::pairs(kernel, q, numbers, out);
     }
 
@@ -87,14 +90,14 @@ impl Links for Chain {
         }
     }
 
-    fn sweep<const D: usize, const S: usize, N: Numbers>(
+    fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
     ) {
-        sweep::chain(kernel, q, numbers, out);
+        sweep::chain::<SET, D, S, N>(kernel, q, numbers, out);
     }
 
     fn topology(&self) -> Topology {
@@ -122,13 +125,16 @@ impl Links for Bonds {
         }
     }
 
-    fn sweep<const D: usize, const S: usize, N: Numbers>(
+    fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
     ) {
+        if SET {
+            out.clear();
+        }
         for &(a, b) in &self.list {
             sweep::link(kernel, q, numbers, a, b, out);
         }

@@ -46,10 +46,18 @@ pub trait Acts<const D: usize> {
     /// Every Hessian is constant.
     const LINEAR: bool;
 
+    /// Nothing acts.
+    const NOTHING: bool = false;
+
     /// Φ(q).
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64;
     /// ∇Φ(q).
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+    /// The same, in place of what is there.
+    fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        out.clear();
+        self.add_gradient(q, t, out);
+    }
     /// −c F(q, v).
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);
     /// ∇̄Φ(a, b).
@@ -130,6 +138,7 @@ impl<const D: usize, P> Term<D, P> for () {
 }
 
 impl<const D: usize> Acts<D> for () {
+    const NOTHING: bool = true;
     const FORCED: bool = false;
     const CONSERVES_ENERGY: bool = true;
     const AUTONOMOUS: bool = true;
@@ -167,6 +176,7 @@ impl<A: VelocityIndependent, B: VelocityIndependent> VelocityIndependent for (A,
 impl VelocityIndependent for () {}
 
 impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
+    const NOTHING: bool = A::NOTHING && B::NOTHING;
     const FORCED: bool = A::FORCED || B::FORCED;
     const CONSERVES_ENERGY: bool = A::CONSERVES_ENERGY && B::CONSERVES_ENERGY;
     const AUTONOMOUS: bool = A::AUTONOMOUS && B::AUTONOMOUS;
@@ -180,6 +190,14 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.add_gradient(q, t, out);
         self.1.add_gradient(q, t, out);
+    }
+    fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if A::NOTHING {
+            self.1.set_gradient(q, t, out);
+        } else {
+            self.0.set_gradient(q, t, out);
+            self.1.add_gradient(q, t, out);
+        }
     }
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.subtract_force(c, q, v, t, out);

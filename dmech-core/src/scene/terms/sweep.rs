@@ -27,7 +27,19 @@ type Moments<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
 /// q_a − q_b at each moment, for each b of the lanes.
 #[inline(always)]
 fn from_one<const D: usize, const S: usize, R: Packed>(q: &Moments<'_, D, S>, a: usize, b: usize) -> [[R; D]; S] {
-    q.map(|q| q.map(|column| R::from_f64(column[a]) - R::load(column, b)))
+    each(|moment, k| R::from_f64(q[moment][k][a]) - R::load(q[moment][k], b))
+}
+
+/// A component of each separation at each moment. Loops, as nested `map`s of arrays are not inlined.
+#[inline(always)]
+fn each<const D: usize, const S: usize, R: Packed>(component: impl Fn(usize, usize) -> R) -> [[R; D]; S] {
+    let mut d = [[R::ZERO; D]; S];
+    for moment in 0..S {
+        for k in 0..D {
+            d[moment][k] = component(moment, k);
+        }
+    }
+    d
 }
 
 /// One link.
@@ -86,8 +98,8 @@ pub(super) fn pairs<const D: usize, const S: usize, N: Numbers>(
     }
 }
 
-/// Consecutive bodies: G_j += g_j − g_{j−1}, with g_j of the link between j and j + 1.
-pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
+/// Consecutive bodies: G_j += g_j − g_{j−1}, with g_j of the link between j and j + 1. If `SET`, G_j is not read.
+pub(super) fn chain<const SET: bool, const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
     q: [&Vectors<D>; S],
     numbers: &NumberColumns<N>,
@@ -101,20 +113,25 @@ pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
     for j in (0..blocks).step_by(Lanes::COUNT) {
         let gradient: [Lanes; D] = neighbours(kernel, &q, numbers, j);
         for k in 0..D {
-            (gradient[k] - gradient[k].after(last[k])).add_to(out[k], j);
+            let change = gradient[k] - gradient[k].after(last[k]);
+            if SET {
+                change.store(&mut out[k][j..])
+            } else {
+                change.add_to(out[k], j)
+            }
             last[k] = gradient[k].last();
         }
     }
     for j in blocks..links {
         let gradient: [f64; D] = neighbours(kernel, &q, numbers, j);
         for k in 0..D {
-            out[k][j] += gradient[k] - last[k];
+            out[k][j] = gradient[k] - last[k] + if SET { 0.0 } else { out[k][j] };
         }
         last = gradient;
     }
-    if links > 0 {
-        for k in 0..D {
-            out[k][links] -= last[k];
+    for k in 0..D {
+        if let Some(end) = out[k].last_mut() {
+            *end = if SET { 0.0 } else { *end } - last[k];
         }
     }
 }
@@ -127,6 +144,6 @@ fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
     numbers: &NumberColumns<N>,
     j: usize,
 ) -> [R; D] {
-    let d = q.map(|q| q.map(|column| R::load(column, j) - R::load(column, j + 1)));
+    let d = each(|moment, k| R::load(q[moment][k], j) - R::load(q[moment][k], j + 1));
     kernel.gradient(numbers.load(j), numbers.load(j + 1), d)
 }

@@ -124,7 +124,11 @@ impl Printer<'_> {
         let slope = self.function("slope", &arguments, &[], vector.clone(), Shape::Vector, &forced.slope);
         let half = self.function("half_force", &arguments, &[], vector, Shape::Vector, &forced.half_force);
         let potential = self.step("potential_increment", &kernels.discrete, true);
-        quote!(#slope #half #potential)
+        let workless = match &forced.discrete {
+            ForcedStep::Mean(_) => TokenStream::new(),
+            ForcedStep::Middle { slope, change } => self.middle_step(slope, change, forced.discrete_is_linear),
+        };
+        quote!(#slope #half #potential #workless)
     }
 
     /// The steps of a law with a force.
@@ -137,7 +141,7 @@ impl Printer<'_> {
             ForcedStep::Mean(program) => {
                 self.step("discrete_increment", &wrap(program, forced.discrete_is_linear), true)
             }
-            ForcedStep::Middle { slope, change } => self.middle_step(slope, change, forced.discrete_is_linear),
+            ForcedStep::Middle { .. } => self.rounded_middle_step(),
         };
         let kick = self.kick(&forced.kick);
         let implicit = self.step("implicit_increment", &wrap(&forced.implicit, forced.implicit_is_linear), false);

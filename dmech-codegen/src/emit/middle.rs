@@ -46,10 +46,13 @@ impl Printer<'_> {
         let solver = ident(if linear { "once_middle" } else { "drive_middle" });
         quote! {
             #[inline(always)]
-            fn discrete_increment(
+            fn workless_increment(
                 &#receiver,
                 #equation: &#runtime::newton::Equation<#d, #scalar>,
-            ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
+            ) -> ::core::result::Result<
+                (#runtime::newton::Increment<#d, #scalar>, [#scalar; #d]),
+                #runtime::newton::NotConverged,
+            > {
                 #parameters
                 let mut #rest = [<#scalar as #runtime::Real>::ZERO; #d];
                 let #found = #runtime::newton::#solver(#equation, |#equation, #closure_a, #delta, #closure_b| {
@@ -62,7 +65,23 @@ impl Printer<'_> {
                     #rest = #lost;
                     #found
                 })?;
-                ::core::result::Result::Ok(#runtime::newton::Increment { rest: #rest, ..#found })
+                ::core::result::Result::Ok((#found, #rest))
+            }
+        }
+    }
+
+    /// The same without what its rounding leaves out.
+    pub(super) fn rounded_middle_step(&self) -> TokenStream {
+        let Self { scalar, runtime, dimension: d, .. } = self;
+        let (receiver, equation, found) = (receiver(), ident("equation"), ident("found"));
+        quote! {
+            #[inline(always)]
+            fn discrete_increment(
+                &#receiver,
+                #equation: &#runtime::newton::Equation<#d, #scalar>,
+            ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
+                let (#found, _) = #runtime::Field::workless_increment(#receiver, #equation)?;
+                ::core::result::Result::Ok(#found)
             }
         }
     }

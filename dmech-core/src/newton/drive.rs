@@ -22,7 +22,7 @@ pub fn drive<const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     match settle::<false, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
-        Err(astray) => continuation::follow::<false, D, R>(equation, astray.iterations, correct),
+        Err(astray) => continuation::follow::<false, D, R>(*equation, astray.iterations, correct),
     }
 }
 
@@ -50,7 +50,7 @@ pub fn drive_middle<const D: usize, R: Real>(
     let mut correct = |equation: &Equation<D, R>, delta, b| correct(equation, equation.a, delta, b);
     match settle::<true, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
-        Err(astray) => continuation::follow::<true, D, R>(equation, astray.iterations, correct),
+        Err(astray) => continuation::follow::<true, D, R>(*equation, astray.iterations, correct),
     }
 }
 
@@ -94,14 +94,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             astray = halved.not();
         }
         if settled.all() {
-            return Ok(Increment {
-                delta,
-                gradient,
-                rest: [R::ZERO; D],
-                delta_rest: [R::ZERO; D],
-                evaluations: iteration,
-                iterations: iteration,
-            });
+            return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
         }
         if astray.and(settled.not()).any() || !size.finite().all() {
             return Err(NotConverged { iterations: iteration, residual: largest(&change) });

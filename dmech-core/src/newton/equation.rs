@@ -28,7 +28,8 @@ pub struct Equation<const D: usize, R: Real> {
     pub frozen: [R; D],
     /// The coefficient of the unknown force, growing with h².
     pub g: R,
-    /// The velocity at the start of the step; forces may depend on that at its end, v + rate (Δ − drift).
+    /// The velocity at the start of the step; forces may depend on that at its end, v + rate (Δ − drift). This and the
+    /// next two are 0 where the law has no force: then a step does not pay for them.
     pub v: [R; D],
     /// 2/h.
     pub rate: R,
@@ -124,10 +125,6 @@ pub struct Increment<const D: usize, R: Real> {
     pub delta: [R; D],
     /// G at the solution.
     pub gradient: [R; D],
-    /// What the rounding of G has left out, where that counts; else 0.
-    pub rest: [R; D],
-    /// What the rounding of Δ has left out, where that counts; else 0.
-    pub delta_rest: [R; D],
     /// Evaluations of the force that it took.
     pub evaluations: u32,
     /// Newton corrections that it took; 0 where the step is linear.

@@ -19,7 +19,7 @@ pub fn once<const D: usize, R: Real>(
     let Correction { gradient, .. } = correct(equation, [R::ZERO; D], equation.q);
     let delta = equation.increment(gradient);
     if finite(delta) {
-        Ok(Increment { delta, gradient, rest: [R::ZERO; D], delta_rest: [R::ZERO; D], evaluations: 1, iterations: 0 })
+        Ok(Increment { delta, gradient, evaluations: 1, iterations: 0 })
     } else {
         Err(NotConverged { iterations: 0, residual: largest(&delta) })
     }
@@ -55,7 +55,7 @@ pub fn once_middle<const D: usize, R: Real>(
     let Correction { gradient, .. } = correct(equation, equation.a, first, equation.end(first));
     let delta = equation.increment_and_rest(gradient).0;
     if finite(delta) {
-        Ok(Increment { delta, gradient, rest: [R::ZERO; D], delta_rest: [R::ZERO; D], evaluations: 2, iterations: 0 })
+        Ok(Increment { delta, gradient, evaluations: 2, iterations: 0 })
     } else {
         Err(NotConverged { iterations: 0, residual: largest(&delta) })
     }

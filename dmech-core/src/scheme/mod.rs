@@ -7,6 +7,7 @@ mod implicit;
 mod kanatani;
 mod leapfrog;
 mod stride;
+mod workless;
 
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};

@@ -106,14 +106,14 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
             steady = steady.and(size.less_or_equal(half * last).or(exact));
         }
         if !steady.all() {
-            return lengthen::<BETWEEN, D, R>(*equation, iteration, factor);
+            return Increment::apart(lengthen::<BETWEEN, D, R>(*equation, iteration, factor));
         }
         if exact.all() {
             return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
         }
         last = size;
     }
-    lengthen::<BETWEEN, D, R>(*equation, PATIENCE, factor)
+    Increment::apart(lengthen::<BETWEEN, D, R>(*equation, PATIENCE, factor))
 }
 
 /// The rare case: the vector equation, with the step lengthened gradually. By value: the equation then needs no place

@@ -22,7 +22,7 @@ pub fn drive<const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     match settle::<false, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
-        Err(astray) => continuation::follow::<false, D, R>(*equation, astray.iterations, correct),
+        Err(astray) => Increment::apart(continuation::follow::<false, D, R>(*equation, astray.iterations, correct)),
     }
 }
 
@@ -50,7 +50,7 @@ pub fn drive_middle<const D: usize, R: Real>(
     let mut correct = |equation: &Equation<D, R>, delta, b| correct(equation, equation.a, delta, b);
     match settle::<true, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
-        Err(astray) => continuation::follow::<true, D, R>(*equation, astray.iterations, correct),
+        Err(astray) => Increment::apart(continuation::follow::<true, D, R>(*equation, astray.iterations, correct)),
     }
 }
 

@@ -131,6 +131,15 @@ pub struct Increment<const D: usize, R: Real> {
     pub iterations: u32,
 }
 
+impl<const D: usize, R: Real> Increment<D, R> {
+    /// The result of a rare path, part by part: that of the usual path, which it is merged with, then stays in registers.
+    #[inline(always)]
+    pub(super) fn apart(found: Result<Self, NotConverged>) -> Result<Self, NotConverged> {
+        let Increment { delta, gradient, evaluations, iterations } = found?;
+        Ok(Increment { delta, gradient, evaluations, iterations })
+    }
+}
+
 /// One Newton correction, as generated code computes it in a straight line.
 #[derive(Clone, Copy, Debug)]
 pub struct Correction<const D: usize, R: Real> {

@@ -4,6 +4,7 @@
 mod gyration;
 
 use dmech::prelude::*;
+use dmech::MassIndependent;
 use dmech::scheme::Scheme;
 use gyration::{CROSSED, Circle, GRADED, IN_SPACE, IN_THE_PLANE, MASS, SPEED, UNIFORM};
 
@@ -68,6 +69,25 @@ fn energy_is_exact_with_large_steps() {
         keeps_its_energy(UNIFORM, IN_SPACE, h, "uniform field");
         keeps_its_energy(CROSSED, IN_THE_PLANE, h, "crossed fields");
         keeps_its_energy(bowl, IN_THE_PLANE, h, "field and well");
+    }
+}
+
+/// A mass per coordinate: the force stays at right angles to Δq, its rows are divided by different masses.
+#[test]
+fn energy_is_exact_with_a_mass_per_coordinate() {
+    fn keeps<L: Law<D> + MassIndependent + Copy, const D: usize>(law: L, masses: [f64; D], start: State<D>, h: f64) {
+        let run = Simulation::new(law, start).masses(masses).scheme(DiscreteGradient).dt(h).run(1_000_000).unwrap();
+        let drift = run.drift(Invariant::Energy).expect("masses leave the energy an invariant");
+        println!("h = {h:<5} {masses:?} {:.1e}", drift.max_relative());
+        assert_eq!(drift.samples(), 1_000_001);
+        assert!(drift.max_relative() < 1e-13, "h = {h}, {masses:?}: {:e}", drift.max_relative());
+        assert!(drift.max_abs() > 0.0 && run.last().q != start.q, "nothing moved");
+    }
+    let bowl = Bowl { b: 2.1, length: 4.0, k: 0.7, c: 0.3 };
+    for h in [0.02, 0.1, 0.3] {
+        keeps(UNIFORM, [1.3, 0.7, 2.9], IN_SPACE, h);
+        keeps(CROSSED, [1.3, 0.7], IN_THE_PLANE, h);
+        keeps(bowl, [1.3, 0.7], IN_THE_PLANE, h);
     }
 }
 

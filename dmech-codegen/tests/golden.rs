@@ -30,6 +30,19 @@ const HENON_HEILES: &str = "impl HenonHeiles {
     }
 }";
 
+/// A magnetic field that grows with x beside a well: a force that does no work, in the middle of the step.
+const BOTTLE: &str = "impl Bottle {
+    #[potential]
+    fn well(&self, q: [f64; 2]) -> f64 {
+        0.25 * self.k * (q[0] * q[0] + 1.5 * q[1] * q[1]).powi(2)
+    }
+    #[force]
+    fn lorentz(&self, q: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+        let b = self.b * (1.0 + q[0] / self.length);
+        [b * v[1], -b * v[0]]
+    }
+}";
+
 fn expansion(law: &str) -> TokenStream {
     dmech_codegen::law(TokenStream::new(), law.parse().unwrap())
 }
@@ -57,8 +70,13 @@ fn henon_heiles() {
 }
 
 #[test]
+fn bottle() {
+    assert_golden("bottle", BOTTLE);
+}
+
+#[test]
 fn the_same_law_expands_to_the_same_tokens() {
-    for law in [KEPLER, OSCILLATOR, HENON_HEILES] {
+    for law in [KEPLER, OSCILLATOR, HENON_HEILES, BOTTLE] {
         let once = expansion(law).to_string();
         for _ in 0..5 {
             assert_eq!(expansion(law).to_string(), once);

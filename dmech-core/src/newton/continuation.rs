@@ -47,7 +47,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
                 advance *= 2.0;
             }
             Err(astray) => {
-                evaluations += astray.iterations;
+                evaluations += astray.iterations as u32;
                 residual = astray.residual;
                 advance *= 0.25;
                 if advance < SHORTEST {
@@ -59,5 +59,5 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     if residual.is_nan() {
         residual = largest(&equation.guess);
     }
-    Err(NotConverged { iterations: evaluations, residual })
+    Err(NotConverged { iterations: evaluations.into(), residual })
 }

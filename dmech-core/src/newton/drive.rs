@@ -22,7 +22,9 @@ pub fn drive<const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     match settle::<false, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
-        Err(astray) => Increment::apart(continuation::follow::<false, D, R>(*equation, astray.iterations, correct)),
+        Err(astray) => {
+            Increment::apart(continuation::follow::<false, D, R>(*equation, astray.iterations as u32, correct))
+        }
     }
 }
 
@@ -50,7 +52,9 @@ pub fn drive_middle<const D: usize, R: Real>(
     let mut correct = |equation: &Equation<D, R>, delta, b| correct(equation, equation.a, delta, b);
     match settle::<true, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
-        Err(astray) => Increment::apart(continuation::follow::<true, D, R>(*equation, astray.iterations, correct)),
+        Err(astray) => {
+            Increment::apart(continuation::follow::<true, D, R>(*equation, astray.iterations as u32, correct))
+        }
     }
 }
 
@@ -97,11 +101,11 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
         }
         if astray.and(settled.not()).any() || !size.finite().all() {
-            return Err(NotConverged { iterations: iteration, residual: largest(&change) });
+            return Err(NotConverged { iterations: iteration.into(), residual: largest(&change) });
         }
         last = size;
     }
-    Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations), residual: last.to_f64() })
+    Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations).into(), residual: last.to_f64() })
 }
 
 /// Σ|xᵢ|: unlike a maximum it does not lose a NaN.

@@ -23,7 +23,6 @@ impl Documents {
             list.iter().enumerate().map(|(i, &e)| format!(" {what}{} = {}", subscript(i, dimension), show(e))).collect()
         };
         let cost = |program: &Program| program.cost().to_string();
-        let increment = |what: &str, step: &Step| vec![format!(" The increment Δ of {what}. {}", way(step))];
         Self {
             texts: [
                 block("The potential.", vec![format!(" Φ = {}", show(formulas.potential))], cost(&kernels.potential)),
@@ -36,8 +35,8 @@ impl Documents {
                 ),
                 vec![format!(" ∂∇̄Φ/∂b. Cost: {}.", cost(&kernels.discrete_gradient_jacobian))],
                 vec![" v − c ∇Φ(q).".to_owned()],
-                increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit),
-                increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete),
+                vec![increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit)],
+                vec![increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete)],
             ],
         }
     }
@@ -78,6 +77,11 @@ pub(super) fn force_texts(graph: &Graph, forced: &ForcedKernels) -> [Vec<String>
         jacobian("∂F/∂q.", "∂", &formulas.force_dq, &forced.force_dq),
         jacobian("∂F/∂v.", "∂v", &formulas.force_dv, &forced.force_dv),
     ]
+}
+
+/// The line above the function that solves a step.
+pub(super) fn increment(what: &str, step: &Step) -> String {
+    format!(" The increment Δ of {what}. {}", way(step))
 }
 
 /// How a step is solved, which follows from the structure of the law.

@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 use super::body::{Body, body};
-use super::document::{Documents, force_texts};
+use super::document::{Documents, force_texts, increment};
 use super::names::{Names, ident};
 use crate::lower::{Parameter, Read, Source};
 
@@ -128,7 +128,18 @@ impl Printer<'_> {
             ForcedStep::Mean(_) => TokenStream::new(),
             ForcedStep::Middle { slope, change } => self.middle_step(slope, change, forced.discrete_is_linear),
         };
-        quote!(#slope #half #potential #workless)
+        let slope_doc = format!(" ∇Φ − F: minus all that acts. Cost: {}.", forced.slope.cost());
+        let half_doc = match &forced.discrete {
+            ForcedStep::Mean(_) => " F/2, the share of the start of a step in the mean force.",
+            ForcedStep::Middle { .. } => " Nothing: a force that does no work is taken in the middle of the step.",
+        };
+        let potential_doc = increment("the potential alone: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete);
+        quote! {
+            #[doc = #slope_doc] #slope
+            #[doc = #half_doc] #half
+            #[doc = #potential_doc] #potential
+            #workless
+        }
     }
 
     /// The steps of a law with a force.
@@ -139,13 +150,24 @@ impl Printer<'_> {
         };
         let exact = match &forced.discrete {
             ForcedStep::Mean(program) => {
-                self.step("discrete_increment", &wrap(program, forced.discrete_is_linear), true)
+                let step = wrap(program, forced.discrete_is_linear);
+                let exact_doc =
+                    increment("the energy-exact step: Δ + g (∇̄Φ(a, q + Δ) − F′/2) = c, F′ at (q + Δ, v′)", &step);
+                let exact = self.step("discrete_increment", &step, true);
+                quote!(#[doc = #exact_doc] #exact)
             }
             ForcedStep::Middle { .. } => self.rounded_middle_step(),
         };
-        let kick = self.kick(&forced.kick);
-        let implicit = self.step("implicit_increment", &wrap(&forced.implicit, forced.implicit_is_linear), false);
-        quote!(#kick #implicit #exact)
+        let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
+        let (kick, implicit) = (self.kick(&forced.kick), self.step("implicit_increment", &trapezoid, false));
+        let kick_doc = format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost());
+        let implicit_doc =
+            increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
+        quote! {
+            #[doc = #kick_doc] #kick
+            #[doc = #implicit_doc] #implicit
+            #exact
+        }
     }
 
     pub(super) fn function(

@@ -44,7 +44,13 @@ impl Printer<'_> {
         let Body { statements: solve, outputs: solution } = body(change, &self.names, scalar);
         let (changes, turns) = solution.split_at(variables.q.len());
         let solver = ident(if linear { "once_middle" } else { "drive_middle" });
+        let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };
+        let doc = format!(
+            " The increment Δ of the energy-exact step, and what the rounding of G leaves out: Δ + g G = c with G = ∇̄Φ(a, q + Δ) − F \
+             at the mean position and the mean velocity Δ/h, at right angles to Δ. {way}",
+        );
         quote! {
+            #[doc = #doc]
             #[inline(always)]
             fn workless_increment(
                 &#receiver,
@@ -75,6 +81,7 @@ impl Printer<'_> {
         let Self { scalar, runtime, dimension: d, .. } = self;
         let (receiver, equation, found) = (receiver(), ident("equation"), ident("found"));
         quote! {
+            /// The increment of `workless_increment` alone.
             #[inline(always)]
             fn discrete_increment(
                 &#receiver,

@@ -43,6 +43,34 @@ const BOTTLE: &str = "impl Bottle {
     }
 }";
 
+/// Two charges: any number of dimensions, one root and one division.
+const COULOMB: &str = "impl Coulomb {
+    #[pair]
+    fn energy(&self, r: f64, a: &Charge, b: &Charge) -> f64 {
+        self.k * a.q * b.q / r
+    }
+}";
+
+/// Even powers of the distance only: no root.
+const LENNARD_JONES: &str = "impl LennardJones {
+    #[pair]
+    fn energy(&self, r: f64) -> f64 {
+        let x = (self.sigma / r).powi(6);
+        4.0 * self.epsilon * (x * x - x)
+    }
+}";
+
+/// A force that is not reciprocal: all that is known of a law that has no potential.
+const MOLECULAR: &str = "impl Molecular {
+    #[pair_force]
+    fn force(&self, d: [f64; 2], va: [f64; 2], ma: f64, mb: f64) -> [f64; 2] {
+        let r = (d[0] * d[0] + d[1] * d[1]).sqrt();
+        let speed = (va[0] * va[0] + va[1] * va[1]).sqrt();
+        let f = ma * mb * (-self.g / r.powi(2) + self.h / r.powi(3) - self.alpha * speed) / r;
+        [f * d[0], f * d[1]]
+    }
+}";
+
 fn expansion(law: &str) -> TokenStream {
     dmech_codegen::law(TokenStream::new(), law.parse().unwrap())
 }
@@ -75,8 +103,23 @@ fn bottle() {
 }
 
 #[test]
+fn coulomb() {
+    assert_golden("coulomb", COULOMB);
+}
+
+#[test]
+fn lennard_jones() {
+    assert_golden("lennard_jones", LENNARD_JONES);
+}
+
+#[test]
+fn molecular() {
+    assert_golden("molecular", MOLECULAR);
+}
+
+#[test]
 fn the_same_law_expands_to_the_same_tokens() {
-    for law in [KEPLER, OSCILLATOR, HENON_HEILES, BOTTLE] {
+    for law in [KEPLER, OSCILLATOR, HENON_HEILES, BOTTLE, COULOMB, LENNARD_JONES, MOLECULAR] {
         let once = expansion(law).to_string();
         for _ in 0..5 {
             assert_eq!(expansion(law).to_string(), once);

@@ -157,6 +157,23 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         &self.law
     }
 
+    #[cfg(feature = "serde")]
+    pub(crate) fn start(&self) -> State<D, R> {
+        self.start
+    }
+
+    #[cfg(feature = "serde")]
+    pub(crate) fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// Goes to where a checkpoint stands.
+    #[cfg(feature = "serde")]
+    pub(crate) fn put(&mut self, start: State<D, R>, memory: S::Memory, counts: [u64; 3]) {
+        (self.start, self.memory) = (start, memory);
+        [self.steps, self.evaluations, self.iterations] = counts;
+    }
+
     pub(crate) fn parts(&self) -> (&L, &S, &Stride<R>) {
         (&self.law, &self.scheme, &self.stride)
     }

@@ -70,8 +70,8 @@ pub(crate) fn velocity_of_a_potential(pattern: &impl ToTokens) -> Error {
     )
 }
 
-pub(crate) fn data_by_value(pattern: &impl ToTokens, ty: &impl ToTokens) -> Error {
-    at(ty, format!("the data of a body is only read; take it by reference: `{}: &{}`", text(pattern), text(ty)))
+pub(crate) fn data_by_value(pattern: &impl ToTokens, whole: &impl ToTokens, ty: &impl ToTokens) -> Error {
+    at(whole, format!("the data of a body is only read; take it by reference: `{}: &{}`", text(pattern), text(ty)))
 }
 
 pub(crate) fn two_data_types(ty: &impl ToTokens, other: &impl ToTokens) -> Error {

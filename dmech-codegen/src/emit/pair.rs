@@ -65,9 +65,10 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     });
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
     let reads = reads(&printer, &names, model, layout);
-    let (pair, law, mass_count) = (ident("Pair"), ident("Law"), Literal::usize_unsuffixed(layout.len()));
+    let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
+    let (law, count) = (ident("Law"), Literal::usize_unsuffixed(layout.len()));
     let (a, b, t) = (ident("a"), ident("b"), ident("t"));
-    let numbers = quote!([#scalar; #mass_count]);
+    let numbers = quote!([#scalar; #count]);
     quote! {
         #[allow(clippy::approx_constant)]
         const _: () = {
@@ -211,6 +212,9 @@ fn potential(
         PairPotential::Radial(radial) => (true, radial.linear),
         PairPotential::Separation(separation) => (false, separation.linear),
     };
+    // As for one body: with a force beside it nothing follows from the potential alone.
+    let alone = derivation.kernels.force.is_none();
+    let (central, linear) = (central && alone, linear && alone);
     let constants = quote! {
         const CENTRAL: bool = #central;
         const LINEAR: bool = #linear;
@@ -357,7 +361,8 @@ pub(crate) fn pair_stub(model: &Model) -> TokenStream {
     let (runtime, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
     let parameters: Vec<_> = parameters_of(model).collect();
     let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none()).then(|| quote!(#data));
-    let (pair, numbers, q) = (ident("Pair"), ident("_numbers"), ident("_d"));
+    let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
+    let (numbers, q) = (ident("_numbers"), ident("_d"));
     let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
     let unreachable = quote!({ ::core::unreachable!() });
     quote! {

@@ -104,10 +104,10 @@ pub(super) fn argument(
 fn data<'a>(pat: &Pat, ty: &'a Type) -> Result<&'a Type, syn::Error> {
     match ty {
         Type::Reference(reference) if reference.mutability.is_none() => Ok(&reference.elem),
-        Type::Reference(reference) => Err(pair::data_by_value(pat, &reference.elem)),
+        Type::Reference(reference) => Err(pair::data_by_value(pat, ty, &reference.elem)),
         Type::Group(group) => data(pat, &group.elem),
         Type::Paren(paren) => data(pat, &paren.elem),
-        _ => Err(pair::data_by_value(pat, ty)),
+        _ => Err(pair::data_by_value(pat, ty, ty)),
     }
 }
 

@@ -272,13 +272,6 @@ fn roles() {
         &["a method has one role; state the potential and the force in two methods"],
     );
     refused(
-        "impl Law { «#[pair]» fn spring(&self, r: f64) -> f64 { r } «#[pair_force]» fn drag(&self, d: f64) -> f64 { d } }",
-        &[
-            "`#[pair]` cannot be run by this version, which runs a `#[potential]` and a `#[force]` of one particle; state the law by them, or remove the attribute and keep the method as an ordinary one",
-            "`#[pair_force]` cannot be run by this version, which runs a `#[potential]` and a `#[force]` of one particle; state the law by them, or remove the attribute and keep the method as an ordinary one",
-        ],
-    );
-    refused(
         "impl Law { «#[potential(q)]» fn energy(&self, q: f64) -> f64 { q } }",
         &["the role of a method takes no arguments; the method says it all"],
     );
@@ -496,6 +489,86 @@ fn derives() {
         &[
             "`x` is not an argument a potential can have; expected one of: `q` (position), `m` (mass), `t` (time). Parameters are fields of the law: `self.k`",
             "`z` is neither a coordinate nor a parameter; declared coordinates: `q`. A parameter is a field of the law: `self.z`",
+        ],
+    );
+}
+
+/// Arguments of laws between two bodies, each with what is said of it.
+#[test]
+fn laws_between_two_bodies() {
+    const PAIR: &str = "`r` (distance) or `d` (separation q_a − q_b), `ma`, `mb` (masses), `a: &P`, `b: &P` (data of the bodies), `t` (time). Parameters are fields of the law: `self.k`";
+    let pair = |arguments: &str, message: &str| {
+        refused(&format!("impl Law {{ #[pair] fn energy(&self, {arguments}) -> f64 {{ 1.0 }} }}"), &[message]);
+    };
+    let force = |arguments: &str, message: &str| {
+        refused(&format!("impl Law {{ #[pair_force] fn pull(&self, {arguments}) -> f64 {{ 1.0 }} }}"), &[message]);
+    };
+    pair("«s»: f64", &format!("`s` is not an argument a `#[pair]` can have; expected one of: {PAIR}"));
+    pair(
+        "«q»: f64",
+        "`q` belongs to a law of one body, and here there are two: write the distance `r: f64`, or the separation `d: [f64; D]`, which is q_a − q_b",
+    );
+    pair("r: f64, «m»: f64", "`m` belongs to a law of one body, and here there are two: write `ma` and `mb`");
+    force("d: f64, «v»: f64", "`v` belongs to a law of one body, and here there are two: write `va` and `vb`");
+    pair(
+        "r: f64, «va»: f64",
+        "a potential energy does not depend on the velocity `va`; state a force with `#[pair_force]`, alone or beside the `#[pair]`",
+    );
+    pair("r: «[f64; 2]»", "the distance `r` is a number; write `r: f64`");
+    pair("r: f64, ma: «f32»", "the mass `ma` is a number; write `ma: f64`");
+    pair("r: f64, «r»: f64", "`r` is named twice");
+    pair(
+        "«r»: f64, d: [f64; 2]",
+        "the distance `r` is the length of the separation `d`; name one of the two and compute the other from it",
+    );
+    pair(
+        "d: «Vec<f64>»",
+        "`Vec<f64>` cannot be a position; expected `f64` (one coordinate), `[f64; D]`, or nalgebra's `SVector<f64, D>`, `Vector2<f64>`, `Vector3<f64>`",
+    );
+    pair("«[x, y]»: [f64; 2]", "the separation is one argument, `d`; take it to pieces in the body: `let [x, y] = d;`");
+    pair("r: f64, a: «Charge»", "the data of a body is only read; take it by reference: `a: &Charge`");
+    pair("r: f64, b: «&mut Charge»", "the data of a body is only read; take it by reference: `b: &Charge`");
+    pair(
+        "r: f64, a: &Charge, b: «&Spin»",
+        "all bodies of a scene carry data of one type, and this law has named `&Charge` before; collect what different bodies carry in one struct",
+    );
+    force(
+        "«r»: f64",
+        "a force between two bodies has a direction: take the separation `d: [f64; D]`, whose length is the distance, `let r = (d[0] * d[0] + d[1] * d[1]).sqrt();`",
+    );
+    force(
+        "d: f64, va: «[f64; 2]»",
+        "this has 2 components, and 1 are named before; position, velocity and force have as many",
+    );
+    refused(
+        "impl Law { #[pair] fn «energy»(&self, ma: f64) -> f64 { ma } }",
+        &[
+            "a potential of two bodies is a function of where they are; give it the distance `r: f64` or the separation `d: [f64; D]`, which is q_a − q_b",
+        ],
+    );
+    refused(
+        "impl Law { #[pair_force] fn «pull»(&self, ma: f64) -> f64 { ma } }",
+        &[
+            "a force between two bodies is a function of their separation and velocities; give it `d: [f64; D]`, `va: [f64; D]`, `vb: [f64; D]` or several of them",
+        ],
+    );
+    refused(
+        "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { q } #[pair] fn «spring»(&self, r: f64) -> f64 { r } }",
+        &[
+            "`spring` acts on one body and another method of this block on two; put them on two types, one law each, and give the scene both: `.field(one).pairs(other)`",
+        ],
+    );
+    refused(
+        "impl Law { #[pair] fn energy(&self, d: f64, a: &Charge) -> f64 { d } #[pair_force] fn drag(&self, d: f64, a: &«Spin») -> f64 { d } }",
+        &[
+            "all bodies of a scene carry data of one type, and this law has named `&Charge` before; collect what different bodies carry in one struct",
+        ],
+    );
+    refused(
+        "impl Law { #[pair] fn «one»(&self, r: f64) -> f64 { r } #[pair] fn «two»(&self, r: f64) -> f64 { r } }",
+        &[
+            "`one` is the first `#[pair]` of this law",
+            "`two` is a second pair, and a law has one; `one` is marked already. Add the two in one method, with the other as a helper",
         ],
     );
 }

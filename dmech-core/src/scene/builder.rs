@@ -88,7 +88,7 @@ impl<const D: usize, P, L> Scene<D, P, L> {
 
     /// A law that acts between any two bodies.
     pub fn pairs<X: LinkLaw<D, P> + Symmetric>(self, law: X) -> Scene<D, P, (L, Linked<X, Pairs>)> {
-        self.with(Linked { law, links: Pairs })
+        self.with(Linked { law, links: Pairs::default() })
     }
 
     /// A law that acts between consecutive bodies: a is body j and b is body j + 1.
@@ -107,6 +107,11 @@ impl<const D: usize, P, L> Scene<D, P, L> {
 
     fn with<X>(self, term: X) -> Scene<D, P, (L, X)> {
         Scene { bodies: self.bodies, laws: (self.laws, term) }
+    }
+
+    /// The masses, in the order of the bodies.
+    pub fn masses(&self) -> &[f64] {
+        &self.bodies.masses
     }
 
     /// The number of bodies.

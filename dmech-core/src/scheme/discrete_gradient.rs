@@ -61,6 +61,14 @@ pub struct DiscreteGradientMemory<const D: usize, R = f64> {
     gradients: [[R; D]; 3],
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for DiscreteGradientMemory<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [newest, second, third] = &mut self.gradients;
+        vec![&mut self.q.hi, &mut self.q.lo, &mut self.v.hi, &mut self.v.lo, newest, second, third]
+    }
+}
+
 impl<const D: usize, R: Real> DiscreteGradientMemory<D, R> {
     /// ∇̄Φ of the last step; ∇Φ before the first.
     pub fn gradient(&self) -> [R; D] {

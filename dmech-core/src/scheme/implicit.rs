@@ -57,6 +57,14 @@ pub struct ImplicitMemory<const D: usize, R = f64> {
     gradients: [[R; D]; 3],
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for ImplicitMemory<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [newest, second, third] = &mut self.gradients;
+        vec![&mut self.q, &mut self.v, &mut self.moved, newest, second, third]
+    }
+}
+
 impl Method for Implicit {
     const NAME: &'static str = "Implicit";
     const ORDER: u32 = 2;

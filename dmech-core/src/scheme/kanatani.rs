@@ -76,6 +76,14 @@ pub struct KanataniMemory<const D: usize, R = f64> {
     gradients: [[R; D]; 3],
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for KanataniMemory<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [newest, second, third] = &mut self.gradients;
+        vec![&mut self.q_before, &mut self.q.hi, &mut self.q.lo, &mut self.z.hi, &mut self.z.lo, newest, second, third]
+    }
+}
+
 impl<const D: usize, R: Real> KanataniMemory<D, R> {
     /// Starts from two positions a step apart.
     pub fn from_positions(stride: &Stride<R>, q_before: [R; D], q: [R; D], gradient: [R; D]) -> Self {

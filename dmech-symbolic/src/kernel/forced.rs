@@ -236,13 +236,24 @@ fn does_no_work(graph: &mut Graph, force: &[Expr], velocity: &[Symbol]) -> bool 
 }
 
 /// a (b + c) = a b + a c, where a sum stands to the first power; only to recognise a zero.
+///
+/// A product of many sums has more terms than anyone wants to store: past a bound it stays as it is, and the zero unseen.
 pub(super) fn expand(graph: &mut Graph, e: Expr) -> Expr {
+    const MOST: usize = 1 << 14;
+    let bound = graph.len() + MOST;
+    expand_below(graph, e, bound)
+}
+
+fn expand_below(graph: &mut Graph, e: Expr, bound: usize) -> Expr {
     const LARGEST: usize = 4096;
+    if graph.len() > bound {
+        return e;
+    }
     match graph.node(e).clone() {
         Node::Sum { constant, terms } => {
             let mut summands = vec![graph.number(constant.value())];
             for &(c, t) in &terms {
-                let t = expand(graph, t);
+                let t = expand_below(graph, t, bound);
                 summands.push(graph.scale(c.value(), t));
             }
             graph.add(&summands)
@@ -266,7 +277,7 @@ pub(super) fn expand(graph: &mut Graph, e: Expr) -> Expr {
                 .map(|(c, t)| {
                     let product = graph.mul(&[t, rest]);
                     let product = graph.scale(c.value(), product);
-                    expand(graph, product)
+                    expand_below(graph, product, bound)
                 })
                 .collect();
             graph.add(&parts)

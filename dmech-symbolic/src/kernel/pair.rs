@@ -54,7 +54,7 @@ pub enum PairPotential {
     /// There is none.
     None,
     /// It depends on the distance alone.
-    Radial(Radial),
+    Radial(Box<Radial>),
     /// It depends on the separation.
     Separation(Box<Separation>),
 }
@@ -172,13 +172,13 @@ impl PairKernels {
 impl PairPotential {
     fn new(graph: &mut Graph, phi: Expr, variables: &Variables, pair: &PairVariables) -> Self {
         if !graph.depends_on(phi, &variables.q) {
-            return Self::Radial(Radial::new(graph, Central { potential: phi, s: pair.s }, pair));
+            return Self::Radial(Box::new(Radial::new(graph, Central { potential: phi, s: pair.s }, pair)));
         }
         let gradient = calculus::gradient(graph, phi, &variables.q);
         let hessian = calculus::hessian(graph, phi, &variables.q);
         let structure = Structure::of(graph, phi, &hessian, &variables.q);
         if let Some(central) = structure.central {
-            return Self::Radial(Radial::new(graph, central, pair));
+            return Self::Radial(Box::new(Radial::new(graph, central, pair)));
         }
         let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
         let discrete_gradient = calculus::discrete_gradient(graph, phi, &mut ends);

@@ -4,6 +4,7 @@
 mod constructs;
 mod functions;
 mod limits;
+mod pairs;
 mod parameters;
 mod refusals;
 mod vectors;
@@ -12,7 +13,7 @@ use dmech_symbolic::expression::evaluate;
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
-use super::{Lowered, Source};
+use super::{Lowered, Read, Source};
 use crate::model::{Parsed, from_derive, from_impl};
 
 /// Everything from the text of an impl block to the expression.
@@ -86,6 +87,7 @@ pub(super) fn value(lowered: &Lowered, q: &[f64], m: f64, t: f64, source: &dyn F
         match &parameter.source {
             Source::Mass => m,
             Source::Time => t,
+            Source::Body(..) => panic!("laws of one body only"),
             Source::Law(tokens) => {
                 let text = tokens.to_token_stream().to_string().replace(' ', "");
                 source(&text).unwrap_or_else(|| panic!("no value for `{text}`"))

@@ -2,7 +2,7 @@
 
 use quote::ToTokens;
 
-use super::{Source, assert_same, body, laws, lower_derive, lower_text, points, value};
+use super::{Read, Source, assert_same, body, laws, lower_derive, lower_text, points, value};
 
 /// (name in formulas, code that reads it) of every parameter.
 fn parameters(lowered: &super::Lowered) -> Vec<(String, String)> {
@@ -10,6 +10,8 @@ fn parameters(lowered: &super::Lowered) -> Vec<(String, String)> {
         Source::Law(tokens) => tokens.to_token_stream().to_string().replace(' ', ""),
         Source::Mass => "mass".into(),
         Source::Time => "time".into(),
+        Source::Body(body, Read::Mass) => format!("{body:?}: mass"),
+        Source::Body(body, Read::Data(tokens)) => format!("{body:?}: {tokens}").replace(' ', ""),
     };
     lowered.parameters.iter().map(|p| (lowered.graph.name(p.symbol).to_owned(), code(&p.source))).collect()
 }

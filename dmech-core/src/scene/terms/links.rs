@@ -46,38 +46,6 @@ pub trait Links {
     }
 }
 
-/// Any two bodies.
-#[derive(Clone, Copy, Debug)]
-pub struct Pairs;
-
-impl Links for Pairs {
-    #[inline]
-    fn each(&self, bodies: usize, mut visit: impl FnMut(usize, usize)) {
-        for a in 0..bodies {
-            for b in a + 1..bodies {
-                visit(a, b);
-            }
-        }
-    }
-
-    fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
-        &self,
-        kernel: &impl Kernels<D, S, N>,
-        q: [&Vectors<D>; S],
-        numbers: &NumberColumns<N>,
-        out: &mut Vectors<D>,
-    ) {
-        if SET {
-            out.clear();
-        }
-        sweep::pairs(kernel, q, numbers, out);
-    }
-
-    fn topology(&self) -> Topology {
-        Topology::Dense
-    }
-}
-
 /// Consecutive bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Chain;

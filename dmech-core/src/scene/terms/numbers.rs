@@ -25,6 +25,11 @@ impl<N: Numbers> NumberColumns<N> {
         NumberColumns { bodies, flat, layout: core::marker::PhantomData }
     }
 
+    /// The number of bodies.
+    pub(super) fn bodies(&self) -> usize {
+        self.bodies
+    }
+
     /// Those of body i, in each lane.
     #[inline(always)]
     pub(super) fn at<R: Real>(&self, i: usize) -> N::Of<R> {

@@ -1,5 +1,7 @@
 //! The loops over links that add up gradients: in lanes where bodies are consecutive.
 
+use core::ops::Range;
+
 use dmech_scalar::Lanes;
 
 use super::numbers::NumberColumns;
@@ -22,7 +24,7 @@ impl<K: Kernel<D, S, N, f64> + Kernel<D, S, N, Lanes>, const D: usize, const S: 
 }
 
 /// The columns of the positions at S moments.
-type Moments<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
+pub(super) type Moments<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
 
 /// q_a − q_b at each moment, for each b of the lanes.
 #[inline(always)]
@@ -61,39 +63,40 @@ pub(super) fn link<const D: usize, const S: usize, N: Numbers>(
     out.add(b, gradient.map(|x| -x));
 }
 
-/// Any two bodies, each pair once: one a against eight b, from the block after that of a on.
-pub(super) fn pairs<const D: usize, const S: usize, N: Numbers>(
+/// The rows a ∈ `rows` of the triangle a < b, each pair once: one a against eight b, from the block after that of a on.
+///
+/// Column k of `out` begins with body `rows.start`.
+pub(super) fn triangle<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
-    q: [&Vectors<D>; S],
+    q: &Moments<'_, D, S>,
     numbers: &NumberColumns<N>,
-    out: &mut Vectors<D>,
+    rows: Range<usize>,
+    out: [&mut [f64]; D],
 ) {
-    let bodies = out.bodies();
-    let q = q.map(|q| q.columns());
-    let out = out.columns_mut();
-    for a in 0..bodies {
+    let (start, bodies) = (rows.start, numbers.bodies());
+    for a in rows {
         // Blocks begin at multiples of the number of lanes; what is before the first and after the last goes singly.
         let first = (a + 1).next_multiple_of(Lanes::COUNT).min(bodies);
         let last = first + (bodies - first) / Lanes::COUNT * Lanes::COUNT;
         let mut on_a = [0.0; D];
         for b in (a + 1..first).chain(last..bodies) {
-            let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), from_one(&q, a, b));
+            let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), from_one(q, a, b));
             for k in 0..D {
                 on_a[k] += gradient[k];
-                out[k][b] -= gradient[k];
+                out[k][b - start] -= gradient[k];
             }
         }
         let numbers_of_a = numbers.at::<Lanes>(a);
         let mut sums = [Lanes::splat(0.0); D];
         for b in (first..last).step_by(Lanes::COUNT) {
-            let gradient: [Lanes; D] = kernel.gradient(numbers_of_a, numbers.load(b), from_one(&q, a, b));
+            let gradient: [Lanes; D] = kernel.gradient(numbers_of_a, numbers.load(b), from_one(q, a, b));
             for k in 0..D {
                 sums[k] += gradient[k];
-                (-gradient[k]).add_to(out[k], b);
+                (-gradient[k]).add_to(out[k], b - start);
             }
         }
         for k in 0..D {
-            out[k][a] += on_a[k] + sums[k].sum();
+            out[k][a - start] += on_a[k] + sums[k].sum();
         }
     }
 }

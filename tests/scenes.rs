@@ -1,0 +1,424 @@
+//! Laws of motion of scenes: what closed systems keep, orders, reversal, work, links against each other.
+
+use dmech::prelude::*;
+use dmech::scene::{Acts, SceneScheme, Term};
+
+/// −g mₐ m_b / r.
+#[derive(Clone, Copy, Debug)]
+struct Gravity {
+    g: f64,
+}
+
+#[dmech::law]
+impl Gravity {
+    #[pair]
+    fn energy(&self, r: f64, ma: f64, mb: f64) -> f64 {
+        -self.g * ma * mb / r
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Charge {
+    e: f64,
+}
+
+/// k eₐ e_b / r.
+#[derive(Clone, Copy, Debug)]
+struct Coulomb {
+    k: f64,
+}
+
+#[dmech::law]
+impl Coulomb {
+    #[pair]
+    fn energy(&self, r: f64, a: &Charge, b: &Charge) -> f64 {
+        self.k * a.e * b.e / r
+    }
+}
+
+/// 4 ε ((σ/r)¹² − (σ/r)⁶).
+#[derive(Clone, Copy, Debug)]
+struct LennardJones {
+    epsilon: f64,
+    sigma: f64,
+}
+
+#[dmech::law]
+impl LennardJones {
+    #[pair]
+    fn energy(&self, r: f64) -> f64 {
+        let s6 = (self.sigma / r).powi(6);
+        4.0 * self.epsilon * (s6 * s6 - s6)
+    }
+}
+
+/// d²/2 + α d³/3 + β d⁴/4 with the spring constant k.
+#[derive(Clone, Copy, Debug)]
+struct Fput {
+    k: f64,
+    alpha: f64,
+    beta: f64,
+}
+
+#[dmech::law]
+impl Fput {
+    #[pair]
+    fn energy(&self, d: f64) -> f64 {
+        0.5 * self.k * d * d + self.alpha * d.powi(3) / 3.0 + 0.25 * self.beta * d.powi(4)
+    }
+}
+
+/// (a/b) (e^{−b d} + b d − 1).
+#[derive(Clone, Copy, Debug)]
+struct Toda {
+    a: f64,
+    b: f64,
+}
+
+#[dmech::law]
+impl Toda {
+    #[pair]
+    fn energy(&self, d: f64) -> f64 {
+        self.a / self.b * ((-self.b * d).exp() + self.b * d - 1.0)
+    }
+}
+
+/// −c (vₐ − v_b): friction between neighbours.
+#[derive(Clone, Copy, Debug)]
+struct Friction {
+    c: f64,
+}
+
+#[dmech::law]
+impl Friction {
+    #[pair_force]
+    fn force(&self, va: [f64; 2], vb: [f64; 2], d: [f64; 2]) -> [f64; 2] {
+        let strength = self.c / (1.0 + d[0] * d[0] + d[1] * d[1]);
+        [-strength * (va[0] - vb[0]), -strength * (va[1] - vb[1])]
+    }
+}
+
+/// k |q|²/2 + q⁴/4: a well that is the same for all.
+#[derive(Clone, Copy, Debug)]
+struct Well {
+    k: f64,
+}
+
+#[dmech::law]
+impl Well {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let s = q[0] * q[0] + q[1] * q[1];
+        0.5 * self.k * s + 0.25 * s * s
+    }
+}
+
+fn planets() -> Scene<2> {
+    Scene::new()
+        .body(5.0, [0.1, 0.0], [0.0, -0.113])
+        .body(0.3, [1.1, 0.2], [-0.2, 2.05])
+        .body(0.1, [-2.3, 0.1], [0.1, -1.3])
+        .body(0.02, [0.0, 4.4], [-1.1, 0.0])
+}
+
+fn ions() -> Scene<3, Charge> {
+    Scene::new()
+        .body_with(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0], Charge { e: 1.0 })
+        .body_with(6.0, [0.0, 0.1, 0.0], [0.0, -0.15, 0.02], Charge { e: -1.5 })
+        .body_with(1.5, [0.0, 4.0, -0.5], [-0.42, 0.0, 0.1], Charge { e: 0.7 })
+}
+
+/// Seven atoms near a hexagon with one in the middle.
+fn atoms() -> Scene<2> {
+    (0..6).fold(Scene::new().body(1.3, [0.05, -0.02], [0.0, 0.0]), |scene, i| {
+        let angle = f64::from(i) * std::f64::consts::FRAC_PI_3;
+        let r = 1.15 + 0.02 * f64::from(i % 3);
+        scene.body(1.0 + 0.1 * f64::from(i), [r * angle.cos(), r * angle.sin()], [0.05 * angle.sin(), -0.03])
+    })
+}
+
+/// Masses 1, 1.25, 1.5, … on a line, bent.
+fn chain<const N: usize>() -> Scene<1> {
+    (0..N).fold(Scene::new(), |scene, i| {
+        let x = i as f64;
+        scene.body(1.0 + 0.25 * (i % 5) as f64, [0.4 * (1.7 * x).sin()], [0.3 * (0.9 * x).cos()])
+    })
+}
+
+const STEPS: u64 = 100_000;
+
+/// Energy of `DiscreteGradient` and discrete energy of `Kanatani`, and both momenta, over 10⁵ steps.
+///
+/// The scale of an angular momentum that may be small is Σ m |q| |v| of the start.
+fn keeps_everything<const D: usize, P: Clone, L: Term<D, P> + Clone>(name: &str, scene: Scene<D, P, L>, dt: f64)
+where
+    DiscreteGradient: SceneScheme<D, L::Ready>,
+    Kanatani: SceneScheme<D, L::Ready>,
+{
+    let check = |run: &Run<SceneState<D>>, energy: Invariant| {
+        let energy = run.drift(energy).expect("a closed system has an energy");
+        let momentum = run.drift(Invariant::LinearMomentum).expect("a closed system has a linear momentum");
+        let start = &run.states()[0];
+        let norm = |x: &[f64; D]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let speed: f64 = start.v.iter().map(norm).sum();
+        let lever: f64 = start.q.iter().zip(&start.v).map(|(q, v)| norm(q) * norm(v)).sum();
+        let angular = run.drift(Invariant::AngularMomentum);
+        assert_eq!(angular.is_some(), D > 1, "{name}");
+        let angular = angular.map_or(0.0, |drift| drift.max_abs() / lever);
+        let (energy, linear) = (energy.max_relative(), momentum.max_abs() / speed);
+        println!("{name:<12} {:<16} {energy:8.1e} {linear:8.1e} {angular:8.1e}", run.report().scheme());
+        assert!(energy < 1e-12 && linear < 1e-12 && angular < 1e-12, "{name}\n{run}");
+    };
+    let simulation = || Simulation::scene(scene.clone()).dt(dt).record_every(100);
+    check(&simulation().scheme(DiscreteGradient).run(STEPS).unwrap(), Invariant::Energy);
+    check(&simulation().scheme(Kanatani).run(STEPS).unwrap(), Invariant::DiscreteEnergy);
+}
+
+#[test]
+fn closed_systems_keep_energy_and_momenta() {
+    println!("largest deviation over {STEPS} steps: energy, linear and angular momentum");
+    keeps_everything("gravity", planets().pairs(Gravity { g: 0.9 }), 0.004);
+    keeps_everything("Coulomb", ions().pairs(Coulomb { k: 1.1 }), 0.01);
+    keeps_everything("Lennard-Jones", atoms().pairs(LennardJones { epsilon: 1.2, sigma: 1.02 }), 0.004);
+    keeps_everything("FPUT", chain::<17>().chain(Fput { k: 1.3, alpha: 0.25, beta: 0.4 }), 0.05);
+    keeps_everything("Toda", chain::<17>().chain(Toda { a: 0.8, b: 1.4 }), 0.05);
+}
+
+/// The largest distance between the positions of two states.
+fn apart<const D: usize>(a: &SceneState<D>, b: &SceneState<D>) -> f64 {
+    let distances = a.q.iter().zip(&b.q).flat_map(|(a, b)| (0..D).map(move |k| (a[k] - b[k]).abs()));
+    distances.fold(0.0, f64::max)
+}
+
+/// Order, work and reversal of one scheme on a scene with a field, a chain, bonds and, where the scheme allows it, friction.
+fn moves_as_it_should<L: Term<2, ()> + Clone, S: SceneScheme<2, L::Ready>>(scene: &Scene<2, (), L>, scheme: S) {
+    let end = 1.0;
+    let run = |n: u64| {
+        let simulation = Simulation::scene(scene.clone()).scheme(scheme).dt(end / n as f64).record_every(n);
+        simulation.run(n).unwrap()
+    };
+    let finest = if S::ORDER == 1 { 16384 } else { 2048 };
+    let [coarse, middle, fine] = [finest / 4, finest / 2, finest].map(run);
+    let order = (apart(coarse.last(), middle.last()) / apart(middle.last(), fine.last())).log2();
+    println!("{:<18} order {order:.3}", S::NAME);
+    assert!((order - f64::from(S::ORDER)).abs() < 0.06, "{}: {order}", S::NAME);
+    let work = fine.drift(Invariant::WorkEnergy).unwrap();
+    assert!(work.max_abs() < 1e-12 * work.start().max(1.0), "{}: {work:?}", S::NAME);
+}
+
+fn jolly() -> Scene<2> {
+    (0..6).fold(Scene::new(), |scene, i| {
+        let x = f64::from(i);
+        scene.body(0.7 + 0.3 * x, [0.9 * x, 0.5 * (2.3 * x).sin()], [0.4 * (1.1 * x).cos(), 0.3 * (0.7 * x).sin()])
+    })
+}
+
+#[test]
+fn orders_and_work() {
+    let potentials = jolly()
+        .field(Well { k: 0.6 })
+        .chain(LennardJones { epsilon: 0.3, sigma: 0.8 })
+        .bonds(Gravity { g: 0.4 }, [(0, 2), (1, 5), (3, 5)]);
+    moves_as_it_should(&potentials, Explicit);
+    moves_as_it_should(&potentials, Leapfrog);
+    moves_as_it_should(&potentials, Implicit);
+    moves_as_it_should(&potentials, DiscreteGradient);
+    moves_as_it_should(&potentials, Kanatani);
+    let rubbed = potentials.chain(Friction { c: 0.7 }).pin(0);
+    let still = Scene::clone(&rubbed);
+    assert!(
+        matches!(
+            Simulation::scene(still).scheme(Implicit).dt(0.1).run(1).unwrap_err().cause(),
+            Error::PinnedMoves { body: 0, .. }
+        ),
+        "a pinned body cannot start with a velocity"
+    );
+    let mut rubbed = Scene::new();
+    for i in 0..6 {
+        let x = f64::from(i);
+        let v = if i == 0 { [0.0; 2] } else { [0.4 * (1.1 * x).cos(), 0.3 * (0.7 * x).sin()] };
+        rubbed = rubbed.body(0.7 + 0.3 * x, [0.9 * x, 0.5 * (2.3 * x).sin()], v);
+    }
+    let rubbed = rubbed.pairs(LennardJones { epsilon: 0.3, sigma: 0.8 }).pairs(Friction { c: 0.7 }).pin(0);
+    moves_as_it_should(&rubbed, Explicit);
+    moves_as_it_should(&rubbed, Implicit);
+    moves_as_it_should(&rubbed, DiscreteGradient);
+}
+
+/// A chain as a chain, as bonds and, for three bodies with the ends unlinked, as pairs less a bond: the same motion.
+#[test]
+fn links_of_all_kinds_are_the_same() {
+    let law = LennardJones { epsilon: 0.7, sigma: 0.9 };
+    let bodies = || {
+        Scene::new().body(1.0, [0.0, 0.1], [0.1, 0.0]).body(2.0, [1.1, 0.0], [0.0, 0.2]).body(
+            1.5,
+            [1.9, 0.7],
+            [-0.3, 0.1],
+        )
+    };
+    fn ends<L: Term<2, ()> + Clone>(scene: Scene<2, (), L>) -> [SceneState<2>; 3]
+    where
+        Leapfrog: SceneScheme<2, L::Ready>,
+        Implicit: SceneScheme<2, L::Ready>,
+        DiscreteGradient: SceneScheme<2, L::Ready>,
+    {
+        let simulation = || Simulation::scene(scene.clone()).dt(0.01);
+        [
+            simulation().scheme(Leapfrog).run(300).unwrap().last().clone(),
+            simulation().scheme(Implicit).run(300).unwrap().last().clone(),
+            simulation().scheme(DiscreteGradient).run(300).unwrap().last().clone(),
+        ]
+    }
+    let pairs = ends(bodies().pairs(law));
+    let bonds = ends(bodies().bonds(law, [(0, 1), (2, 1), (0, 2)]));
+    let mixed = ends(bodies().chain(law).bonds(law, [(2, 0)]));
+    let started = bodies().pairs(law);
+    for i in 0..3 {
+        assert!(apart(&pairs[i], &bonds[i]) < 1e-12 && apart(&pairs[i], &mixed[i]) < 1e-12);
+    }
+    assert!(apart(&pairs[0], &pairs[2]) > 1e-7, "different schemes differ");
+    drop(started);
+}
+
+/// Forward, velocities turned round, and back.
+#[test]
+fn symmetric_schemes_go_back() {
+    fn returns<S: SceneScheme<2, A>, A: Acts<2>, L: Term<2, (), Ready = A>>(
+        law: impl Fn(Scene<2>) -> Scene<2, (), L>,
+        scheme: S,
+    ) {
+        let forward = Simulation::scene(law(planets())).scheme(scheme).dt(0.01).run(400).unwrap();
+        let masses = [5.0, 0.3, 0.1, 0.02];
+        let back = forward.last().clone().reversed();
+        let turned = (0..4).fold(Scene::new(), |scene, i| scene.body(masses[i], back.q[i], back.v[i]));
+        let returned = Simulation::scene(law(turned)).scheme(scheme).dt(0.01).run(400).unwrap();
+        let distance = apart(returned.last(), &forward.states()[0]);
+        println!("{:<18} {distance:.1e}", S::NAME);
+        assert!(apart(forward.last(), &forward.states()[0]) > 0.1 && distance < 1e-10, "{}: {distance:e}", S::NAME);
+    }
+    let law = |scene: Scene<2>| scene.pairs(Gravity { g: 0.9 });
+    returns(law, Leapfrog);
+    returns(law, Implicit);
+    returns(law, DiscreteGradient);
+}
+
+/// Three bodies as one law of six coordinates move as the scene does.
+#[derive(Clone, Copy, Debug)]
+struct ThreeBodies {
+    g: f64,
+    m: [f64; 3],
+}
+
+#[dmech::law]
+impl ThreeBodies {
+    #[potential]
+    fn energy(&self, q: [f64; 6]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..3 {
+            for j in 0..i {
+                let (x, y) = (q[2 * i] - q[2 * j], q[2 * i + 1] - q[2 * j + 1]);
+                sum -= self.g * self.m[i] * self.m[j] / (x * x + y * y).sqrt();
+            }
+        }
+        sum
+    }
+}
+
+#[test]
+fn a_small_scene_is_a_law_too() {
+    let (g, m) = (1.1, [1.0, 1.4, 0.7]);
+    let q = [[0.97, -0.24], [-0.97, 0.24], [0.1, 0.02]];
+    let v = [[0.46, 0.43], [0.45, 0.4], [-0.9, -0.8]];
+    let scene = || (0..3).fold(Scene::new(), |scene, i| scene.body(m[i], q[i], v[i])).pairs(Gravity { g });
+    let state = State::new(
+        [q[0][0], q[0][1], q[1][0], q[1][1], q[2][0], q[2][1]],
+        [v[0][0], v[0][1], v[1][0], v[1][1], v[2][0], v[2][1]],
+    );
+    let masses = [m[0], m[0], m[1], m[1], m[2], m[2]];
+    macro_rules! same {
+        ($($scheme:expr),*) => {$(
+            let law = Simulation::new(ThreeBodies { g, m }, state).masses(masses).scheme($scheme).dt(0.002).run(500).unwrap();
+            let bodies = Simulation::scene(scene()).scheme($scheme).dt(0.002).run(500).unwrap();
+            for i in 0..3 {
+                for k in 0..2 {
+                    let difference = (law.last().q[2 * i + k] - bodies.last().q[i][k]).abs();
+                    assert!(difference < 1e-11, "{:?}: {difference:e}", $scheme);
+                }
+            }
+        )*};
+    }
+    same!(Explicit, Leapfrog, Implicit, DiscreteGradient, Kanatani);
+}
+
+/// Everything that is refused before the first step, by its words.
+#[test]
+fn wrong_scenes_are_refused() {
+    fn words<const D: usize, L: Term<D, ()>>(scene: Scene<D, (), L>) -> String
+    where
+        Leapfrog: SceneScheme<D, L::Ready>,
+    {
+        let refused = Simulation::scene(scene).scheme(Leapfrog).dt(0.1).run(3).unwrap_err();
+        assert!(refused.run().states().is_empty());
+        refused.to_string()
+    }
+    let two = || Scene::new().body(1.0, [0.0], [0.0]).body(2.0, [1.5], [0.0]);
+    let spring = Fput { k: 1.0, alpha: 0.1, beta: 0.2 };
+    assert_eq!(words(Scene::<1>::new().chain(spring)), "the scene has no bodies");
+    assert_eq!(
+        words(two().body(-3.0, [2.0], [0.0]).chain(spring)),
+        "the mass of body 2 must be positive and finite, not -3"
+    );
+    assert_eq!(words(two().body(f64::NAN, [2.0], [0.0])), "the mass of body 2 must be positive and finite, not NaN");
+    assert_eq!(words(two().body(1.0, [f64::NAN], [0.0])), "body 2 must start from a finite state: q = NaN");
+    assert_eq!(words(two().body(1.0, [0.0], [f64::INFINITY])), "body 2 must start from a finite state: v = inf");
+    assert_eq!(words(two().pin(2)), "body 2 cannot be pinned: the bodies are 0 to 1");
+    assert_eq!(
+        words(two().body(1.0, [2.0], [0.25]).pin(2)),
+        "body 2 is pinned and must start at rest: a component of its velocity is 0.25"
+    );
+    assert_eq!(words(two().bonds(spring, [(0, 7)])), "no bond between 0 and 7: the bodies are 0 to 1");
+    assert_eq!(words(two().bonds(spring, [(1, 1)])), "body 1 is bonded to itself");
+    assert_eq!(words(two().bonds(spring, [(0, 1), (1, 0)])), "the bond between bodies 1 and 0 is listed twice");
+    assert_eq!(words(two().at_time(f64::NAN)), "the initial state must be finite: t = NaN");
+    // Under a regular law bodies may coincide, under a singular one not.
+    assert!(Simulation::scene(two().body(1.0, [1.5], [0.0]).chain(spring)).scheme(Leapfrog).dt(0.1).run(3).is_ok());
+    assert_eq!(
+        words(two().body(1.0, [1.5], [0.0]).pairs(Gravity { g: 1.0 })),
+        "bodies 1 and 2 coincide, where their law is not finite, step 0, t = 0"
+    );
+    let scene = two().chain(spring);
+    assert!(matches!(
+        Simulation::scene(scene.clone()).scheme(Leapfrog).run(1).unwrap_err().cause(),
+        Error::MissingTimeStep
+    ));
+    let refused = Simulation::scene(scene).scheme(Leapfrog).dt(-0.1).run(1).unwrap_err();
+    assert!(matches!(refused.cause(), Error::TimeStep { .. }));
+}
+
+/// Two bodies that meet: the run ends with both named and everything up to there.
+#[test]
+fn a_collision_names_the_bodies() {
+    let scene = Scene::new()
+        .body(1.0, [-0.5], [1.0])
+        .body(1.0, [40.0], [0.0])
+        .body(1.0, [0.5], [-1.0])
+        .pairs(Coulomb0 { k: 0.0 });
+    let failed = Simulation::scene(scene).scheme(Leapfrog).dt(0.125).run(100).unwrap_err();
+    assert_eq!(failed.cause().to_string(), "bodies 0 and 2 coincide, where their law is not finite, step 4, t = 0.375");
+    assert_eq!(failed.run().steps(), 3);
+    assert_eq!(failed.run().last().q[0], [-0.125]);
+}
+
+/// k/r with k = 0 acts on nobody and is still not finite where two bodies coincide.
+#[derive(Clone, Copy, Debug)]
+struct Coulomb0 {
+    k: f64,
+}
+
+#[dmech::law]
+impl Coulomb0 {
+    #[pair]
+    fn energy(&self, r: f64) -> f64 {
+        self.k / r
+    }
+}

@@ -41,7 +41,7 @@ pub(super) fn step<L: Law<D, R>, const D: usize, R: Real>(
     stride.kick_compensated(v, found.gradient);
     for i in 0..D {
         let rounded = exact_product(stride.kick, found.gradient[i]).1;
-        v.lo[i] = v.lo[i] - stride.kick.mul_add(rest[i], rounded);
+        v.lo[i] -= stride.kick.mul_add(rest[i], rounded);
     }
     Ok(found)
 }

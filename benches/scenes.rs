@@ -44,6 +44,14 @@ fn scenes() -> Vec<Scene> {
         runs,
         loops: Box::new(move || bodies::loops(n, 1e-4)),
     };
+    let implicit = |name, n: usize, steps, runs| Scene {
+        name,
+        bodies: n,
+        unit: "ns/body",
+        steps,
+        runs,
+        loops: Box::new(move || chain::implicit(n, 1.1, 0.3, 0.05)),
+    };
     vec![
         Scene {
             name: "figure eight",
@@ -61,6 +69,8 @@ fn scenes() -> Vec<Scene> {
             runs: 100,
             loops: Box::new(|| chain::loops(1024, 1.1, 0.3, 0.05)),
         },
+        implicit("implicit chain, 1000", 1000, 100, 30),
+        implicit("implicit chain, 100000", 100_000, 10, 8),
         gravity("gravity, 1000", 1000, 4, 50),
         gravity("gravity, 4000", 4000, 1, 20),
     ]

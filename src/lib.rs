@@ -114,6 +114,16 @@
 //! | [`Implicit`](struct@Implicit) | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
+//!
+//! # Features
+//!
+//! | feature | default | what |
+//! |---|---|---|
+//! | `scene` | yes | scenes of many bodies |
+//! | `parallel` | no | pair loops of large scenes on all cores, equal to the bit for any number of threads |
+//! | `sparse` | no | sparse Newton matrices for the implicit schemes on listed bonds, through faer; dense without |
+//! | `serde` | no | `Checkpoint`: runs that are saved and resumed bit for bit |
+//! | `progress` | no | `Simulation::with_progress`: a bar on the terminal during long runs, through indicatif |
 #![forbid(unsafe_code)]
 
 pub use dmech_core::*;

@@ -9,6 +9,8 @@
 
 use std::hint::black_box;
 
+use dmech::prelude::*;
+
 use super::Loop;
 
 /// a b + c, fused where the target has the instruction.
@@ -142,6 +144,15 @@ fn kick_and_drift(chain: &mut Chain, bond: Bond, dt: f64, steps: u64) {
     }
 }
 
+/// The implicit schemes on a chain of n moving bodies: what a body costs must not depend on n.
+pub(super) fn implicit(n: usize, k: f64, beta: f64, dt: f64) -> Vec<(&'static str, Loop)> {
+    vec![
+        ("scene, Implicit", super::own::chain(Implicit, &start(n), k, beta, dt)),
+        ("scene, DiscreteGradient", super::own::chain(DiscreteGradient, &start(n), k, beta, dt)),
+        ("scene, Kanatani", super::own::chain(Kanatani, &start(n), k, beta, dt)),
+    ]
+}
+
 /// The loops for n moving bodies, by name.
 pub(super) fn loops(n: usize, k: f64, beta: f64, dt: f64) -> Vec<(&'static str, Loop)> {
     let step = dt;
@@ -158,6 +169,6 @@ pub(super) fn loops(n: usize, k: f64, beta: f64, dt: f64) -> Vec<(&'static str, 
         ("twin: kick and drift at once", plain(kick_and_drift)),
         ("twin: impulse carried", plain(carried)),
         ("twin: impulses twice", plain(twice)),
-        ("scene", super::own::chain(&start(n), k, beta, step)),
+        ("scene", super::own::chain(Leapfrog, &start(n), k, beta, step)),
     ]
 }

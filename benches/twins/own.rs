@@ -1,7 +1,7 @@
 //! The same scenes by the project.
 
 use dmech::prelude::*;
-use dmech::scene::{Acts, SceneScheme, SceneStepper, Vectors};
+use dmech::scene::{Acts, Chain, Linked, SceneScheme, SceneStepper, Term, Vectors};
 
 use super::Loop;
 
@@ -21,7 +21,7 @@ impl Gravity {
 
 /// k d²/2 + β d⁴/4.
 #[derive(Clone, Copy, Debug)]
-struct Bond {
+pub(super) struct Bond {
     k: f64,
     beta: f64,
 }
@@ -76,14 +76,17 @@ pub(super) fn gravity(bodies: &[(f64, [f64; 3])], dt: f64) -> Loop {
 }
 
 /// A chain with fixed ends, at rest.
-pub(super) fn chain(q: &[f64], k: f64, beta: f64, dt: f64) -> Loop {
+pub(super) fn chain<S>(scheme: S, q: &[f64], k: f64, beta: f64, dt: f64) -> Loop
+where
+    S: SceneScheme<1, <((), Linked<Bond, Chain>) as Term<1, ()>>::Ready> + 'static,
+{
     let mut scene = Scene::new().body(1.0, [0.0], [0.0]);
     for &q in q {
         scene = scene.body(1.0, [q], [0.0]);
     }
     let n = q.len();
     let scene = scene.body(1.0, [0.0], [0.0]).chain(Bond { k, beta }).pin(0).pin(n + 1);
-    let simulation = Simulation::scene(scene).scheme(Leapfrog).dt(dt);
+    let simulation = Simulation::scene(scene).scheme(scheme).dt(dt);
     scene_loop(simulation.stepper().expect("a scene"), move |q| q.get(n / 2 + 1)[0])
 }
 

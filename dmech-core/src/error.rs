@@ -165,6 +165,10 @@ pub enum Error {
         /// Largest component of the last correction (a length).
         residual: f64,
     },
+    /// A checkpoint of another simulation (feature `serde`).
+    #[cfg(feature = "serde")]
+    #[error("cannot resume: {0}")]
+    Checkpoint(crate::checkpoint::Difference),
 }
 
 /// What is wrong between two bodies.
@@ -172,6 +176,8 @@ fn link(a: usize, b: usize, distance: f64) -> String {
     if distance == 0.0 {
         format!("bodies {a} and {b} coincide, where their law is not finite")
     } else {
+        // Bodies that a step too long has thrown apart: not hundreds of digits.
+        let distance = if (1e-3..1e6).contains(&distance) { format!("{distance}") } else { format!("{distance:e}") };
         format!("what acts between bodies {a} and {b} at the distance {distance} is not finite")
     }
 }

@@ -5,6 +5,8 @@
 //! and a report.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "serde")]
+mod checkpoint;
 mod csv;
 mod error;
 mod invariant;
@@ -12,7 +14,10 @@ mod law;
 mod masses;
 mod motion;
 mod pair;
+mod progress;
 mod report;
+#[cfg(feature = "serde")]
+mod resume;
 mod run;
 mod simulation;
 mod state;
@@ -26,6 +31,8 @@ pub mod scene;
 pub mod scheme;
 pub mod verify;
 
+#[cfg(feature = "serde")]
+pub use checkpoint::{Carried, Checkpoint, Difference};
 pub use csv::Columns;
 pub use dmech_scalar as scalar;
 pub use dmech_scalar::{Mask, Real};
@@ -48,6 +55,8 @@ pub use verify::verify;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {
+    #[cfg(feature = "serde")]
+    pub use crate::checkpoint::Checkpoint;
     pub use crate::law::{Conservative, Derivation, Force, Law, MassIndependent, Potential, VelocityIndependent};
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};

@@ -3,6 +3,9 @@
 use std::time::Instant;
 
 use crate::error::{Error, Interrupted};
+#[cfg(feature = "progress")]
+use crate::progress::Bar;
+use crate::progress::{Follow, Shown, Unseen};
 use crate::run::{Run, Work};
 use crate::watch::Drifts;
 
@@ -29,10 +32,27 @@ pub(crate) trait Motion {
 
 /// Makes `steps` steps and records the state after every n-th.
 pub(crate) fn record<M: Motion>(
+    motion: M,
+    run: Run<M::State>,
+    steps: u64,
+    record_every: u64,
+    shown: Shown,
+) -> Result<Run<M::State>, Interrupted<M::State>> {
+    #[cfg(feature = "progress")]
+    if let Some(bar) = shown.bar {
+        return record_seen(motion, run, steps, record_every, Bar::new(bar, steps));
+    }
+    let Shown { .. } = shown;
+    record_seen(motion, run, steps, record_every, Unseen)
+}
+
+/// The loop, once for runs that are shown and once for those that are not.
+fn record_seen<M: Motion, F: Follow>(
     mut motion: M,
     mut run: Run<M::State>,
     steps: u64,
     record_every: u64,
+    mut follow: F,
 ) -> Result<Run<M::State>, Interrupted<M::State>> {
     let clock = Instant::now();
     let mut watch = motion.watch();
@@ -45,6 +65,7 @@ pub(crate) fn record<M: Motion>(
             failure = Some(error);
             break;
         }
+        follow.step();
         until_record -= 1;
         if until_record == 0 {
             until_record = record_every;
@@ -53,6 +74,7 @@ pub(crate) fn record<M: Motion>(
             run.record(state);
         }
     }
+    follow.end(failure.is_none());
     let last = motion.state();
     if until_record != record_every {
         motion.observe(&mut watch, &last);

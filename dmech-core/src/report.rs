@@ -103,7 +103,7 @@ impl fmt::Display for Report {
                 "  {invariant:<22} {:>22} {:>12} {:>12} {:>12}  {}",
                 format!("{:.15}", drift.start()),
                 format!("{:.2e}", drift.max_abs()),
-                format!("{:.2e}", drift.max_relative()),
+                relative(&drift),
                 format!("{:+.1e}", drift.slope()),
                 self.kept(invariant)
             )?;
@@ -113,4 +113,10 @@ impl fmt::Display for Report {
         let nanoseconds = per_step(elapsed.as_secs_f64() * 1e9);
         write!(f, "  {:<22} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
     }
+}
+
+/// Nothing is relative to 0, where bodies at rest and closed systems start.
+fn relative(drift: &Drift) -> String {
+    let relative = drift.max_relative();
+    if relative.is_finite() { format!("{relative:.2e}") } else { "–".to_owned() }
 }

@@ -6,6 +6,7 @@ use crate::error::{Error, Interrupted};
 use crate::law::{Law, MassIndependent};
 use crate::masses::Masses;
 use crate::motion::{record, steps_until};
+use crate::progress::Shown;
 use crate::run::Run;
 use crate::scheme::Scheme;
 use crate::state::State;
@@ -47,6 +48,7 @@ pub struct Simulation<L, X, S = NoScheme> {
     pub(crate) mass: f64,
     pub(crate) dt: Option<f64>,
     pub(crate) record_every: u64,
+    pub(crate) shown: Shown,
 }
 
 impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
@@ -55,15 +57,15 @@ impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
     where
         L: Law<D, R>,
     {
-        Simulation { law, start, scheme: NoScheme, mass: 1.0, dt: None, record_every: 1 }
+        Simulation { law, start, scheme: NoScheme, mass: 1.0, dt: None, record_every: 1, shown: Shown::default() }
     }
 }
 
 impl<L, X, S> Simulation<L, X, S> {
     /// The scheme: `Explicit`, `Leapfrog`, `Implicit`, `DiscreteGradient`, `Kanatani`.
     pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T> {
-        let Simulation { law, start, mass, dt, record_every, .. } = self;
-        Simulation { law, start, scheme, mass, dt, record_every }
+        let Simulation { law, start, mass, dt, record_every, shown, .. } = self;
+        Simulation { law, start, scheme, mass, dt, record_every, shown }
     }
 
     /// The time step.
@@ -120,8 +122,8 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
     where
         L: MassIndependent,
     {
-        let Simulation { law, start, scheme, mass, dt, record_every } = self;
-        Simulation { law: Masses::new(law, masses), start, scheme, mass, dt, record_every }
+        let Simulation { law, start, scheme, mass, dt, record_every, shown } = self;
+        Simulation { law: Masses::new(law, masses), start, scheme, mass, dt, record_every, shown }
     }
 
     /// A stepper, which neither records nor allocates.
@@ -172,11 +174,12 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         S: Scheme<L, D, R>,
     {
         let (start, record_every, mass, dt) = (self.start, self.record_every, self.mass, self.dt);
+        let shown = self.shown.clone();
         let run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
         let prepared = prepared.and_then(|stepper| Ok((count(start.t, dt.unwrap_or(f64::NAN))?, stepper)));
         match prepared {
-            Ok((steps, stepper)) => record(stepper, run, steps, record_every),
+            Ok((steps, stepper)) => record(stepper, run, steps, record_every, shown),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }

@@ -60,3 +60,12 @@ fn the_report_is_a_table() {
     assert_eq!(run.report().evaluations(), run.report().iterations());
     assert!(run.report().elapsed().as_nanos() > 0);
 }
+
+/// A step too long throws the bodies of a chain apart: the distance is one of few digits, not of two hundred.
+#[test]
+fn a_distance_is_told_in_few_digits() {
+    let message = |distance| Error::Link { a: 4, b: 5, distance, step: 215, time: 214.0 }.to_string();
+    assert!(message(6.25e210).contains("at the distance 6.25e210 is"), "{}", message(6.25e210));
+    assert!(message(0.125).contains("at the distance 0.125 is"), "{}", message(0.125));
+    assert!(message(0.0).contains("bodies 4 and 5 coincide"), "{}", message(0.0));
+}

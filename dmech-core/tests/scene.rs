@@ -1,60 +1,10 @@
 //! Scenes with laws written by hand.
 #![cfg(feature = "scene")]
 
-use dmech_core::Real;
+mod gravity;
+
 use dmech_core::prelude::*;
-use dmech_core::{Between, PairLaw, Reads, Symmetric, radial};
-
-/// Φ = −G ma mb/r.
-#[derive(Clone, Copy, Debug)]
-struct Gravity {
-    g: f64,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Attraction<R>(R);
-
-impl<P> Reads<P> for Gravity {
-    type Numbers = [f64; 1];
-    fn numbers(&self, mass: f64, _: &P) -> [f64; 1] {
-        [mass]
-    }
-}
-
-impl<const D: usize, P, R: Real> PairLaw<D, P, R> for Gravity {
-    type Between<'a> = Attraction<R>;
-    fn between(&self, [ma]: [R; 1], [mb]: [R; 1], _: R) -> Attraction<R> {
-        Attraction(R::from_f64(self.g) * ma * mb)
-    }
-}
-
-impl<const D: usize, R: Real> Potential<D, R> for Attraction<R> {
-    const CENTRAL: bool = true;
-    fn potential(&self, d: [R; D]) -> R {
-        -self.0 / radial::square(d).sqrt()
-    }
-    fn gradient(&self, d: [R; D]) -> [R; D] {
-        let s = radial::square(d);
-        radial::gradient(self.0 / (s * s.sqrt()), d)
-    }
-    fn hessian(&self, d: [R; D]) -> [[R; D]; D] {
-        let s = radial::square(d);
-        let c = self.0 / (s * s.sqrt());
-        radial::hessian(c, R::from_f64(-1.5) * c / s, d)
-    }
-    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
-        let (x, y) = (radial::square(a).sqrt(), radial::square(b).sqrt());
-        radial::discrete_gradient(self.0 / (x * y * (x + y)), a, b)
-    }
-    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
-        let (x, y) = (radial::square(a).sqrt(), radial::square(b).sqrt());
-        let c = self.0 / (x * y * (x + y));
-        radial::discrete_gradient_jacobian(c, -c * (x + y + y) / ((y + y) * y * (x + y)), a, b)
-    }
-}
-impl<const D: usize, R: Real> Between<D, R> for Attraction<R> {}
-impl Symmetric for Gravity {}
-impl VelocityIndependent for Gravity {}
+use gravity::Gravity;
 
 fn triple() -> Scene<3> {
     Scene::new().body(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0]).body(6.0, [0.0, 0.1, 0.0], [0.0, -0.15, 0.02]).body(
@@ -84,4 +34,24 @@ fn the_energy_exact_schemes_keep_everything() {
         println!("{run}");
         assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-11);
     }
+}
+
+#[test]
+fn the_csv_of_a_scene_names_bodies_and_components() {
+    let run = Simulation::scene(triple().pairs(Gravity { g: 1.3 })).scheme(Leapfrog).dt(0.003).record_every(2).run(5);
+    let run = run.unwrap();
+    let mut bytes = Vec::new();
+    run.write_csv(&mut bytes).unwrap();
+    let text = String::from_utf8(bytes).unwrap();
+    let mut lines = text.lines();
+    let names = "t,q0_0,q0_1,q0_2,q1_0,q1_1,q1_2,q2_0,q2_1,q2_2,v0_0,v0_1,v0_2,v1_0,v1_1,v1_2,v2_0,v2_1,v2_2";
+    assert_eq!(lines.next(), Some(names));
+    let mut rows = 0;
+    for (line, state) in lines.zip(run.states()) {
+        let row: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
+        let numbers = [&[state.t], state.q.as_flattened(), state.v.as_flattened()].concat();
+        assert_eq!(row, numbers);
+        rows += 1;
+    }
+    assert_eq!((rows, text.lines().count()), (3, 4));
 }

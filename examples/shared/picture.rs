@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each example uses its part")]
 
 use std::error::Error;
+use std::f64::consts::PI;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
@@ -38,9 +39,14 @@ pub(crate) fn save(name: &str, [width, height]: [u32; 2], draw: impl FnOnce(&Are
     }
     let units = format!("width=\"{}\" height=\"{}\"", FINE * width, FINE * height);
     let svg = svg.replacen(&units, &format!("width=\"{width}\" height=\"{height}\""), 1);
-    let path = folder()?.join(name);
+    let path = place(name)?;
     fs::write(&path, svg)?;
     Ok(path)
+}
+
+/// Where a file of the given name goes.
+pub(crate) fn place(name: &str) -> io::Result<PathBuf> {
+    Ok(folder()?.join(name))
 }
 
 /// `dmech/` in the build folder, which is the one above the program that has cargo's tag; else in the current folder.
@@ -108,10 +114,15 @@ pub(crate) fn chart<'a>(area: &Area<'a>, title: &str, x: Axis<'_>, y: Axis<'_>, 
 
 /// Axes with one scale: the height that belongs to a width, around y = 0.
 pub(crate) fn equal_chart<'a>(area: &Area<'a>, title: &str, x: Range<f64>) -> Drawn<Chart<'a>> {
+    equal_chart_about(area, title, x, 0.0)
+}
+
+/// The same around another y.
+pub(crate) fn equal_chart_about<'a>(area: &Area<'a>, title: &str, x: Range<f64>, middle: f64) -> Drawn<Chart<'a>> {
     let titled = area.titled("", text(17.0, INK))?;
     let (width, height) = builder(&titled, 10).build_cartesian_2d(0.0..1.0, 0.0..1.0)?.plotting_area().dim_in_pixel();
     let half = 0.5 * (x.end - x.start) * f64::from(height) / f64::from(width);
-    chart(area, title, Axis::linear("x", x), Axis::linear("y", -half..half), 10)
+    chart(area, title, Axis::linear("x", x), Axis::linear("y", middle - half..middle + half), 10)
 }
 
 fn builder<'a, 'b>(area: &'b Area<'a>, right: u32) -> ChartBuilder<'b, 'static, SVGBackend<'a>> {
@@ -156,6 +167,48 @@ pub(crate) fn name_ends(chart: &Chart<'_>, mut ends: Vec<((f64, f64), &str, RGBC
         lowest = height.max(lowest.saturating_add(18));
         label(chart, at, (8, lowest - height), name, colour)?;
     }
+    Ok(())
+}
+
+/// Words beside points, each at the nearest place around its point where no line and no other words are.
+///
+/// `lines` are the points of the lines, close together.
+pub(crate) fn label_clear(chart: &Chart<'_>, lines: &[(f64, f64)], labels: &[((f64, f64), String, RGBColor)]) -> Drawn {
+    let pixels = |at: &(f64, f64)| {
+        let (x, y) = chart.backend_coord(at);
+        (f64::from(x) / f64::from(FINE), f64::from(y) / f64::from(FINE))
+    };
+    let lines: Vec<_> = lines.iter().map(pixels).collect();
+    let mut placed: Vec<((f64, f64), f64)> = Vec::new();
+    for (at, words, colour) in labels {
+        let (x, y) = pixels(at);
+        let half = 4.0 * words.chars().count() as f64 + 2.0;
+        let clutter = |(dx, dy): &(i32, i32)| {
+            let centre = (x + f64::from(*dx), y + f64::from(*dy));
+            let away = |other: (f64, f64), half: f64, high: f64| {
+                (other.0 - centre.0).abs() > half || (other.1 - centre.1).abs() > high
+            };
+            let on_lines = lines.iter().filter(|&&point| !away(point, half, 9.0)).count();
+            let on_words = placed.iter().filter(|(point, other)| !away(*point, half + other, 16.0)).count();
+            on_lines + 1000 * on_words
+        };
+        let around = (12..48).step_by(4).flat_map(|radius| (0..16).map(move |turn| (radius, turn)));
+        let places = around.map(|(radius, turn)| {
+            let (sin, cos) = (0.125 * PI * f64::from(turn)).sin_cos();
+            let radius = f64::from(radius);
+            (((radius + half - 8.0) * cos).round() as i32, (-radius * sin).round() as i32)
+        });
+        let moved = places.min_by_key(clutter).unwrap_or_default();
+        placed.push(((x + f64::from(moved.0), y + f64::from(moved.1)), half));
+        centred(chart, *at, moved, words, *colour)?;
+    }
+    Ok(())
+}
+
+fn centred(chart: &Chart<'_>, at: (f64, f64), (dx, dy): (i32, i32), words: &str, colour: RGBColor) -> Drawn {
+    let style = text(14.0, colour).pos(Pos::new(HPos::Center, VPos::Center));
+    let fine = FINE as i32;
+    chart.plotting_area().draw(&(EmptyElement::at(at) + Text::new(words.to_owned(), (dx * fine, dy * fine), style)))?;
     Ok(())
 }
 

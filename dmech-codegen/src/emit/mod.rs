@@ -4,6 +4,7 @@ mod body;
 mod document;
 mod implementation;
 mod kernels;
+mod middle;
 mod names;
 mod operation;
 mod pair;

@@ -121,6 +121,11 @@ impl<const D: usize, P, L> Scene<D, P, L> {
         Scene { bodies: self.bodies, laws: (self.laws, term) }
     }
 
+    /// The masses, in the order of the bodies.
+    pub fn masses(&self) -> &[f64] {
+        &self.bodies.masses
+    }
+
     /// The number of bodies.
     pub fn bodies(&self) -> usize {
         self.bodies.masses.len()

@@ -5,12 +5,24 @@ use dmech_scalar::two_sum;
 use super::vectors::Vectors;
 
 /// hi + lo, where hi is the value and lo what rounding took from it so far.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct CompensatedVectors<const D: usize> {
     /// The value.
     pub hi: Vectors<D>,
     /// What is missing.
     pub lo: Vectors<D>,
+}
+
+impl<const D: usize> Clone for CompensatedVectors<D> {
+    fn clone(&self) -> Self {
+        CompensatedVectors { hi: self.hi.clone(), lo: self.lo.clone() }
+    }
+
+    /// Without a new allocation.
+    fn clone_from(&mut self, other: &Self) {
+        self.hi.clone_from(&other.hi);
+        self.lo.clone_from(&other.lo);
+    }
 }
 
 impl<const D: usize> CompensatedVectors<D> {
@@ -25,6 +37,12 @@ impl<const D: usize> CompensatedVectors<D> {
         self.hi.is_finite()
     }
 
+    /// The values and what is missing, to be written to.
+    #[cfg(feature = "serde")]
+    pub(super) fn parts_mut(&mut self) -> [&mut [f64]; 2] {
+        [self.hi.flat_mut(), self.lo.flat_mut()]
+    }
+
     /// Component i with its low part.
     #[inline]
     pub(super) fn sum(&self, i: usize) -> f64 {
@@ -37,11 +55,21 @@ impl<const D: usize> CompensatedVectors<D> {
         (self.hi.flat()[i] - before.hi.flat()[i]) + (self.lo.flat()[i] - before.lo.flat()[i])
     }
 
-    /// self += (i ↦ change).
+    /// v += (i ↦ change) and q += drift + share·change, in one pass.
     #[inline]
-    pub(super) fn add(&mut self, change: impl Fn(usize) -> f64) {
-        for (i, (hi, lo)) in self.hi.flat_mut().iter_mut().zip(self.lo.flat_mut()).enumerate() {
-            (*hi, *lo) = two_sum(*hi, *lo + change(i));
+    pub(super) fn kick_and_drift(
+        q: &mut Self,
+        v: &mut Self,
+        drift: &Vectors<D>,
+        share: f64,
+        change: impl Fn(usize) -> f64,
+    ) {
+        let places = q.hi.flat_mut().iter_mut().zip(q.lo.flat_mut());
+        let speeds = v.hi.flat_mut().iter_mut().zip(v.lo.flat_mut());
+        for (i, (((q, q_low), (v, v_low)), drift)) in places.zip(speeds).zip(drift.flat()).enumerate() {
+            let change = change(i);
+            (*q, *q_low) = two_sum(*q, *q_low + (drift + share * change));
+            (*v, *v_low) = two_sum(*v, *v_low + change);
         }
     }
 }

@@ -8,6 +8,8 @@ mod builder;
 mod compensated;
 mod matrix;
 mod newton;
+#[cfg(feature = "serde")]
+mod resume;
 mod scheme;
 mod setting;
 mod simulation;

@@ -21,8 +21,8 @@ pub(super) struct Equation<'a, const D: usize> {
     /// The low part of the position.
     pub(super) q_low: &'a Vectors<D>,
     pub(super) drift: &'a Vectors<D>,
-    /// The part of the force that is known.
-    pub(super) known: &'a Vectors<D>,
+    /// The part of the force that is known, if there is one.
+    pub(super) known: Option<&'a Vectors<D>>,
     pub(super) g: &'a Vectors<D>,
     /// The velocity at the start, and 2/h: that at the end is v + rate (Δ − drift).
     pub(super) v: &'a Vectors<D>,
@@ -34,8 +34,10 @@ pub(super) struct Equation<'a, const D: usize> {
 pub(super) trait Unknown<const D: usize> {
     /// G is linear in b and v.
     const LINEAR: bool;
+    /// G depends on the velocity at the end of the step.
+    const FORCED: bool;
 
-    /// out += G(b, v), for a part θ of the step.
+    /// out ← G(b, v), for a part θ of the step.
     fn gradient(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>);
     /// out += ∂G/∂b + rate ∂G/∂v.
     fn jacobian(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>);
@@ -79,7 +81,7 @@ impl<const D: usize> Solver<D> {
     ) -> Result<Effort, NotConverged> {
         match self.settle(equation, unknown, 1.0) {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
-            Err(astray) => self.lengthen(equation, unknown, astray.iterations),
+            Err(astray) => self.lengthen(equation, unknown, astray.iterations as u32),
         }
     }
 
@@ -98,14 +100,13 @@ impl<const D: usize> Solver<D> {
         let mut last = f64::NAN;
         let mut since_factors = 0;
         for iteration in 1..=PATIENCE.min(equation.max_iterations) {
-            self.place(equation);
-            self.gradient.clear();
+            self.place::<U>(equation);
             unknown.gradient(theta, &self.end, &self.velocity, &mut self.gradient);
             if iteration == 1 || since_factors == CHORD {
                 self.matrix.clear();
                 unknown.jacobian(theta, &self.end, &self.velocity, equation.rate, &mut self.matrix);
                 if !self.factorise(equation, theta) {
-                    return Err(NotConverged { iterations: iteration, residual: f64::NAN });
+                    return Err(NotConverged { iterations: iteration.into(), residual: f64::NAN });
                 }
                 since_factors = 0;
             }
@@ -113,14 +114,9 @@ impl<const D: usize> Solver<D> {
             let force = self.residual(equation, theta);
             self.matrix.solve(&mut self.correction);
             self.matrix.multiply_add(&self.correction, &mut self.gradient);
-            let mut step = 0.0_f64;
-            for (delta, change) in self.delta.flat_mut().iter_mut().zip(self.correction.flat()) {
-                *delta += change;
-                step = step.max(delta.abs());
-            }
-            let size = self.correction.largest();
+            let [size, step] = self.correct();
             if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step) {
-                return Err(NotConverged { iterations: iteration, residual: size });
+                return Err(NotConverged { iterations: iteration.into(), residual: size });
             }
             let rate = if iteration == 1 { size / step } else { size / last };
             let settled = size == 0.0 || U::LINEAR || rate * size <= MARGIN * force;
@@ -133,13 +129,13 @@ impl<const D: usize> Solver<D> {
             }
             if iteration > 1 && rate > 0.5 {
                 if since_factors <= 1 {
-                    return Err(NotConverged { iterations: iteration, residual: size });
+                    return Err(NotConverged { iterations: iteration.into(), residual: size });
                 }
                 since_factors = CHORD;
             }
             last = size;
         }
-        Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations), residual: last })
+        Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations).into(), residual: last })
     }
 
     /// Follows the root from a step of length 0 to the whole step.
@@ -152,8 +148,7 @@ impl<const D: usize> Solver<D> {
     ) -> Result<Effort, NotConverged> {
         let mut evaluations = spent + 1;
         self.delta.clear();
-        self.place(equation);
-        self.first.clear();
+        self.place::<U>(equation);
         unknown.gradient(0.0, &self.end, &self.velocity, &mut self.first);
         self.slope.clear();
         let (mut theta, mut advance, mut residual) = (0.0, 0.25, f64::NAN);
@@ -161,7 +156,8 @@ impl<const D: usize> Solver<D> {
             let next = f64::min(theta + advance, 1.0);
             let ahead = next - theta;
             for i in 0..self.delta.flat().len() {
-                let force = equation.known.flat()[i] + ahead * self.slope.flat()[i] + self.first.flat()[i];
+                let known = equation.known.map_or(0.0, |known| known.flat()[i]);
+                let force = known + ahead * self.slope.flat()[i] + self.first.flat()[i];
                 self.delta.flat_mut()[i] = next * equation.drift.flat()[i] - next * next * equation.g.flat()[i] * force;
             }
             match self.settle(equation, unknown, next) {
@@ -178,36 +174,58 @@ impl<const D: usize> Solver<D> {
                     advance *= 2.0;
                 }
                 Err(astray) => {
-                    evaluations += astray.iterations;
+                    evaluations += astray.iterations as u32;
                     residual = astray.residual;
                     advance *= 0.25;
                 }
             }
         }
-        Err(NotConverged { iterations: evaluations, residual })
+        Err(NotConverged { iterations: evaluations.into(), residual })
     }
 
-    /// b = q + Δ and v at the end of the step.
-    fn place(&mut self, equation: &Equation<'_, D>) {
+    /// b = q + Δ and, where it is needed, v at the end of the step.
+    fn place<U: Unknown<D>>(&mut self, equation: &Equation<'_, D>) {
         let Equation { q, q_low, drift, v, rate, .. } = *equation;
-        for i in 0..self.delta.flat().len() {
-            let delta = self.delta.flat()[i];
-            self.end.flat_mut()[i] = q.flat()[i] + (q_low.flat()[i] + delta);
-            self.velocity.flat_mut()[i] = rate.mul_add(delta - drift.flat()[i], v.flat()[i]);
+        let (delta, end) = (self.delta.flat(), self.end.flat_mut());
+        for (((end, q), low), delta) in end.iter_mut().zip(q.flat()).zip(q_low.flat()).zip(delta) {
+            *end = q + (low + delta);
+        }
+        if U::FORCED {
+            let known = v.flat().iter().zip(drift.flat());
+            for ((end, (v, drift)), delta) in self.velocity.flat_mut().iter_mut().zip(known).zip(delta) {
+                *end = rate * (delta - drift) + v;
+            }
         }
     }
 
     /// drift − g (G + known) − Δ; the largest |g G| comes back.
     fn residual(&mut self, equation: &Equation<'_, D>, theta: f64) -> f64 {
+        let square = theta * theta;
         let mut force = 0.0_f64;
-        for i in 0..self.delta.flat().len() {
-            let g = theta * theta * equation.g.flat()[i];
-            let gradient = self.gradient.flat()[i];
-            force = force.max((g * gradient).abs());
-            let pull = g * (gradient + equation.known.flat()[i]);
-            self.correction.flat_mut()[i] = theta * equation.drift.flat()[i] - pull - self.delta.flat()[i];
+        let out = self.correction.flat_mut().iter_mut().zip(self.delta.flat());
+        let coefficients = equation.g.flat().iter().zip(equation.drift.flat());
+        let forces = self.gradient.flat().iter().enumerate();
+        for (((residual, delta), (g, drift)), (i, gradient)) in out.zip(coefficients).zip(forces) {
+            let g = square * g;
+            let pull = g * gradient;
+            force = force.max(pull.abs());
+            let known = equation.known.map_or(0.0, |known| g * known.flat()[i]);
+            *residual = theta * drift - (pull + known) - delta;
         }
         force
+    }
+
+    /// Δ += δ; max |δ| and max |Δ| come back, not finite if a component is not.
+    fn correct(&mut self) -> [f64; 2] {
+        let (mut size, mut step, mut odd) = (0.0_f64, 0.0_f64, 0.0);
+        for (delta, change) in self.delta.flat_mut().iter_mut().zip(self.correction.flat()) {
+            *delta += change;
+            size = size.max(change.abs());
+            step = step.max(delta.abs());
+            // max() drops a NaN, and 0·x is 0 for a finite x only.
+            odd += 0.0 * *delta;
+        }
+        [size + odd, step + odd]
     }
 
     fn factorise(&mut self, equation: &Equation<'_, D>, theta: f64) -> bool {

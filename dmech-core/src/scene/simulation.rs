@@ -7,13 +7,22 @@ use super::stepper::SceneStepper;
 use super::terms::Term;
 use crate::error::{Error, Interrupted};
 use crate::motion::{record, steps_until};
+use crate::progress::Shown;
 use crate::run::Run;
 use crate::simulation::{NoScheme, Simulation};
 
 impl<const D: usize, P, L> Simulation<(), Scene<D, P, L>> {
     /// The bodies of a scene under its laws.
     pub fn scene(scene: Scene<D, P, L>) -> Self {
-        Simulation { law: (), start: scene, scheme: NoScheme, mass: 1.0, dt: None, record_every: 1 }
+        Simulation {
+            law: (),
+            start: scene,
+            scheme: NoScheme,
+            mass: 1.0,
+            dt: None,
+            record_every: 1,
+            shown: Shown::default(),
+        }
     }
 }
 
@@ -65,13 +74,14 @@ impl<const D: usize, P, L, S> Simulation<(), Scene<D, P, L>, S> {
         S: SceneScheme<D, L::Ready>,
     {
         let (record_every, dt) = (self.record_every, self.dt.unwrap_or(f64::NAN));
+        let shown = self.shown.clone();
         let bodies = &self.start.bodies;
         let start = SceneState { t: bodies.t, q: bodies.q.clone(), v: bodies.v.clone() };
         let (t, mass) = (start.t, bodies.masses.iter().sum());
         let run = Run::empty::<S>(start, dt, mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
         match prepared.and_then(|stepper| Ok((count(t, dt)?, stepper))) {
-            Ok((steps, stepper)) => record(stepper, run, steps, record_every),
+            Ok((steps, stepper)) => record(stepper, run, steps, record_every, shown),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }

@@ -1,5 +1,9 @@
 //! The state of a scene.
 
+use std::io::{self, Write};
+
+use crate::csv::Columns;
+
 /// Time, positions and velocities of the bodies of a scene, in the order in which they were added.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneState<const D: usize> {
@@ -18,5 +22,28 @@ impl<const D: usize> SceneState<D> {
             *v = v.map(|v| -v);
         }
         self
+    }
+}
+
+/// The columns are `t`, then `q3_0` for component 0 of the position of body 3, and `v3_0` for that of its velocity.
+impl<const D: usize> Columns for SceneState<D> {
+    fn write_names(&self, out: &mut dyn Write) -> io::Result<()> {
+        write!(out, "t")?;
+        for (name, list) in [("q", &self.q), ("v", &self.v)] {
+            for body in 0..list.len() {
+                for component in 0..D {
+                    write!(out, ",{name}{body}_{component}")?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn write_values(&self, out: &mut dyn Write) -> io::Result<()> {
+        write!(out, "{}", self.t)?;
+        for x in self.q.iter().chain(&self.v).flatten() {
+            write!(out, ",{x}")?;
+        }
+        Ok(())
     }
 }

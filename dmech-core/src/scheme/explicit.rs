@@ -38,6 +38,13 @@ pub struct ExplicitMemory<const D: usize, R = f64> {
     pub v: [R; D],
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for ExplicitMemory<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![&mut self.q, &mut self.v]
+    }
+}
+
 impl Method for Explicit {
     const NAME: &'static str = "Explicit";
     const ORDER: u32 = 1;

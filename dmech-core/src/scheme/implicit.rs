@@ -57,6 +57,14 @@ pub struct ImplicitMemory<const D: usize, R = f64> {
     gradients: [[R; D]; 3],
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for ImplicitMemory<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [newest, second, third] = &mut self.gradients;
+        vec![&mut self.q, &mut self.v, &mut self.moved, newest, second, third]
+    }
+}
+
 impl Method for Implicit {
     const NAME: &'static str = "Implicit";
     const ORDER: u32 = 2;
@@ -90,7 +98,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
         let guess = self.newton.guess((stride.dt, v), frozen, g, gradients);
         let t_end = t + stride.dt;
         let max_iterations = self.newton.limit();
-        let equation = Equation { q, a: q, drift, frozen, g, v, rate: stride.rate, t_end, guess, max_iterations };
+        let mut equation = Equation { frozen, guess, max_iterations, ..Equation::new(q, drift, g) };
+        if <L::Field<'_> as Field<D, R>>::FORCED {
+            equation = Equation { v, rate: stride.rate, t_end, ..equation };
+        }
         let found = law.field(stride.mass, t_end).implicit_increment(&equation)?;
         *memory = ImplicitMemory {
             q: sum(q, found.delta),

@@ -76,6 +76,14 @@ pub struct KanataniMemory<const D: usize, R = f64> {
     gradients: [[R; D]; 3],
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for KanataniMemory<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [newest, second, third] = &mut self.gradients;
+        vec![&mut self.q_before, &mut self.q.hi, &mut self.q.lo, &mut self.z.hi, &mut self.z.lo, newest, second, third]
+    }
+}
+
 impl<const D: usize, R: Real> KanataniMemory<D, R> {
     /// Starts from two positions a step apart.
     pub fn from_positions(stride: &Stride<R>, q_before: [R; D], q: [R; D], gradient: [R; D]) -> Self {
@@ -156,13 +164,8 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
         let drift = stride.drift(&z);
         let zero = [R::ZERO; D];
         let guess = self.newton.guess((stride.dt, z.value()), zero, g, gradients);
-        let equation = Equation {
-            a: q_before,
-            guess,
-            t_end: t + stride.dt,
-            max_iterations: self.newton.limit(),
-            ..Equation::new(q.value(), drift, g)
-        };
+        let equation =
+            Equation { a: q_before, guess, max_iterations: self.newton.limit(), ..Equation::new(q.value(), drift, g) };
         let field = law.field(stride.mass, t);
         let found = if <L::Field<'_> as Field<D, R>>::FORCED {
             // A force beside the potential is that at the position now.

@@ -41,6 +41,13 @@ pub struct LeapfrogMemory<const D: usize, R = f64> {
     pub v_after: [R; D],
 }
 
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for LeapfrogMemory<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![&mut self.q, &mut self.v_before, &mut self.v_after]
+    }
+}
+
 impl Method for Leapfrog {
     const NAME: &'static str = "Leapfrog";
     const ORDER: u32 = 2;

@@ -7,6 +7,7 @@ mod implicit;
 mod kanatani;
 mod leapfrog;
 mod stride;
+mod workless;
 
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
@@ -15,6 +16,7 @@ pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
 pub use stride::Stride;
+pub(crate) use stride::exact_product;
 
 use dmech_scalar::Real;
 

@@ -2,9 +2,14 @@
 
 mod chain;
 mod dense;
+mod series;
+#[cfg(feature = "sparse")]
+mod sparse;
 
 use chain::ChainMatrix;
 use dense::DenseMatrix;
+#[cfg(feature = "sparse")]
+use sparse::SparseMatrix;
 
 use super::terms::Topology;
 use super::vectors::Vectors;
@@ -14,17 +19,29 @@ use super::vectors::Vectors;
 pub enum Matrix<const D: usize> {
     /// Consecutive bodies are linked: block-tridiagonal, O(n).
     Chain(ChainMatrix<D>),
+    /// The bodies of a list are linked: sparse, with the fill of its elimination (feature `sparse`).
+    #[cfg(feature = "sparse")]
+    Sparse(Box<SparseMatrix<D>>),
     /// Any bodies may be linked: dense, O(n³) to factorise.
     Dense(DenseMatrix<D>),
 }
 
 impl<const D: usize> Matrix<D> {
-    /// The matrix that fits a topology.
+    /// The matrix that fits a topology. For a list of bonds it is sparse with the feature `sparse`, and dense without.
     pub fn new(bodies: usize, topology: &Topology) -> Self {
         match topology {
             Topology::Chain => Matrix::Chain(ChainMatrix::new(bodies)),
+            #[cfg(feature = "sparse")]
+            Topology::Sparse { bonds, chain } => {
+                let neighbours = (1..if *chain { bodies } else { 0 }).map(|b| (b - 1, b));
+                let sparse = SparseMatrix::new(bodies, bonds.iter().copied().chain(neighbours));
+                sparse
+                    .map_or_else(|| Matrix::Dense(DenseMatrix::new(bodies)), |sparse| Matrix::Sparse(Box::new(sparse)))
+            }
             // A dense matrix fits everything.
-            Topology::Sparse { .. } | Topology::Dense => Matrix::Dense(DenseMatrix::new(bodies)),
+            #[cfg(not(feature = "sparse"))]
+            Topology::Sparse { .. } => Matrix::Dense(DenseMatrix::new(bodies)),
+            Topology::Dense => Matrix::Dense(DenseMatrix::new(bodies)),
         }
     }
 
@@ -32,6 +49,8 @@ impl<const D: usize> Matrix<D> {
     pub fn clear(&mut self) {
         match self {
             Matrix::Chain(matrix) => matrix.clear(),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.clear(),
             Matrix::Dense(matrix) => matrix.clear(),
         }
     }
@@ -41,6 +60,8 @@ impl<const D: usize> Matrix<D> {
     pub fn add_block(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
         match self {
             Matrix::Chain(matrix) => matrix.add_block(a, b, block),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.add_block(a, b, block),
             Matrix::Dense(matrix) => matrix.add_block(a, b, block),
         }
     }
@@ -59,6 +80,8 @@ impl<const D: usize> Matrix<D> {
     pub fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
         match self {
             Matrix::Chain(matrix) => matrix.multiply_add(x, y),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.multiply_add(x, y),
             Matrix::Dense(matrix) => matrix.multiply_add(x, y),
         }
     }
@@ -67,6 +90,8 @@ impl<const D: usize> Matrix<D> {
     pub fn factorise(&mut self, g: &Vectors<D>) -> bool {
         match self {
             Matrix::Chain(matrix) => matrix.factorise(g),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.factorise(g),
             Matrix::Dense(matrix) => matrix.factorise(g),
         }
     }
@@ -75,6 +100,8 @@ impl<const D: usize> Matrix<D> {
     pub fn solve(&mut self, x: &mut Vectors<D>) {
         match self {
             Matrix::Chain(matrix) => matrix.solve(x),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.solve(x),
             Matrix::Dense(matrix) => matrix.solve(x),
         }
     }

@@ -1,10 +1,19 @@
 use super::*;
 
-/// A chain matrix and a dense one with the same blocks multiply and solve alike, with rows of pinned bodies among them.
+/// The topologies of a chain, the last of them with a matrix that could hold more.
+fn topologies(n: usize) -> [Topology; 3] {
+    // Listed once or twice, forwards or backwards: the pattern holds each link once.
+    let bonds = (1..n).map(|i| if i % 2 == 0 { (i, i - 1) } else { (i - 1, i) }).chain([(0, 1)]).collect();
+    [Topology::Chain, Topology::Sparse { bonds, chain: n > 5 }, Topology::Dense]
+}
+
+/// A dense matrix and the others with the same blocks multiply and solve alike, with rows of pinned bodies among them.
 #[test]
-fn both_matrices_solve_the_same_system() {
+fn all_matrices_solve_the_same_system() {
     let n = 7;
-    let mut matrices = [Topology::Chain, Topology::Dense].map(|topology| Matrix::<2>::new(n, &topology));
+    let mut matrices = topologies(n).map(|topology| Matrix::<2>::new(n, &topology));
+    #[cfg(feature = "sparse")]
+    assert!(matches!(matrices, [Matrix::Chain(_), Matrix::Sparse(_), Matrix::Dense(_)]));
     let mut g = Vectors::<2>::zeros(n);
     let mut x = Vectors::<2>::zeros(n);
     for i in 0..n {
@@ -12,16 +21,20 @@ fn both_matrices_solve_the_same_system() {
         g.set(i, if i == 3 { [0.0; 2] } else { [0.3 + 0.1 * f, 0.7 - 0.05 * f] });
         x.set(i, [(1.3 * f).sin(), (0.7 * f).cos()]);
     }
-    for matrix in &mut matrices {
-        matrix.clear();
-        for i in 1..n {
-            let f = i as f64;
-            matrix.add_link(i - 1, i, [[2.0 + f.sin(), 0.4], [-0.3 * f, 1.5]]);
-            matrix.add_block(i, i, [[0.2, 0.1 * f], [-0.6, 0.9]]);
+    // The second time in room that the first has filled with other numbers.
+    for scale in [-3.0, 1.0] {
+        for matrix in &mut matrices {
+            matrix.clear();
+            for i in 1..n {
+                let f = i as f64;
+                let link = [[2.0 + f.sin(), 0.4], [-0.3 * f, 1.5]];
+                matrix.add_link(i - 1, i, link.map(|row| row.map(|x| scale * x)));
+                matrix.add_block(i, i, [[0.2, 0.1 * f], [-0.6, 0.9]]);
+            }
+            assert!(matrix.factorise(&g));
         }
-        assert!(matrix.factorise(&g));
     }
-    let [chain, dense] = matrices.map(|mut matrix| {
+    let [chain, sparse, dense] = matrices.map(|mut matrix| {
         let (mut product, mut solution) = (Vectors::zeros(n), x.clone());
         matrix.multiply_add(&x, &mut product);
         matrix.solve(&mut solution);
@@ -35,16 +48,81 @@ fn both_matrices_solve_the_same_system() {
         assert!(residual.largest() < 1e-14, "{:e}", residual.largest());
         (product, solution)
     });
-    for i in 0..2 * n {
-        assert!((chain.0.flat()[i] - dense.0.flat()[i]).abs() < 1e-14);
-        assert!((chain.1.flat()[i] - dense.1.flat()[i]).abs() < 1e-14);
+    for other in [chain, sparse] {
+        for i in 0..2 * n {
+            assert!((other.0.flat()[i] - dense.0.flat()[i]).abs() < 1e-14);
+            assert!((other.1.flat()[i] - dense.1.flat()[i]).abs() < 1e-14);
+        }
+        assert_eq!(other.1.get(3), x.get(3));
     }
-    assert_eq!(chain.1.get(3), x.get(3));
+}
+
+/// Elimination needs the exchange of rows here: the first pivot is 1 − 1 + 10⁻¹⁷, which rounds to nothing.
+#[test]
+fn rows_are_exchanged_by_size() {
+    for topology in &topologies(3)[1..] {
+        let mut matrix = Matrix::<1>::new(3, topology);
+        let mut g = Vectors::zeros(3);
+        g.flat_mut().fill(1.0);
+        matrix.add_block(0, 0, [[-1.0 + 1e-14]]);
+        matrix.add_block(0, 1, [[2.0]]);
+        matrix.add_block(1, 0, [[3.0]]);
+        matrix.add_block(1, 2, [[5.0]]);
+        matrix.add_block(2, 1, [[7.0]]);
+        assert!(matrix.factorise(&g));
+        let mut x = Vectors::from_list(&[[2.0], [9.0], [8.0]]);
+        matrix.solve(&mut x);
+        for (found, exact) in x.flat().iter().zip([1.0, 1.0, 1.0]) {
+            assert!((found - exact).abs() < 1e-13, "{topology:?}: {found}");
+        }
+    }
+}
+
+/// A small g J is inverted by its power series, a larger one by elimination; both leave no residual beyond rounding.
+#[test]
+fn large_matrices_are_solved_both_ways() {
+    let n = 50;
+    let all = (0..n).flat_map(|a| (0..a).map(move |b| (a, b))).collect();
+    let sparse = Topology::Sparse { bonds: all, chain: false };
+    let scales = [(1e-6, 1e-15), (0.002, 1e-15), (0.005, 1e-14), (0.5, 1e-12)];
+    for (topology, (scale, rounding)) in scales.iter().flat_map(|&x| [(&Topology::Dense, x), (&sparse, x)]) {
+        let mut matrix = Matrix::<2>::new(n, topology);
+        let (mut g, mut x) = (Vectors::zeros(n), Vectors::zeros(n));
+        let mut row = 0.0_f64;
+        for a in 0..n {
+            let f = a as f64;
+            g.set(a, if a == 5 { [0.0; 2] } else { [scale, scale * (1.0 + 0.3 * f.sin())] });
+            x.set(a, [(1.3 * f).sin(), 0.4 + (0.7 * f).cos()]);
+            let mut sum = 0.0;
+            for b in 0..n {
+                let entry = |k: usize| 0.3 * ((a * (7 + k) + b * b * 3) as f64).cos();
+                let block = [[entry(1), entry(2)], [entry(3), entry(4)]];
+                matrix.add_block(a, b, block);
+                sum += block[1][0].abs() + block[1][1].abs();
+            }
+            row = row.max(sum * g.get(a)[1]);
+        }
+        // The scales lie on both sides of where the series ends.
+        assert_eq!(row < 1.0 / 16.0, scale < 0.003, "{row}");
+        assert!(matrix.factorise(&g));
+        let (mut solution, mut image) = (x.clone(), Vectors::zeros(n));
+        matrix.solve(&mut solution);
+        matrix.multiply_add(&solution, &mut image);
+        for i in 0..2 * n {
+            let residual = solution.flat()[i] + g.flat()[i] * image.flat()[i] - x.flat()[i];
+            assert!(residual.abs() < rounding, "scale {scale}: {residual:e}");
+        }
+        assert_eq!(solution.get(5), x.get(5));
+        g.flat_mut()[3] = f64::NAN;
+        matrix.factorise(&g);
+        matrix.solve(&mut x);
+        assert!(!x.is_finite());
+    }
 }
 
 #[test]
 fn a_singular_matrix_is_noticed() {
-    for topology in [Topology::Chain, Topology::Dense] {
+    for topology in topologies(2) {
         let mut matrix = Matrix::<1>::new(2, &topology);
         matrix.add_block(0, 0, [[-1.0]]);
         let mut g = Vectors::zeros(2);

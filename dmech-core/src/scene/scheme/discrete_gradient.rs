@@ -11,7 +11,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{DiscreteGradient, Effort, Newton};
 
 /// What [`DiscreteGradient`](struct@DiscreteGradient) carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct DiscreteGradientScene<const D: usize> {
     q: CompensatedVectors<D>,
     v: CompensatedVectors<D>,
@@ -24,6 +24,18 @@ pub struct DiscreteGradientScene<const D: usize> {
     g: Vectors<D>,
 }
 
+cloned_in_place!(DiscreteGradientScene { q, v, gradients, drift, half_force, g });
+
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for DiscreteGradientScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [q, q_low] = self.q.parts_mut();
+        let [v, v_low] = self.v.parts_mut();
+        let [newest, second, third] = self.gradients.each_mut().map(|gradient| gradient.flat_mut());
+        vec![q, q_low, v, v_low, newest, second, third]
+    }
+}
+
 /// ∇̄Φ(a, b) − F(b, v)/2.
 struct Exact<'a, const D: usize, A> {
     acts: &'a A,
@@ -34,9 +46,10 @@ struct Exact<'a, const D: usize, A> {
 
 impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
+    const FORCED: bool = A::FORCED;
 
     fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
-        self.acts.add_discrete_gradient(self.a, b, self.middle, out);
+        self.acts.set_discrete_gradient(self.a, b, self.middle, out);
         self.acts.subtract_force(0.5, b, v, self.end, out);
     }
 
@@ -72,25 +85,36 @@ impl<const D: usize> DiscreteGradientScene<D> {
         let h = system.setting.dt;
         let [gradient, before, earlier] = &*gradients;
         // The share of the force at the start of the step is known.
-        half_force.clear();
-        system.acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
+        if A::FORCED {
+            half_force.clear();
+            system.acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
+        }
         for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
             *drift = h * v.hi.flat()[i] + h * v.lo.flat()[i];
         }
         // The gradients of the last steps hold the whole force.
         guess(newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
         let max_iterations = newton.limit();
-        let equation =
-            Equation { q: &q.hi, q_low: &q.lo, drift, known: half_force, g, v: &v.hi, rate: 2.0 / h, max_iterations };
+        let equation = Equation {
+            q: &q.hi,
+            q_low: &q.lo,
+            drift,
+            known: A::FORCED.then_some(&*half_force),
+            g,
+            v: &v.hi,
+            rate: 2.0 / h,
+            max_iterations,
+        };
         let unknown = Exact { acts: &system.acts, a: &q.hi, middle: t + 0.5 * h, end: t + h };
         let effort = solver.solve(&equation, &unknown)?;
-        for (found, half) in solver.gradient.flat_mut().iter_mut().zip(half_force.flat()) {
-            *found += half;
+        if A::FORCED {
+            for (found, half) in solver.gradient.flat_mut().iter_mut().zip(half_force.flat()) {
+                *found += half;
+            }
         }
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
-        q.add(|i| drift.flat()[i] + 0.5 * h * change(i));
-        v.add(change);
+        CompensatedVectors::kick_and_drift(q, v, drift, 0.5 * h, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

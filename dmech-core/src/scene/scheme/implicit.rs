@@ -11,7 +11,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Implicit};
 
 /// What [`Implicit`](struct@Implicit) carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct ImplicitScene<const D: usize> {
     q: CompensatedVectors<D>,
     v: CompensatedVectors<D>,
@@ -22,6 +22,18 @@ pub struct ImplicitScene<const D: usize> {
     g: Vectors<D>,
 }
 
+cloned_in_place!(ImplicitScene { q, v, gradients, drift, g });
+
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for ImplicitScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [q, q_low] = self.q.parts_mut();
+        let [v, v_low] = self.v.parts_mut();
+        let [newest, second, third] = self.gradients.each_mut().map(|gradient| gradient.flat_mut());
+        vec![q, q_low, v, v_low, newest, second, third]
+    }
+}
+
 /// ∇Φ(b) − F(b, v) at the end of the step.
 struct AtEnd<'a, A> {
     acts: &'a A,
@@ -30,9 +42,10 @@ struct AtEnd<'a, A> {
 
 impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
+    const FORCED: bool = A::FORCED;
 
     fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
-        self.acts.add_gradient(b, self.t, out);
+        self.acts.set_gradient(b, self.t, out);
         self.acts.subtract_force(1.0, b, v, self.t, out);
     }
 
@@ -78,13 +91,20 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         }
         guess(&self.newton, drift, Some(gradient), g, [gradient, before, earlier], &mut solver.delta);
         let max_iterations = self.newton.limit();
-        let equation =
-            Equation { q: &q.hi, q_low: &q.lo, drift, known: gradient, g, v: &v.hi, rate: 2.0 / h, max_iterations };
+        let equation = Equation {
+            q: &q.hi,
+            q_low: &q.lo,
+            drift,
+            known: Some(gradient),
+            g,
+            v: &v.hi,
+            rate: 2.0 / h,
+            max_iterations,
+        };
         let effort = solver.solve(&equation, &AtEnd { acts: &system.acts, t: t + h })?;
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -0.5 * kick[i] * (gradient.flat()[i] + found[i]);
-        q.add(|i| drift.flat()[i] + 0.5 * h * change(i));
-        v.add(change);
+        CompensatedVectors::kick_and_drift(q, v, drift, 0.5 * h, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

@@ -11,7 +11,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Kanatani, Start as Beginning};
 
 /// What [`Kanatani`](struct@Kanatani) carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct KanataniScene<const D: usize> {
     q_before: Vectors<D>,
     q: CompensatedVectors<D>,
@@ -23,6 +23,18 @@ pub struct KanataniScene<const D: usize> {
     /// −F at the position now.
     force: Vectors<D>,
     g: Vectors<D>,
+}
+
+cloned_in_place!(KanataniScene { q_before, q, z, gradients, drift, force, g });
+
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for KanataniScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let [q, q_low] = self.q.parts_mut();
+        let [z, z_low] = self.z.parts_mut();
+        let [newest, second, third] = self.gradients.each_mut().map(|gradient| gradient.flat_mut());
+        vec![self.q_before.flat_mut(), q, q_low, z, z_low, newest, second, third]
+    }
 }
 
 /// ∇̄Φ(q₋, b).
@@ -46,12 +58,13 @@ impl<const D: usize, A: Acts<D>> Exact<'_, D, A> {
 
 impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const LINEAR: bool = A::LINEAR;
+    const FORCED: bool = false;
 
     fn gradient(&self, theta: f64, b: &Vectors<D>, _: &Vectors<D>, out: &mut Vectors<D>) {
         if theta == 1.0 {
-            self.acts.add_discrete_gradient(self.before, b, self.t, out);
+            self.acts.set_discrete_gradient(self.before, b, self.t, out);
         } else {
-            self.acts.add_discrete_gradient(&self.behind(theta), b, self.t, out);
+            self.acts.set_discrete_gradient(&self.behind(theta), b, self.t, out);
         }
     }
 
@@ -115,24 +128,36 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
         let h = system.setting.dt;
         let [gradient, before, earlier] = &*gradients;
         // A force beside the potential is that at the position now.
-        force.clear();
-        system.acts.subtract_force(1.0, &q.hi, &z.hi, t, force);
+        if A::FORCED {
+            force.clear();
+            system.acts.subtract_force(1.0, &q.hi, &z.hi, t, force);
+        }
         for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
             *drift = h * z.hi.flat()[i] + h * z.lo.flat()[i];
         }
         guess(&self.newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
         let max_iterations = self.newton.limit();
-        let equation = Equation { q: &q.hi, q_low: &q.lo, drift, known: force, g, v: &z.hi, rate: 0.0, max_iterations };
+        let equation = Equation {
+            q: &q.hi,
+            q_low: &q.lo,
+            drift,
+            known: A::FORCED.then_some(&*force),
+            g,
+            v: &z.hi,
+            rate: 0.0,
+            max_iterations,
+        };
         let unknown = Exact { acts: &system.acts, before: q_before, q: &q.hi, t };
         let effort = solver.solve(&equation, &unknown)?;
-        for (found, force) in solver.gradient.flat_mut().iter_mut().zip(force.flat()) {
-            *found += force;
+        if A::FORCED {
+            for (found, force) in solver.gradient.flat_mut().iter_mut().zip(force.flat()) {
+                *found += force;
+            }
         }
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
         q_before.clone_from(&q.hi);
-        q.add(|i| drift.flat()[i] + h * change(i));
-        z.add(change);
+        CompensatedVectors::kick_and_drift(q, z, drift, h, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

@@ -9,13 +9,22 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Leapfrog};
 
 /// What [`Leapfrog`] carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct LeapfrogScene<const D: usize> {
     q: Vectors<D>,
     /// Velocity half a step after.
     v: Vectors<D>,
     /// ∇Φ − F at q, which kicked the velocity from half a step before: v₋ = v + (h/m) G.
     gradient: Vectors<D>,
+}
+
+cloned_in_place!(LeapfrogScene { q, v, gradient });
+
+#[cfg(feature = "serde")]
+impl<const D: usize> crate::checkpoint::Carried for LeapfrogScene<D> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![self.q.flat_mut(), self.v.flat_mut(), self.gradient.flat_mut()]
+    }
 }
 
 impl<const D: usize, A: Acts<D> + WithoutVelocities> SceneScheme<D, A> for Leapfrog {

@@ -155,6 +155,14 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
         }
     }
 
+    fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.sweep::<true, D, 2, _>(&Secant(self.slope(t)), [a, b], &self.numbers, out);
+        } else {
+            out.clear();
+        }
+    }
+
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.links.each(q.bodies(), |a, b| {
@@ -203,7 +211,8 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
             let back = self.between(b, a, t).force(d.map(|x| -x), vb, va);
             let finite =
                 between.potential(d).is_finite() && [gradient, force, back].iter().flatten().all(|x| x.is_finite());
-            let distance = d.iter().map(|x| x * x).sum::<f64>().sqrt();
+            // A square would overflow for bodies that a step too long has thrown apart.
+            let distance = d.iter().fold(0.0, |r, &x| f64::hypot(r, x));
             (!finite).then_some(Fault::Link { a, b, distance })
         })
     }

@@ -68,6 +68,11 @@ pub trait Acts<const D: usize> {
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);
     /// ∇̄Φ(a, b).
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+    /// The same, in place of what is there.
+    fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        out.clear();
+        self.add_discrete_gradient(a, b, t, out);
+    }
     /// c ∂²Φ/∂q∂q.
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>);
     /// ∂∇̄Φ(a, b)/∂b.
@@ -212,6 +217,14 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.add_discrete_gradient(a, b, t, out);
         self.1.add_discrete_gradient(a, b, t, out);
+    }
+    fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if A::NOTHING {
+            self.1.set_discrete_gradient(a, b, t, out);
+        } else {
+            self.0.set_discrete_gradient(a, b, t, out);
+            self.1.add_discrete_gradient(a, b, t, out);
+        }
     }
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         self.0.add_hessian(c, q, t, out);

@@ -1,0 +1,88 @@
+//! A fingerprint of what acts.
+
+use core::fmt;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// A hash of numbers by their bits: FNV-1a with 64 bits, the same on every machine.
+///
+/// G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, T. Hansen, "The FNV Non-Cryptographic Hash Algorithm", IETF draft.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Fingerprint(u64);
+
+impl Fingerprint {
+    pub(crate) fn new() -> Self {
+        Fingerprint(0xcbf2_9ce4_8422_2325)
+    }
+
+    /// Takes in one more number. All NaN are one: their bits may differ from build to build.
+    pub(crate) fn add(&mut self, x: f64) {
+        let x = if x.is_nan() { f64::NAN } else { x };
+        for byte in x.to_bits().to_le_bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    pub(crate) fn add_all(&mut self, numbers: &[f64]) {
+        numbers.iter().for_each(|&x| self.add(x));
+    }
+}
+
+/// Numbers moved off by up to about a quarter of the largest, each by another part of it: where nothing is zero by symmetry, or
+/// because all is at rest. Without functions whose last bit is not the same everywhere.
+pub(crate) fn displaced(numbers: &mut [f64]) {
+    let largest = numbers.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
+    let size = if largest > 0.0 { largest } else { 1.0 };
+    for (i, x) in numbers.iter_mut().enumerate() {
+        let part = ((i % 1009) * 389 % 1009) as f64 / 1009.0;
+        *x += 0.5 * size * (part - 0.47);
+    }
+}
+
+impl fmt::Debug for Fingerprint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:016x}", self.0)
+    }
+}
+
+impl Serialize for Fingerprint {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{self:?}"))
+    }
+}
+
+impl<'de> Deserialize<'de> for Fingerprint {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let bits = u64::from_str_radix(&text, 16);
+        bits.map(Fingerprint).map_err(|_| D::Error::custom(format_args!("`{text}` is not a fingerprint")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_fnv_1a() {
+        // The bytes of the number spell "foobar\0\0"; the value comes from the definition, byte by byte.
+        let mut fingerprint = Fingerprint::new();
+        fingerprint.add(f64::from_bits(u64::from_le_bytes(*b"foobar\0\0")));
+        let mut expected: u128 = 14_695_981_039_346_656_037;
+        for byte in b"foobar\0\0" {
+            expected = (expected ^ u128::from(*byte)) * 1_099_511_628_211 % (1 << 64);
+        }
+        assert_eq!(u128::from(fingerprint.0), expected);
+    }
+
+    #[test]
+    fn displaced_numbers_differ_from_each_other_and_from_zero() {
+        let mut numbers = [0.0; 400];
+        displaced(&mut numbers);
+        assert!(numbers.iter().all(|&x| x != 0.0 && x.abs() < 0.27));
+        let mut sorted = numbers;
+        sorted.sort_by(f64::total_cmp);
+        assert!(sorted.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+}

@@ -1,0 +1,158 @@
+//! Saving a simulation and going on with it, bit for bit.
+
+mod carried;
+mod difference;
+mod fingerprint;
+mod numbers;
+
+pub use carried::Carried;
+pub(crate) use carried::{load, save};
+pub use difference::Difference;
+pub(crate) use fingerprint::{Fingerprint, displaced};
+pub(crate) use numbers::Numbers;
+
+use serde::{Deserialize, Serialize};
+
+use crate::scheme::Method;
+
+/// Where a simulation stands: everything that the next step needs, and what shows that it is the same simulation.
+///
+/// [`Stepper::checkpoint`](crate::Stepper::checkpoint) and `SceneStepper::checkpoint` make one, `Simulation::resume` goes
+/// on from it. The motion is then that of a simulation which never stopped, equal to the bit, as long as the program does
+/// the same arithmetic: another build may round otherwise, and is then refused as if the laws differed.
+///
+/// Saved are the time of the start, dt, the counts of steps, evaluations and corrections, the masses, the pins, and the
+/// memory of the scheme in full, with the low parts of its sums and the forces of the last steps. Laws are not saved: the
+/// program has them. A fingerprint of the potential and of every force, at the saved positions and velocities and at
+/// displaced ones, tells whether they are the same; parameters that matter at neither are not noticed.
+///
+/// Numbers are written as text in Rust's shortest form that reads back as the same `f64`. This keeps them exact in every
+/// format of serde: JSON numbers do not survive `serde_json` without its feature `float_roundtrip`, and bits as integers
+/// do not fit into formats whose integers have 63 bits or are `f64` themselves.
+///
+/// ```
+/// use dmech_core::prelude::*;
+/// # struct Spring { k: f64 }
+/// # impl Conservative for Spring {}
+/// # impl Potential<1> for Spring {
+/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
+/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
+/// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
+/// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+/// # }
+/// let spring = |k| Simulation::new(Spring { k }, State::new([1.0], [0.0])).scheme(DiscreteGradient).dt(0.01);
+/// let mut whole = spring(4.0).stepper()?;
+/// whole.advance(1000)?;
+///
+/// let mut first = spring(4.0).stepper()?;
+/// first.advance(400)?;
+/// let saved = serde_json::to_string(&first.checkpoint())?;
+///
+/// let checkpoint: Checkpoint = serde_json::from_str(&saved)?;
+/// let mut second = spring(4.0).resume(&checkpoint)?;
+/// second.advance(600)?;
+/// assert_eq!(second.state(), whole.state());
+///
+/// let refused = spring(4.5).resume(&checkpoint).err();
+/// assert_eq!(refused, Some(Error::Checkpoint(dmech_core::Difference::Laws)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Checkpoint {
+    pub(crate) format: u32,
+    pub(crate) scheme: String,
+    pub(crate) options: String,
+    pub(crate) dimension: usize,
+    pub(crate) bodies: usize,
+    /// t₀ and dt.
+    pub(crate) times: Numbers,
+    pub(crate) masses: Numbers,
+    pub(crate) pins: Vec<usize>,
+    pub(crate) laws: Fingerprint,
+    pub(crate) steps: u64,
+    pub(crate) evaluations: u64,
+    pub(crate) iterations: u64,
+    /// The positions and velocities of the start: a scheme may hold those only to rounding.
+    pub(crate) start: Vec<Numbers>,
+    pub(crate) memory: Vec<Numbers>,
+}
+
+/// The form of a checkpoint, to be raised when what a scheme carries changes.
+pub(crate) const FORMAT: u32 = 1;
+
+impl Checkpoint {
+    /// Steps made.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The time, t₀ + k h.
+    pub fn t(&self) -> f64 {
+        let [t0, dt] = self.times();
+        t0 + self.steps as f64 * dt
+    }
+
+    /// The number of bodies; 1 for a law without a scene.
+    pub fn bodies(&self) -> usize {
+        self.bodies
+    }
+
+    /// The name of the scheme.
+    pub fn scheme(&self) -> &str {
+        &self.scheme
+    }
+
+    fn times(&self) -> [f64; 2] {
+        core::array::from_fn(|i| self.times.0.get(i).copied().unwrap_or(f64::NAN))
+    }
+
+    /// The options of a scheme, as it shows them.
+    pub(crate) fn options<S: Method>(scheme: &S) -> String {
+        format!("{scheme:?}")
+    }
+
+    /// Compares what must be known before any number of the memory is looked at with a simulation that is to go on.
+    pub(crate) fn fits<S: Method>(&self, here: &Checkpoint) -> Result<(), Difference> {
+        if self.format != FORMAT {
+            return Err(Difference::Format { checkpoint: self.format, here: FORMAT });
+        }
+        if self.dimension != here.dimension {
+            return Err(Difference::Dimension { checkpoint: self.dimension, here: here.dimension });
+        }
+        if self.bodies != here.bodies {
+            return Err(Difference::Bodies { checkpoint: self.bodies, here: here.bodies });
+        }
+        if self.scheme != here.scheme {
+            return Err(Difference::Scheme { checkpoint: difference::name(&self.scheme), here: S::NAME });
+        }
+        if self.options != here.options {
+            return Err(Difference::Options { scheme: S::NAME });
+        }
+        let ([start, dt], [start_here, dt_here]) = (self.times(), here.times());
+        if !same(dt, dt_here) {
+            return Err(Difference::TimeStep { checkpoint: dt, here: dt_here });
+        }
+        if !same(start, start_here) {
+            return Err(Difference::Start { checkpoint: start, here: start_here });
+        }
+        Numbers::fit([&self.masses], [&here.masses])?;
+        for (body, (&mass, &mass_here)) in self.masses.0.iter().zip(&here.masses.0).enumerate() {
+            if !same(mass, mass_here) {
+                return Err(Difference::Mass { body, checkpoint: mass, here: mass_here });
+            }
+        }
+        for body in 0..self.bodies {
+            let (pinned, pinned_here) = (self.pins.contains(&body), here.pins.contains(&body));
+            if pinned != pinned_here {
+                return Err(Difference::Pin { body, pinned });
+            }
+        }
+        Numbers::fit(&self.start, &here.start)?;
+        Numbers::fit(&self.memory, &here.memory)
+    }
+}
+
+fn same(x: f64, y: f64) -> bool {
+    x.to_bits() == y.to_bits()
+}

@@ -36,7 +36,10 @@ struct Law {
     kernels: PairKernels,
 }
 
-fn law(dimension: usize, potential: Option<&dyn Fn(&Place) -> E>, force: Option<&dyn Fn(&Place) -> Vec<E>>) -> Law {
+type Potential<'a> = &'a dyn Fn(&Place) -> E;
+type Force<'a> = &'a dyn Fn(&Place) -> Vec<E>;
+
+fn law(dimension: usize, potential: Option<Potential>, force: Option<Force>) -> Law {
     let mut graph = Graph::new();
     let variables = Variables::new(&mut graph, dimension);
     let pair = PairVariables::new(&mut graph, dimension);

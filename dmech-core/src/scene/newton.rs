@@ -20,14 +20,24 @@ pub(super) struct Equation<'a, const D: usize> {
     pub(super) q: &'a Vectors<D>,
     /// The low part of the position.
     pub(super) q_low: &'a Vectors<D>,
-    pub(super) drift: &'a Vectors<D>,
+    /// h: the drift is h (v + its low part).
+    pub(super) h: f64,
     /// The part of the force that is known, if there is one.
     pub(super) known: Option<&'a Vectors<D>>,
     pub(super) g: &'a Vectors<D>,
-    /// The velocity at the start, and 2/h: that at the end is v + rate (Δ − drift).
+    /// The velocity at the start and its low part, and 2/h: that at the end is v + rate (Δ − drift).
     pub(super) v: &'a Vectors<D>,
+    pub(super) v_low: &'a Vectors<D>,
     pub(super) rate: f64,
     pub(super) max_iterations: u32,
+}
+
+impl<const D: usize> Equation<'_, D> {
+    /// h v, component i.
+    #[inline(always)]
+    fn drift(&self, i: usize) -> f64 {
+        self.h * self.v.flat()[i] + self.h * self.v_low.flat()[i]
+    }
 }
 
 /// The unknown force G and its Jacobian.
@@ -51,11 +61,14 @@ pub struct Solver<const D: usize> {
     pub(super) delta: Vectors<D>,
     /// G at the solution, G + J δ of the last correction.
     pub(super) gradient: Vectors<D>,
-    correction: Vectors<D>,
-    end: Vectors<D>,
+    /// The position at the end of the step, and then the residual and the correction, which do not need it any more: a
+    /// long chain is as fast as little memory is touched.
+    place: Vectors<D>,
     velocity: Vectors<D>,
     first: Vectors<D>,
     slope: Vectors<D>,
+    /// θ² g.
+    scaled: Vectors<D>,
 }
 
 impl<const D: usize> Solver<D> {
@@ -65,11 +78,11 @@ impl<const D: usize> Solver<D> {
             matrix: Matrix::new(bodies, topology),
             delta: zeros.clone(),
             gradient: zeros.clone(),
-            correction: zeros.clone(),
-            end: zeros.clone(),
+            place: zeros.clone(),
             velocity: zeros.clone(),
             first: zeros.clone(),
-            slope: zeros,
+            slope: zeros.clone(),
+            scaled: zeros,
         }
     }
 
@@ -101,10 +114,10 @@ impl<const D: usize> Solver<D> {
         let mut since_factors = 0;
         for iteration in 1..=PATIENCE.min(equation.max_iterations) {
             self.place::<U>(equation);
-            unknown.gradient(theta, &self.end, &self.velocity, &mut self.gradient);
+            unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
             if iteration == 1 || since_factors == CHORD {
                 self.matrix.clear();
-                unknown.jacobian(theta, &self.end, &self.velocity, equation.rate, &mut self.matrix);
+                unknown.jacobian(theta, &self.place, &self.velocity, equation.rate, &mut self.matrix);
                 if !self.factorise(equation, theta) {
                     return Err(NotConverged { iterations: iteration.into(), residual: f64::NAN });
                 }
@@ -112,8 +125,8 @@ impl<const D: usize> Solver<D> {
             }
             since_factors += 1;
             let force = self.residual(equation, theta);
-            self.matrix.solve(&mut self.correction);
-            self.matrix.multiply_add(&self.correction, &mut self.gradient);
+            self.solve_linear(equation, theta);
+            self.matrix.multiply_add(&self.place, &mut self.gradient);
             let [size, step] = self.correct();
             if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step) {
                 return Err(NotConverged { iterations: iteration.into(), residual: size });
@@ -149,7 +162,7 @@ impl<const D: usize> Solver<D> {
         let mut evaluations = spent + 1;
         self.delta.clear();
         self.place::<U>(equation);
-        unknown.gradient(0.0, &self.end, &self.velocity, &mut self.first);
+        unknown.gradient(0.0, &self.place, &self.velocity, &mut self.first);
         self.slope.clear();
         let (mut theta, mut advance, mut residual) = (0.0, 0.25, f64::NAN);
         while evaluations < equation.max_iterations && advance >= SHORTEST {
@@ -158,7 +171,7 @@ impl<const D: usize> Solver<D> {
             for i in 0..self.delta.flat().len() {
                 let known = equation.known.map_or(0.0, |known| known.flat()[i]);
                 let force = known + ahead * self.slope.flat()[i] + self.first.flat()[i];
-                self.delta.flat_mut()[i] = next * equation.drift.flat()[i] - next * next * equation.g.flat()[i] * force;
+                self.delta.flat_mut()[i] = next * equation.drift(i) - next * next * equation.g.flat()[i] * force;
             }
             match self.settle(equation, unknown, next) {
                 Ok(iterations) => {
@@ -185,32 +198,31 @@ impl<const D: usize> Solver<D> {
 
     /// b = q + Δ and, where it is needed, v at the end of the step.
     fn place<U: Unknown<D>>(&mut self, equation: &Equation<'_, D>) {
-        let Equation { q, q_low, drift, v, rate, .. } = *equation;
-        let (delta, end) = (self.delta.flat(), self.end.flat_mut());
-        for (((end, q), low), delta) in end.iter_mut().zip(q.flat()).zip(q_low.flat()).zip(delta) {
-            *end = q + (low + delta);
+        let Equation { q, q_low, v, rate, .. } = *equation;
+        let (delta, place) = (self.delta.flat(), self.place.flat_mut());
+        for (((place, q), low), delta) in place.iter_mut().zip(q.flat()).zip(q_low.flat()).zip(delta) {
+            *place = q + (low + delta);
         }
         if U::FORCED {
-            let known = v.flat().iter().zip(drift.flat());
-            for ((end, (v, drift)), delta) in self.velocity.flat_mut().iter_mut().zip(known).zip(delta) {
-                *end = rate * (delta - drift) + v;
+            let known = v.flat().iter().zip(delta).enumerate();
+            for (end, (i, (v, delta))) in self.velocity.flat_mut().iter_mut().zip(known) {
+                *end = rate * (delta - equation.drift(i)) + v;
             }
         }
     }
 
-    /// drift − g (G + known) − Δ; the largest |g G| comes back.
+    /// drift − g (G + known) − Δ, in the place of the position; the largest |g G| comes back.
     fn residual(&mut self, equation: &Equation<'_, D>, theta: f64) -> f64 {
         let square = theta * theta;
         let mut force = 0.0_f64;
-        let out = self.correction.flat_mut().iter_mut().zip(self.delta.flat());
-        let coefficients = equation.g.flat().iter().zip(equation.drift.flat());
-        let forces = self.gradient.flat().iter().enumerate();
-        for (((residual, delta), (g, drift)), (i, gradient)) in out.zip(coefficients).zip(forces) {
+        let out = self.place.flat_mut().iter_mut().zip(self.delta.flat());
+        let forces = equation.g.flat().iter().zip(self.gradient.flat()).enumerate();
+        for ((residual, delta), (i, (g, gradient))) in out.zip(forces) {
             let g = square * g;
             let pull = g * gradient;
             force = force.max(pull.abs());
             let known = equation.known.map_or(0.0, |known| g * known.flat()[i]);
-            *residual = theta * drift - (pull + known) - delta;
+            *residual = theta * equation.drift(i) - (pull + known) - delta;
         }
         force
     }
@@ -218,7 +230,7 @@ impl<const D: usize> Solver<D> {
     /// Δ += δ; max |δ| and max |Δ| come back, not finite if a component is not.
     fn correct(&mut self) -> [f64; 2] {
         let (mut size, mut step, mut odd) = (0.0_f64, 0.0_f64, 0.0);
-        for (delta, change) in self.delta.flat_mut().iter_mut().zip(self.correction.flat()) {
+        for (delta, change) in self.delta.flat_mut().iter_mut().zip(self.place.flat()) {
             *delta += change;
             size = size.max(change.abs());
             step = step.max(delta.abs());
@@ -232,8 +244,13 @@ impl<const D: usize> Solver<D> {
         if theta == 1.0 {
             return self.matrix.factorise(equation.g);
         }
-        self.velocity.clone_from(equation.g);
-        self.velocity.flat_mut().iter_mut().for_each(|g| *g *= theta * theta);
-        self.matrix.factorise(&self.velocity)
+        self.scaled.clone_from(equation.g);
+        self.scaled.flat_mut().iter_mut().for_each(|g| *g *= theta * theta);
+        self.matrix.factorise(&self.scaled)
+    }
+
+    fn solve_linear(&mut self, equation: &Equation<'_, D>, theta: f64) {
+        let g = if theta == 1.0 { equation.g } else { &self.scaled };
+        self.matrix.solve(g, &mut self.place);
     }
 }

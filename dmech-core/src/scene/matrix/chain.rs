@@ -12,16 +12,20 @@ type Block<const D: usize> = [[f64; D]; D];
 /// 1 + g J is near 1 where the step resolves the motion, and for a stiff chain it is the matrix of a string under tension:
 /// in both cases the diagonal blocks dominate and elimination in the order of the bodies is stable (N. J. Higham,
 /// Accuracy and Stability of Numerical Algorithms, 2nd ed., §13.2).
+///
+/// A long chain does not fit into the nearest memory and is as slow as that is read and written: what can be had from
+/// something else is not stored.
 #[derive(Clone, Debug)]
 pub struct ChainMatrix<const D: usize> {
-    /// J_ii, J_i,i−1, J_i,i+1.
+    /// J_ii.
     diagonal: Vec<Block<D>>,
-    lower: Vec<Block<D>>,
+    /// J_i,i+1, and J_i+1,i as far as it is the same.
     upper: Vec<Block<D>>,
-    /// E_i = D_i⁻¹ and W_i = E_i U_i, with D_i the eliminated diagonal; g_i J_i,i−1.
+    /// J_i,i−1 − J_i−1,i: empty unless forces are not reciprocal.
+    excess: Vec<Block<D>>,
+    /// E_i = D_i⁻¹ and W_i = E_i U_i, with D_i the eliminated diagonal.
     inverse: Vec<Block<D>>,
     following: Vec<Block<D>>,
-    preceding: Vec<Block<D>>,
 }
 
 impl<const D: usize> ChainMatrix<D> {
@@ -29,34 +33,49 @@ impl<const D: usize> ChainMatrix<D> {
         let zeros = vec![[[0.0; D]; D]; bodies];
         ChainMatrix {
             diagonal: zeros.clone(),
-            lower: zeros.clone(),
             upper: zeros.clone(),
+            excess: Vec::new(),
             inverse: zeros.clone(),
-            following: zeros.clone(),
-            preceding: zeros,
+            following: zeros,
         }
     }
 
     pub(super) fn clear(&mut self) {
-        for blocks in [&mut self.diagonal, &mut self.lower, &mut self.upper] {
+        for blocks in [&mut self.diagonal, &mut self.upper, &mut self.excess] {
             blocks.fill([[0.0; D]; D]);
         }
     }
 
-    #[inline]
     pub(super) fn add_block(&mut self, a: usize, b: usize, block: Block<D>) {
-        let place = if a == b {
-            &mut self.diagonal[a]
-        } else if b < a {
-            &mut self.lower[a]
-        } else {
-            &mut self.upper[a]
-        };
-        for k in 0..D {
-            for l in 0..D {
-                place[k][l] += block[k][l];
-            }
+        if a == b {
+            add(&mut self.diagonal[a], block);
+            return;
         }
+        self.excess.resize(self.diagonal.len(), [[0.0; D]; D]);
+        if a < b {
+            add(&mut self.upper[a], block);
+            subtract(&mut self.excess[b], block);
+        } else {
+            add(&mut self.excess[a], block);
+        }
+    }
+
+    /// The four blocks of a link: those beside the diagonal are the same.
+    #[inline]
+    pub(super) fn add_link(&mut self, a: usize, b: usize, block: Block<D>) {
+        add(&mut self.diagonal[a], block);
+        add(&mut self.diagonal[b], block);
+        subtract(&mut self.upper[a.min(b)], block);
+    }
+
+    /// J_i,i−1, for i > 0.
+    #[inline(always)]
+    fn lower(&self, i: usize) -> Block<D> {
+        let mut block = self.upper[i - 1];
+        if let Some(&excess) = self.excess.get(i) {
+            add(&mut block, excess);
+        }
+        block
     }
 
     pub(super) fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
@@ -64,7 +83,7 @@ impl<const D: usize> ChainMatrix<D> {
         for i in 0..n {
             let mut sum = times(&self.diagonal[i], x.get(i));
             if i > 0 {
-                sum = plus(sum, times(&self.lower[i], x.get(i - 1)));
+                sum = plus(sum, times(&self.lower(i), x.get(i - 1)));
             }
             if i + 1 < n {
                 sum = plus(sum, times(&self.upper[i], x.get(i + 1)));
@@ -78,31 +97,31 @@ impl<const D: usize> ChainMatrix<D> {
         let mut before = [[0.0; D]; D];
         for i in 0..self.diagonal.len() {
             let g = g.get(i);
-            let scaled = |block: &Block<D>| -> Block<D> {
-                core::array::from_fn(|k| core::array::from_fn(|l| g[k] * block[k][l]))
-            };
-            self.preceding[i] = scaled(&self.lower[i]);
-            let eliminated = product(&self.preceding[i], &before);
-            let mut pivot = scaled(&self.diagonal[i]);
+            let mut pivot = scaled(g, &self.diagonal[i]);
             for k in 0..D {
-                for l in 0..D {
-                    pivot[k][l] += f64::from(u8::from(k == l)) - eliminated[k][l];
-                }
+                pivot[k][k] += 1.0;
+            }
+            if i > 0 {
+                subtract(&mut pivot, product(&scaled(g, &self.lower(i)), &before));
             }
             let inverse = invert(&pivot);
             regular &= inverse.iter().flatten().all(|x| x.is_finite());
-            before = product(&inverse, &scaled(&self.upper[i]));
+            before = product(&inverse, &scaled(g, &self.upper[i]));
             (self.inverse[i], self.following[i]) = (inverse, before);
         }
         regular
     }
 
-    pub(super) fn solve(&mut self, x: &mut Vectors<D>) {
+    pub(super) fn solve(&mut self, g: &Vectors<D>, x: &mut Vectors<D>) {
         let n = self.diagonal.len();
         let mut before = [0.0; D];
         for i in 0..n {
-            let (own, known) = (x.get(i), times(&self.preceding[i], before));
-            before = times(&self.inverse[i], core::array::from_fn(|k| own[k] - known[k]));
+            let mut own = x.get(i);
+            if i > 0 {
+                let (g, known) = (g.get(i), times(&self.lower(i), before));
+                own = core::array::from_fn(|k| own[k] - g[k] * known[k]);
+            }
+            before = times(&self.inverse[i], own);
             x.set(i, before);
         }
         let mut after = [0.0; D];
@@ -112,6 +131,32 @@ impl<const D: usize> ChainMatrix<D> {
             x.set(i, after);
         }
     }
+}
+
+/// X += Y.
+#[inline(always)]
+fn add<const D: usize>(x: &mut Block<D>, y: Block<D>) {
+    for k in 0..D {
+        for l in 0..D {
+            x[k][l] += y[k][l];
+        }
+    }
+}
+
+/// X −= Y.
+#[inline(always)]
+fn subtract<const D: usize>(x: &mut Block<D>, y: Block<D>) {
+    for k in 0..D {
+        for l in 0..D {
+            x[k][l] -= y[k][l];
+        }
+    }
+}
+
+/// Row k times g_k.
+#[inline(always)]
+fn scaled<const D: usize>(g: [f64; D], x: &Block<D>) -> Block<D> {
+    core::array::from_fn(|k| core::array::from_fn(|l| g[k] * x[k][l]))
 }
 
 #[inline(always)]

@@ -69,6 +69,9 @@ impl<const D: usize> Matrix<D> {
     /// What a link with ∂G_d/∂d = block adds: G_a = G_d and G_b = −G_d.
     #[inline]
     pub fn add_link(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
+        if let Matrix::Chain(matrix) = self {
+            return matrix.add_link(a, b, block);
+        }
         let opposite = block.map(|row| row.map(|x| -x));
         self.add_block(a, a, block);
         self.add_block(a, b, opposite);
@@ -96,10 +99,10 @@ impl<const D: usize> Matrix<D> {
         }
     }
 
-    /// x ← (1 + g J)⁻¹ x.
-    pub fn solve(&mut self, x: &mut Vectors<D>) {
+    /// x ← (1 + g J)⁻¹ x, with the g that was factorised.
+    pub fn solve(&mut self, g: &Vectors<D>, x: &mut Vectors<D>) {
         match self {
-            Matrix::Chain(matrix) => matrix.solve(x),
+            Matrix::Chain(matrix) => matrix.solve(g, x),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.solve(x),
             Matrix::Dense(matrix) => matrix.solve(x),

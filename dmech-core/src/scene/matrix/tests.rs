@@ -37,7 +37,7 @@ fn all_matrices_solve_the_same_system() {
     let [chain, sparse, dense] = matrices.map(|mut matrix| {
         let (mut product, mut solution) = (Vectors::zeros(n), x.clone());
         matrix.multiply_add(&x, &mut product);
-        matrix.solve(&mut solution);
+        matrix.solve(&g, &mut solution);
         // (1 + g J) x = b.
         let mut residual = solution.clone();
         let mut image = Vectors::zeros(n);
@@ -71,7 +71,7 @@ fn rows_are_exchanged_by_size() {
         matrix.add_block(2, 1, [[7.0]]);
         assert!(matrix.factorise(&g));
         let mut x = Vectors::from_list(&[[2.0], [9.0], [8.0]]);
-        matrix.solve(&mut x);
+        matrix.solve(&g, &mut x);
         for (found, exact) in x.flat().iter().zip([1.0, 1.0, 1.0]) {
             assert!((found - exact).abs() < 1e-13, "{topology:?}: {found}");
         }
@@ -106,7 +106,7 @@ fn large_matrices_are_solved_both_ways() {
         assert_eq!(row < 1.0 / 16.0, scale < 0.003, "{row}");
         assert!(matrix.factorise(&g));
         let (mut solution, mut image) = (x.clone(), Vectors::zeros(n));
-        matrix.solve(&mut solution);
+        matrix.solve(&g, &mut solution);
         matrix.multiply_add(&solution, &mut image);
         for i in 0..2 * n {
             let residual = solution.flat()[i] + g.flat()[i] * image.flat()[i] - x.flat()[i];
@@ -115,7 +115,7 @@ fn large_matrices_are_solved_both_ways() {
         assert_eq!(solution.get(5), x.get(5));
         g.flat_mut()[3] = f64::NAN;
         matrix.factorise(&g);
-        matrix.solve(&mut x);
+        matrix.solve(&g, &mut x);
         assert!(!x.is_finite());
     }
 }

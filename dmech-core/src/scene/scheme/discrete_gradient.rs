@@ -17,14 +17,12 @@ pub struct DiscreteGradientScene<const D: usize> {
     v: CompensatedVectors<D>,
     /// ∇̄Φ less the mean force of the last three steps, the newest first; ∇Φ − F before the first step.
     gradients: [Vectors<D>; 3],
-    /// h times the velocity.
-    drift: Vectors<D>,
     /// −F/2 at the start of the step.
     half_force: Vectors<D>,
     g: Vectors<D>,
 }
 
-cloned_in_place!(DiscreteGradientScene { q, v, gradients, drift, half_force, g });
+cloned_in_place!(DiscreteGradientScene { q, v, gradients, half_force, g });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for DiscreteGradientScene<D> {
@@ -66,7 +64,6 @@ impl<const D: usize> DiscreteGradientScene<D> {
         DiscreteGradientScene {
             q: CompensatedVectors::new(start.q.clone()),
             v: CompensatedVectors::new(start.v.clone()),
-            drift: gradient.clone(),
             half_force: gradient.clone(),
             g: system.setting.g(0.5 * system.setting.dt),
             gradients: core::array::from_fn(|_| gradient.clone()),
@@ -81,7 +78,7 @@ impl<const D: usize> DiscreteGradientScene<D> {
         solver: &mut Solver<D>,
         newton: &Newton,
     ) -> Result<Effort, NotConverged> {
-        let DiscreteGradientScene { q, v, gradients, drift, half_force, g } = self;
+        let DiscreteGradientScene { q, v, gradients, half_force, g } = self;
         let h = system.setting.dt;
         let [gradient, before, earlier] = &*gradients;
         // The share of the force at the start of the step is known.
@@ -89,19 +86,17 @@ impl<const D: usize> DiscreteGradientScene<D> {
             half_force.clear();
             system.acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
         }
-        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
-            *drift = h * v.hi.flat()[i] + h * v.lo.flat()[i];
-        }
         // The gradients of the last steps hold the whole force.
-        guess(newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
+        guess(newton, (h, v), None, g, [gradient, before, earlier], &mut solver.delta);
         let max_iterations = newton.limit();
         let equation = Equation {
             q: &q.hi,
             q_low: &q.lo,
-            drift,
+            h,
             known: A::FORCED.then_some(&*half_force),
             g,
             v: &v.hi,
+            v_low: &v.lo,
             rate: 2.0 / h,
             max_iterations,
         };
@@ -114,7 +109,7 @@ impl<const D: usize> DiscreteGradientScene<D> {
         }
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
-        CompensatedVectors::kick_and_drift(q, v, drift, 0.5 * h, change);
+        CompensatedVectors::kick_and_drift(q, v, h, 0.5 * h, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

@@ -17,12 +17,10 @@ pub struct ImplicitScene<const D: usize> {
     v: CompensatedVectors<D>,
     /// ∇Φ − F in the last three states, the newest first.
     gradients: [Vectors<D>; 3],
-    /// h v.
-    drift: Vectors<D>,
     g: Vectors<D>,
 }
 
-cloned_in_place!(ImplicitScene { q, v, gradients, drift, g });
+cloned_in_place!(ImplicitScene { q, v, gradients, g });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for ImplicitScene<D> {
@@ -69,7 +67,6 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         Ok(ImplicitScene {
             q: CompensatedVectors::new(start.q.clone()),
             v: CompensatedVectors::new(start.v.clone()),
-            drift: gradient.clone(),
             g: system.setting.g(0.25 * system.setting.dt),
             gradients: core::array::from_fn(|_| gradient.clone()),
         })
@@ -83,28 +80,26 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         memory: &mut Self::Memory,
         solver: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
-        let ImplicitScene { q, v, gradients, drift, g } = memory;
+        let ImplicitScene { q, v, gradients, g } = memory;
         let h = system.setting.dt;
         let [gradient, before, earlier] = &*gradients;
-        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
-            *drift = h * v.hi.flat()[i] + h * v.lo.flat()[i];
-        }
-        guess(&self.newton, drift, Some(gradient), g, [gradient, before, earlier], &mut solver.delta);
+        guess(&self.newton, (h, v), Some(gradient), g, [gradient, before, earlier], &mut solver.delta);
         let max_iterations = self.newton.limit();
         let equation = Equation {
             q: &q.hi,
             q_low: &q.lo,
-            drift,
+            h,
             known: Some(gradient),
             g,
             v: &v.hi,
+            v_low: &v.lo,
             rate: 2.0 / h,
             max_iterations,
         };
         let effort = solver.solve(&equation, &AtEnd { acts: &system.acts, t: t + h })?;
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -0.5 * kick[i] * (gradient.flat()[i] + found[i]);
-        CompensatedVectors::kick_and_drift(q, v, drift, 0.5 * h, change);
+        CompensatedVectors::kick_and_drift(q, v, h, 0.5 * h, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

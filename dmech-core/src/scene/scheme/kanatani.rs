@@ -18,14 +18,12 @@ pub struct KanataniScene<const D: usize> {
     z: CompensatedVectors<D>,
     /// ∇̄Φ − F of the last three steps, the newest first.
     gradients: [Vectors<D>; 3],
-    /// h times the velocity.
-    drift: Vectors<D>,
     /// −F at the position now.
     force: Vectors<D>,
     g: Vectors<D>,
 }
 
-cloned_in_place!(KanataniScene { q_before, q, z, gradients, drift, force, g });
+cloned_in_place!(KanataniScene { q_before, q, z, gradients, force, g });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for KanataniScene<D> {
@@ -109,7 +107,6 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
             q_before,
             q: CompensatedVectors::new(q.clone()),
             z: CompensatedVectors::new(z),
-            drift: gradient.clone(),
             force: gradient.clone(),
             g: system.setting.g(h),
             gradients: core::array::from_fn(|_| gradient.clone()),
@@ -124,7 +121,7 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
         memory: &mut Self::Memory,
         solver: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
-        let KanataniScene { q_before, q, z, gradients, drift, force, g } = memory;
+        let KanataniScene { q_before, q, z, gradients, force, g } = memory;
         let h = system.setting.dt;
         let [gradient, before, earlier] = &*gradients;
         // A force beside the potential is that at the position now.
@@ -132,18 +129,16 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
             force.clear();
             system.acts.subtract_force(1.0, &q.hi, &z.hi, t, force);
         }
-        for (i, drift) in drift.flat_mut().iter_mut().enumerate() {
-            *drift = h * z.hi.flat()[i] + h * z.lo.flat()[i];
-        }
-        guess(&self.newton, drift, None, g, [gradient, before, earlier], &mut solver.delta);
+        guess(&self.newton, (h, z), None, g, [gradient, before, earlier], &mut solver.delta);
         let max_iterations = self.newton.limit();
         let equation = Equation {
             q: &q.hi,
             q_low: &q.lo,
-            drift,
+            h,
             known: A::FORCED.then_some(&*force),
             g,
             v: &z.hi,
+            v_low: &z.lo,
             rate: 0.0,
             max_iterations,
         };
@@ -157,7 +152,7 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
         q_before.clone_from(&q.hi);
-        CompensatedVectors::kick_and_drift(q, z, drift, h, change);
+        CompensatedVectors::kick_and_drift(q, z, h, h, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

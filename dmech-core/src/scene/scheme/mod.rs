@@ -22,6 +22,7 @@ mod implicit;
 mod kanatani;
 mod leapfrog;
 
+use super::compensated::CompensatedVectors;
 use super::newton::Solver;
 use super::setting::{Setting, System};
 use super::terms::Acts;
@@ -96,7 +97,7 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
 /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
 fn guess<const D: usize>(
     newton: &Newton,
-    drift: &Vectors<D>,
+    (h, v): (f64, &CompensatedVectors<D>),
     known: Option<&Vectors<D>>,
     g: &Vectors<D>,
     [last, before, earlier]: [&Vectors<D>; 3],
@@ -109,7 +110,7 @@ fn guess<const D: usize>(
     for (i, delta) in delta.flat_mut().iter_mut().enumerate() {
         let next = 3.0 * (last.flat()[i] - before.flat()[i]) + earlier.flat()[i];
         let all = known.map_or(next, |known| known.flat()[i] + next);
-        *delta = drift.flat()[i] - g.flat()[i] * all;
+        *delta = h * v.hi.flat()[i] + h * v.lo.flat()[i] - g.flat()[i] * all;
     }
 }
 

@@ -47,7 +47,9 @@ pub use report::Report;
 pub use run::Run;
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
-pub use scheme::{DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start};
+pub use scheme::{
+    Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start, coefficients,
+};
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
 pub use stepper::Stepper;
@@ -61,7 +63,8 @@ pub mod prelude {
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
-        DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
+        Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
+        coefficients,
     };
     pub use crate::verify::verify;
     pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper};

@@ -16,7 +16,7 @@ pub use discrete_gradient::ComposedDiscreteGradientMemory;
 pub use implicit::ComposedImplicitMemory;
 pub use leapfrog::ComposedLeapfrogMemory;
 
-use self::coefficients::{KahanLi6, KahanLi8, Suzuki4};
+use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
 use self::name::Name;
 use super::{DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
@@ -116,23 +116,23 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
 }
 
 impl<S: Composable> Composed<S, Suzuki4, 5> {
-    /// Order 4.
+    /// Order 4, in the five stages of [`Suzuki4`].
     pub const fn order4(scheme: S) -> Self {
         Composed::new(scheme, Suzuki4)
     }
 }
 
-impl<S: Composable> Composed<S, KahanLi6, 9> {
-    /// Order 6.
+impl<S: Composable> Composed<S, SofroniouSpaletta6, 13> {
+    /// Order 6, in the thirteen stages of [`SofroniouSpaletta6`].
     pub const fn order6(scheme: S) -> Self {
-        Composed::new(scheme, KahanLi6)
+        Composed::new(scheme, SofroniouSpaletta6)
     }
 }
 
-impl<S: Composable> Composed<S, KahanLi8, 17> {
-    /// Order 8.
+impl<S: Composable> Composed<S, SofroniouSpaletta8, 21> {
+    /// Order 8, in the twenty-one stages of [`SofroniouSpaletta8`].
     pub const fn order8(scheme: S) -> Self {
-        Composed::new(scheme, KahanLi8)
+        Composed::new(scheme, SofroniouSpaletta8)
     }
 }
 

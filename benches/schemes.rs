@@ -10,6 +10,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use dmech::models::DampedPendulum;
 use dmech::prelude::*;
 use dmech::{Error, Stepper};
 
@@ -71,6 +72,8 @@ fn loops() -> Vec<(&'static str, &'static str, Loop)> {
     let (sun, dt) = (Kepler { gm: 1.0 }, 1e-3);
     let planet = State::new([0.5, 0.0], [0.0, 1.63]);
     let (pendulum, bob) = (Pendulum { k: 1.3 }, State::new([0.8], [0.0]));
+    // The same law with a force that names the velocity, so weak that it still swings when all is timed.
+    let damped = DampedPendulum { k: 1.3, alpha: 1e-4 };
     vec![
         ("kepler", "twin: leap-frog, √s·(1/s²)", twins::kepler_leapfrog(1.0, planet, dt)),
         ("kepler", "Leapfrog", generated(sun, planet, dt, Leapfrog)),
@@ -82,9 +85,32 @@ fn loops() -> Vec<(&'static str, &'static str, Loop)> {
         ("kepler", "Kanatani", generated(sun, planet, dt, Kanatani)),
         ("pendulum", "twin: leap-frog", twins::pendulum_leapfrog(1.3, bob, dt)),
         ("pendulum", "Leapfrog", generated(pendulum, bob, dt, Leapfrog)),
+        ("pendulum", "twin: explicit", twins::pendulum::pendulum_explicit(1.3, bob, dt)),
+        ("pendulum", "Explicit", generated(pendulum, bob, dt, Explicit)),
+        ("pendulum", "twin: trapezoid, Newton", twins::pendulum::pendulum_trapezoid(1.3, bob, dt)),
         ("pendulum", "Implicit", generated(pendulum, bob, dt, Implicit)),
         ("pendulum", "DiscreteGradient", generated(pendulum, bob, dt, DiscreteGradient)),
+        ("damped", "twin: explicit", twins::pendulum::damped_pendulum_explicit((1.3, 1e-4), bob, dt)),
+        ("damped", "Explicit", generated(damped, bob, dt, Explicit)),
+        ("damped", "twin: trapezoid, Newton", twins::pendulum::damped_pendulum_trapezoid((1.3, 1e-4), bob, dt)),
+        ("damped", "Implicit", generated(damped, bob, dt, Implicit)),
+        ("damped", "DiscreteGradient", generated(damped, bob, dt, DiscreteGradient)),
     ]
+}
+
+/// The loop after a twin of the explicit or trapezoidal formulas goes where the twin goes. (Those of leap-frog start
+/// without half a kick.)
+fn twins_agree() {
+    let ends: Vec<_> = loops().into_iter().map(|(of, name, mut run)| (of, name, run(1000))).collect();
+    let mut compared = 0;
+    for pair in ends.windows(2) {
+        let [(of, twin, by_hand), (_, name, end)] = [pair[0], pair[1]];
+        if twin.starts_with("twin: explicit") || twin.starts_with("twin: trapezoid") {
+            assert!((end - by_hand).abs() < 1e-11, "{of}: {twin} ends at {by_hand}, {name} at {end}");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 5);
 }
 
 fn main() {
@@ -97,6 +123,7 @@ fn main() {
         black_box(run(steps));
         return;
     }
+    twins_agree();
     const STEPS: u64 = 20_000;
     let mut best = vec![f64::INFINITY; loops.len()];
     for _ in 0..100 {

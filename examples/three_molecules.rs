@@ -155,7 +155,7 @@ which rounds differently, and when a molecule starts 10⁻⁸ higher
 ───────┼─────────────┼────────────";
 
 const CHAOS: &str = "
-  To step 1700, where the figure ends, the positions are those of the formulas; at 10 000 not a digit is.
+  To step 1700, where the figure ends, the positions are those of the formulas; at 15 000 not a digit is.
 ";
 
 const WORK: &str = "\

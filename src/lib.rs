@@ -47,6 +47,64 @@
 //! `Kanatani` refuse a force that depends on the velocity when the program is compiled. [`Derivation::derivation`] shows
 //! everything that was derived in readable mathematics.
 //!
+//! # Bodies and the laws between them
+//!
+//! A `#[pair]` is the potential energy of two bodies a and b, in the distance `r: f64` or the separation `d: [f64; D]`,
+//! which is q_a − q_b; where the law needs them it names the masses `ma` and `mb`, the data that the bodies carry, `a: &P`
+//! and `b: &P`, and the time `t`. A `#[pair_force]` is the force on a from b, in `d`, the velocities `va` and `vb`, and
+//! the same others. A [`Scene`] holds bodies and says where laws act:
+//!
+//! | method | the law acts |
+//! |---|---|
+//! | [`.field(law)`](Scene::field) | on each body by itself: a `#[potential]` or a `#[force]` |
+//! | [`.pairs(law)`](Scene::pairs) | between any two bodies; its energy does not depend on which comes first |
+//! | [`.chain(law)`](Scene::chain) | between consecutive bodies: a is body j, b is body j + 1 |
+//! | [`.bonds(law, list)`](Scene::bonds) | between the bodies of each `(a, b)` in a list |
+//!
+//! [`.pin(i)`](Scene::pin) fixes body i. Schemes, invariants and reports are those of one body:
+//!
+//! ```
+//! use dmech::prelude::*;
+//!
+//! /// k (r − ℓ)²/2
+//! #[derive(Clone, Copy, Debug)]
+//! struct Spring { k: f64, length: f64 }
+//!
+//! #[dmech::law]
+//! impl Spring {
+//!     #[pair]
+//!     fn energy(&self, r: f64) -> f64 {
+//!         0.5 * self.k * (r - self.length).powi(2)
+//!     }
+//! }
+//!
+//! /// m g y
+//! #[derive(Clone, Copy, Debug)]
+//! struct Weight { g: f64 }
+//!
+//! #[dmech::law]
+//! impl Weight {
+//!     #[potential]
+//!     fn energy(&self, q: [f64; 2], m: f64) -> f64 {
+//!         m * self.g * q[1]
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // Two weights on springs, one below the other, hung from body 0.
+//! let scene = Scene::new()
+//!     .body(1.0, [0.0, 0.0], [0.0, 0.0])
+//!     .body(0.5, [0.0, -1.1], [0.3, 0.0])
+//!     .body(2.0, [0.4, -2.0], [0.0, 0.0])
+//!     .pin(0)
+//!     .chain(Spring { k: 70.0, length: 1.0 })
+//!     .field(Weight { g: 9.81 });
+//! let run = Simulation::scene(scene).scheme(DiscreteGradient).dt(0.01).run(1000)?;
+//! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-12);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # The schemes
 //!
 //! | scheme | order | keeps | costs |

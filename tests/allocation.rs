@@ -84,3 +84,56 @@ fn no_step_under_a_force_allocates() {
     check(motion.clone().scheme(Implicit), "Implicit");
     check(motion.scheme(DiscreteGradient), "DiscreteGradient");
 }
+
+/// Ten bodies in space, and a chain of them: the memory before a step, Newton matrices and factors are kept.
+#[cfg(feature = "scene")]
+#[test]
+fn no_step_of_a_scene_allocates() {
+    use dmech::scene::{SceneScheme, Term};
+
+    #[derive(Clone, Copy, Debug)]
+    struct Spring {
+        k: f64,
+    }
+
+    #[dmech::law]
+    impl Spring {
+        #[pair]
+        fn energy(&self, r: f64) -> f64 {
+            0.5 * self.k * (r - 1.3).powi(2)
+        }
+    }
+
+    fn check<L: Term<3, ()>, S: SceneScheme<3, L::Ready>>(scene: Scene<3, (), L>, scheme: S, dt: f64, what: &str) {
+        let mut stepper = Simulation::scene(scene).scheme(scheme).dt(dt).stepper().unwrap();
+        (0..10).for_each(|_| stepper.step().unwrap());
+        let before = stepper.q().clone();
+        let counted = allocations(|| {
+            (0..100).for_each(|_| stepper.step().unwrap());
+            stepper.advance(100).unwrap();
+        });
+        assert_ne!(stepper.q(), &before, "{what}: nothing moved");
+        assert_eq!(counted, 0, "{what}, dt = {dt}");
+    }
+
+    let bodies = || {
+        (0..10).fold(Scene::<3>::new(), |scene, i| {
+            let f = f64::from(i);
+            scene.body(1.0 + 0.1 * f, [1.1 * f, (2.0 * f).sin(), (0.7 * f).cos()], [0.2 * f.sin(), 0.0, 0.1])
+        })
+    };
+    let spring = Spring { k: 3.0 };
+    let all = bodies().pairs(spring);
+    let ring = bodies().bonds(spring, (0..10).map(|i| (i, (i + 1) % 10)));
+    // Steps with a small Newton matrix, and steps that need its factors.
+    for dt in [0.001, 0.1] {
+        check(all.clone(), Explicit, dt, "pairs, Explicit");
+        check(all.clone(), Leapfrog, dt, "pairs, Leapfrog");
+        check(all.clone(), Implicit, dt, "pairs, Implicit");
+        check(all.clone(), DiscreteGradient, dt, "pairs, DiscreteGradient");
+        check(bodies().chain(spring), Kanatani, dt, "chain, Kanatani");
+        check(bodies().chain(spring), DiscreteGradient, dt, "chain, DiscreteGradient");
+    }
+    // Factors of a sparse matrix are not among them: as rows change places in faer they fill up more, and room is made.
+    check(ring, DiscreteGradient, 0.001, "bonds, DiscreteGradient");
+}

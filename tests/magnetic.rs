@@ -3,6 +3,7 @@
 #[path = "../examples/shared/gyration.rs"]
 mod gyration;
 
+use dmech::MassIndependent;
 use dmech::prelude::*;
 use dmech::scheme::Scheme;
 use gyration::{CROSSED, Circle, GRADED, IN_SPACE, IN_THE_PLANE, MASS, SPEED, UNIFORM};
@@ -30,11 +31,64 @@ fn keeps_its_energy<L: Law<D> + Copy, const D: usize>(law: L, start: State<D>, h
     assert!(drift.max_abs() > 0.0 && run.last().q != start.q, "{what}: nothing moved");
 }
 
+/// A field that varies beside an anharmonic well: Newton in both coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Bowl {
+    b: f64,
+    length: f64,
+    k: f64,
+    c: f64,
+}
+
+#[dmech::law]
+impl Bowl {
+    #[potential]
+    fn well(&self, q: [f64; 2]) -> f64 {
+        let s = q[0] * q[0] + 1.4 * q[1] * q[1];
+        0.5 * self.k * s + self.c * s * s
+    }
+    #[force]
+    fn lorentz(&self, q: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+        let b = self.b * (1.0 + q[0] / self.length);
+        [b * v[1], -b * v[0]]
+    }
+}
+
 #[test]
 fn energy_is_exact_over_a_million_steps() {
     keeps_its_energy(UNIFORM, IN_SPACE, 0.01, "uniform field");
     keeps_its_energy(GRADED, IN_THE_PLANE, 0.01, "graded field");
     keeps_its_energy(CROSSED, IN_THE_PLANE, 0.01, "crossed fields");
+}
+
+/// Up to half a radian of gyration in a step: a rounding that has a mean would show as h² times the number of steps.
+#[test]
+fn energy_is_exact_with_large_steps() {
+    let bowl = Bowl { b: 2.1, length: 4.0, k: 0.7, c: 0.3 };
+    for h in [0.05, 0.1, 0.3] {
+        keeps_its_energy(UNIFORM, IN_SPACE, h, "uniform field");
+        keeps_its_energy(CROSSED, IN_THE_PLANE, h, "crossed fields");
+        keeps_its_energy(bowl, IN_THE_PLANE, h, "field and well");
+    }
+}
+
+/// A mass per coordinate: the force stays at right angles to Δq, its rows are divided by different masses.
+#[test]
+fn energy_is_exact_with_a_mass_per_coordinate() {
+    fn keeps<L: Law<D> + MassIndependent + Copy, const D: usize>(law: L, masses: [f64; D], start: State<D>, h: f64) {
+        let run = Simulation::new(law, start).masses(masses).scheme(DiscreteGradient).dt(h).run(1_000_000).unwrap();
+        let drift = run.drift(Invariant::Energy).expect("masses leave the energy an invariant");
+        println!("h = {h:<5} {masses:?} {:.1e}", drift.max_relative());
+        assert_eq!(drift.samples(), 1_000_001);
+        assert!(drift.max_relative() < 1e-13, "h = {h}, {masses:?}: {:e}", drift.max_relative());
+        assert!(drift.max_abs() > 0.0 && run.last().q != start.q, "nothing moved");
+    }
+    let bowl = Bowl { b: 2.1, length: 4.0, k: 0.7, c: 0.3 };
+    for h in [0.02, 0.1, 0.3] {
+        keeps(UNIFORM, [1.3, 0.7, 2.9], IN_SPACE, h);
+        keeps(CROSSED, [1.3, 0.7], IN_THE_PLANE, h);
+        keeps(bowl, [1.3, 0.7], IN_THE_PLANE, h);
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Runs that show how far they are: the same run, and a bar that follows it.
 
 use dmech::prelude::*;
+use dmech::scene::Term;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +21,7 @@ fn hidden() -> ProgressBar {
     ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
 }
 
-fn pair() -> Simulation<(), Scene<2, (), ((), dmech::scene::Linked<Spring, dmech::scene::Chain>)>> {
+fn pair() -> Simulation<(), Scene<2, (), impl Term<2, ()>>> {
     let scene = Scene::new().body(1.0, [0.0, 0.0], [0.0, 0.3]).body(2.0, [1.2, 0.0], [0.1, 0.0]);
     Simulation::scene(scene.chain(Spring { k: 3.0 }))
 }

@@ -6,6 +6,8 @@ use dmech::prelude::*;
 
 use super::Loop;
 
+pub(super) mod pendulum;
+
 /// a b + c, fused where the target has the instruction.
 #[inline(always)]
 fn fma(a: f64, b: f64, c: f64) -> f64 {

@@ -5,8 +5,30 @@ pub(crate) mod body;
 pub(crate) mod law;
 pub(crate) mod pair;
 
+mod nearest;
+
+use std::collections::BTreeSet;
+
 use quote::ToTokens;
 use syn::Error;
+
+pub(crate) use nearest::nearest;
+
+/// Everything that is wrong with a law.
+#[derive(Debug, Default)]
+pub(crate) struct Mistakes {
+    /// What its author is told, each with the piece of the text that it is about.
+    pub(crate) errors: Vec<Error>,
+    /// The methods that the mistakes are in.
+    pub(crate) methods: BTreeSet<String>,
+}
+
+impl Mistakes {
+    pub(crate) fn extend(&mut self, other: Self) {
+        self.errors.extend(other.errors);
+        self.methods.extend(other.methods);
+    }
+}
 
 /// The text of a piece of code, on one line and not too long.
 fn text(tokens: &impl ToTokens) -> String {
@@ -24,6 +46,7 @@ fn tidy(spaced: &str) -> String {
         (" ,", ","),
         (" :: ", "::"),
         (":: ", "::"),
+        (" : ", ": "),
         (" (", "("),
         ("( ", "("),
         (" )", ")"),
@@ -42,6 +65,11 @@ fn tidy(spaced: &str) -> String {
         text = text.replace(&format!("{before} ["), &format!("{before}["));
     }
     text
+}
+
+/// `1 component`, `3 components`
+fn counted(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
 fn at(tokens: &impl ToTokens, message: impl std::fmt::Display) -> Error {

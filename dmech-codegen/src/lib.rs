@@ -21,6 +21,7 @@ pub use model::{Body, Model, PairSignature};
 use dmech_symbolic::kernel::{ForcedKernels, Kernels, PairKernels, PairLaw};
 use proc_macro2::TokenStream;
 
+use diagnostics::Mistakes;
 use model::Parsed;
 
 /// A law with everything that follows from it, before it is printed.
@@ -68,11 +69,11 @@ pub fn derive(item: TokenStream) -> TokenStream {
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
-    let model = model::from_impl(TokenStream::new(), item).model?;
+    let model = model::from_impl(TokenStream::new(), item).model.map_err(|mistakes| mistakes.errors)?;
     match derive_all(model) {
         Ok(Derived::One(derivation)) => Ok(*derivation),
         Ok(Derived::Pair(derivation)) => Err(vec![diagnostics::pair::not_of_one_body(&derivation.model)]),
-        Err((_, errors)) => Err(errors),
+        Err((_, mistakes)) => Err(mistakes.errors),
     }
 }
 
@@ -81,18 +82,18 @@ pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Erro
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_pair(item: TokenStream) -> Result<PairDerivation, Vec<syn::Error>> {
-    let model = model::from_impl(TokenStream::new(), item).model?;
+    let model = model::from_impl(TokenStream::new(), item).model.map_err(|mistakes| mistakes.errors)?;
     match derive_all(model) {
         Ok(Derived::Pair(derivation)) => Ok(*derivation),
         Ok(Derived::One(derivation)) => Err(vec![diagnostics::pair::of_one_body(&derivation.model)]),
-        Err((_, errors)) => Err(errors),
+        Err((_, mistakes)) => Err(mistakes.errors),
     }
 }
 
-fn derive_all(model: Model) -> Result<Derived, (Box<Model>, Vec<syn::Error>)> {
+fn derive_all(model: Model) -> Result<Derived, (Box<Model>, Mistakes)> {
     let mut lowered = match lower::lower(&model) {
         Ok(lowered) => lowered,
-        Err(errors) => return Err((Box::new(model), errors)),
+        Err(mistakes) => return Err((Box::new(model), mistakes)),
     };
     if let Some(pair) = lowered.pair.take() {
         let law = PairLaw {
@@ -111,29 +112,23 @@ fn derive_all(model: Model) -> Result<Derived, (Box<Model>, Vec<syn::Error>)> {
 }
 
 fn expand(Parsed { item, model, refused }: Parsed) -> TokenStream {
-    let mut tokens = item;
-    let errors = match model {
-        Err(errors) => {
-            if let Some(model) = refused.filter(|model| model.dimension > 0 || model.pair.is_some()) {
-                tokens.extend(stub(&model));
-            }
-            errors
-        }
+    let (model, mistakes) = match model {
+        Err(mistakes) => (refused.filter(|model| model.dimension > 0 || model.pair.is_some()), mistakes),
         Ok(model) => match derive_all(model) {
             Ok(derived) => {
+                let mut tokens = item;
                 tokens.extend(match &derived {
                     Derived::One(derivation) => emit::implementation(derivation),
                     Derived::Pair(derivation) => emit::pair_implementation(derivation),
                 });
                 return tokens;
             }
-            Err((model, errors)) => {
-                tokens.extend(stub(&model));
-                errors
-            }
+            Err((model, mistakes)) => (Some(model), mistakes),
         },
     };
-    tokens.extend(errors.iter().map(syn::Error::to_compile_error));
+    let mut tokens = emit::withheld(item, &mistakes.methods);
+    tokens.extend(model.map(|model| stub(&model)));
+    tokens.extend(mistakes.errors.iter().map(syn::Error::to_compile_error));
     tokens
 }
 

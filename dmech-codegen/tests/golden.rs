@@ -30,6 +30,19 @@ const HENON_HEILES: &str = "impl HenonHeiles {
     }
 }";
 
+/// A magnetic field that grows with x beside a well: a force that does no work, in the middle of the step.
+const BOTTLE: &str = "impl Bottle {
+    #[potential]
+    fn well(&self, q: [f64; 2]) -> f64 {
+        0.25 * self.k * (q[0] * q[0] + 1.5 * q[1] * q[1]).powi(2)
+    }
+    #[force]
+    fn lorentz(&self, q: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+        let b = self.b * (1.0 + q[0] / self.length);
+        [b * v[1], -b * v[0]]
+    }
+}";
+
 /// Two charges: any number of dimensions, one root and one division.
 const COULOMB: &str = "impl Coulomb {
     #[pair]
@@ -85,6 +98,11 @@ fn henon_heiles() {
 }
 
 #[test]
+fn bottle() {
+    assert_golden("bottle", BOTTLE);
+}
+
+#[test]
 fn coulomb() {
     assert_golden("coulomb", COULOMB);
 }
@@ -101,7 +119,7 @@ fn molecular() {
 
 #[test]
 fn the_same_law_expands_to_the_same_tokens() {
-    for law in [KEPLER, OSCILLATOR, HENON_HEILES, COULOMB, LENNARD_JONES, MOLECULAR] {
+    for law in [KEPLER, OSCILLATOR, HENON_HEILES, BOTTLE, COULOMB, LENNARD_JONES, MOLECULAR] {
         let once = expansion(law).to_string();
         for _ in 0..5 {
             assert_eq!(expansion(law).to_string(), once);

@@ -145,6 +145,13 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         self.discrete_increment(equation)
     }
+
+    /// As [`Potential::discrete_increment`], and what the rounding of G has left out: called where the force does no work,
+    /// when an error that is the same in each step would be the largest of the energy.
+    #[inline(always)]
+    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
+        Ok((self.discrete_increment(equation)?, [R::ZERO; D]))
+    }
 }
 
 impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Field<D, R> for &P {}

@@ -142,18 +142,13 @@ impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, 
         if !F::FORCED {
             return self.potential_increment(equation);
         }
+        if F::CONSERVES_ENERGY {
+            return Ok(self.workless_increment(equation)?.0);
+        }
         let half = R::from_f64(0.5);
-        newton::dense_forced(equation, |equation, delta, b, v| {
+        newton::dense_forced(equation, |equation, _, b, v| {
             let a = equation.a;
             let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
-            if F::CONSERVES_ENERGY {
-                // In the middle, where a force that does no work does none in the step; half of each mean is the end. The
-                // mean velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
-                let (middle, mean) = (from_fn(|i| half * (a[i] + b[i])), delta.map(|x| half * equation.rate * x));
-                let (f, f_dq, f_dv) = self.force_and_jacobians(middle, mean, self.t);
-                let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
-                return self.less(conservative, R::ONE, (f, halved(f_dq), halved(f_dv)));
-            }
             self.less(conservative, half, self.force_and_jacobians(b, v, equation.t_end))
         })
     }
@@ -182,6 +177,20 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
     #[inline(always)]
     fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
         self.matrix(self.field.force_dv(q, v, t))
+    }
+
+    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
+        let half = R::from_f64(0.5);
+        newton::dense_middle(equation, |equation, delta, b| {
+            let a = equation.a;
+            let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
+            // In the middle, where a force that does no work does none in the step; half of each mean is the end. The
+            // mean velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
+            let (middle, mean) = (from_fn(|i| half * (a[i] + b[i])), delta.map(|x| half * equation.rate * x));
+            let (f, f_dq, f_dv) = self.force_and_jacobians(middle, mean, self.t);
+            let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
+            self.less(conservative, R::ONE, (f, halved(f_dq), halved(f_dv)))
+        })
     }
 
     fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {

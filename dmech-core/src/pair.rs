@@ -102,10 +102,11 @@ pub trait Between<const D: usize, R: Real = f64>: Potential<D, R> {
 /// A law written by hand is one if it is implemented for every scalar: `impl<R: Real> PairLaw<3, P, R> for MyLaw`.
 #[cfg(feature = "scene")]
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law between bodies in {D} dimensions that carry a `{P}`",
-    note = "declare one with `#[dmech::law]` and a `#[pair]` of the distance `r` or the separation `d: [f64; {D}]`, or a `#[pair_force]`",
-    note = "the arguments `a: &P` and `b: &P` of the law name the data that its bodies carry: `.body_with(m, q, v, data)`",
-    note = "a law written by hand is implemented for every scalar: `impl<R: Real> PairLaw<{D}, {P}, R> for {Self}`"
+    message = "`{Self}` does not act between the bodies of this scene",
+    label = "the bodies move in {D} dimensions and carry `{P}`",
+    note = "a law between bodies is a `#[pair]` or a `#[pair_force]` of the distance `r: f64` or the separation `d: [f64; {D}]`",
+    note = "one with `a: &P` and `b: &P` needs bodies that carry a `P`: `.body_with(m, q, v, data)`; those of `.body(m, q, v)` carry `()`",
+    note = "a law of one body acts on each: `.field(law)`"
 )]
 pub trait LinkLaw<const D: usize, P>: PairLaw<D, P, f64> + PairLaw<D, P, dmech_scalar::Lanes> {}
 

@@ -42,7 +42,13 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         let memory = match scheme.begin(&law, &stride, &start) {
             Ok(memory) => memory,
             Err(NotConverged { iterations, residual }) => {
-                return Err(Error::NotConverged { step: 0, time: start.t, dt, iterations, residual });
+                return Err(Error::NotConverged {
+                    step: 0,
+                    time: start.t,
+                    dt,
+                    iterations: iterations as u32,
+                    residual,
+                });
             }
         };
         Ok(Stepper { law, scheme, stride, dt, start, memory, steps: 0, evaluations: 0, iterations: 0 })
@@ -175,7 +181,13 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
     #[cold]
     fn not_converged(&self, cause: NotConverged) -> Error {
         let NotConverged { iterations, residual } = cause;
-        Error::NotConverged { step: self.steps + 1, time: self.t(), dt: self.dt, iterations, residual }
+        Error::NotConverged {
+            step: self.steps + 1,
+            time: self.t(),
+            dt: self.dt,
+            iterations: iterations as u32,
+            residual,
+        }
     }
 
     #[cold]

@@ -94,7 +94,7 @@ fn where_no_root_exists_the_work_is_bounded() {
     for limit in [1, 7, 50, 200] {
         let e = Equation { max_iterations: limit, ..Equation::new([1.0, 0.0], [-0.2, 0.0], 0.5) };
         for lost in [SUN.implicit_increment(&e).unwrap_err(), SUN_BY_COMPONENTS.implicit_increment(&e).unwrap_err()] {
-            assert!(lost.iterations <= limit + 12, "{lost:?} of {limit}");
+            assert!(lost.iterations <= u64::from(limit) + 12, "{lost:?} of {limit}");
             assert!(lost.residual > 1e-6, "{lost:?}");
         }
     }

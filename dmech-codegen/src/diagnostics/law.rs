@@ -2,9 +2,11 @@
 
 use proc_macro2::{Ident, Span};
 use quote::ToTokens;
-use syn::{Error, Item};
+use syn::{Error, Item, Pat, Signature};
 
-use super::{at, text};
+use crate::model::Role;
+
+use super::{at, counted, text};
 
 pub(crate) fn unreadable_option(span: Span) -> Error {
     Error::new(span, "this is no option of the macro; the only one is `crate = path::to::dmech`")
@@ -76,12 +78,12 @@ pub(crate) fn unnamed_type(ty: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn no_role(ty: &impl ToTokens) -> Error {
+    let name = text(ty);
     at(
         ty,
         format!(
-            "no method of this block has a role; mark the one that returns the potential energy of `{}` with \
-             `#[potential]`",
-            text(ty)
+            "no method of this block has a role; mark the one that returns the energy of `{name}` with `#[potential]` (of one \
+             body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`"
         ),
     )
 }
@@ -98,12 +100,23 @@ pub(crate) fn conditional_potential(cfg: &impl ToTokens) -> Error {
     )
 }
 
-pub(crate) fn two_roles(attribute: &impl ToTokens) -> Error {
-    at(attribute, "a method has one role; state the potential and the force in two methods")
+pub(crate) fn two_roles(attribute: &impl ToTokens, first: Role, second: Role) -> Error {
+    at(
+        attribute,
+        format!(
+            "this method is a {} already, and a method has one role; state the {} in a method of its own",
+            first.noun(),
+            second.noun()
+        ),
+    )
+}
+
+pub(crate) fn misspelt_role(attribute: &syn::Attribute, meant: Role) -> Error {
+    at(attribute.path(), format!("`{}` is no role of a method; write `#[{}]`", text(attribute.path()), meant.name()))
 }
 
 pub(crate) fn other_dimension(name: &Ident, own: usize, other: usize) -> Error {
-    at(name, format!("`{name}` has {own} coordinates and the potential of this law has {other}"))
+    at(name, format!("`{name}` has {}, and the potential of this law has {other}", counted(own, "coordinate")))
 }
 
 pub(crate) fn no_position_or_velocity(whole: &impl ToTokens) -> Error {
@@ -130,33 +143,22 @@ pub(crate) fn wrong_force(ty: &impl ToTokens) -> Error {
 pub(crate) fn force_of_other_dimension(ty: &impl ToTokens, own: usize, other: usize) -> Error {
     at(
         ty,
-        format!("this has {own} components, and {other} are named before; position, velocity and force have as many"),
-    )
-}
-
-pub(crate) fn unknown_force_argument(pattern: &impl ToTokens) -> Error {
-    at(
-        pattern,
         format!(
-            "`{}` is not an argument a force can have; expected one of: `q` (position), `v` (velocity), `m` (mass), `t` \
-             (time). Parameters are fields of the law: `self.k`",
-            text(pattern)
+            "this has {}, and what is named before it has {other}; position, velocity and force have equally many",
+            counted(own, "component")
         ),
     )
 }
 
-pub(crate) fn second_of_its_role(second: &Ident, first: &Ident, what: &str) -> Error {
+pub(crate) fn second_of_its_role(second: &Ident, first: &Ident, role: Role) -> Error {
     at(
         second,
         format!(
-            "`{second}` is a second {what}, and a law has one; `{first}` is marked already. Add the two in one method, \
-             with the other as a helper"
+            "`{second}` is a second {}, and a law has one; `{first}` is marked already. Add the two in one method, \
+             with the other as a helper",
+            role.noun()
         ),
     )
-}
-
-pub(crate) fn first_of_its_role(first: &Ident, what: &str) -> Error {
-    at(first, format!("`{first}` is the first `#[{what}]` of this law"))
 }
 
 pub(crate) fn second_closure(attribute: &impl ToTokens) -> Error {
@@ -184,20 +186,24 @@ pub(crate) fn keyword(tokens: &impl ToTokens, keyword: &str) -> Error {
     at(tokens, format!("a law is a plain formula and cannot be `{keyword}`; leave the word away"))
 }
 
-pub(crate) fn own_generics(generics: &impl ToTokens) -> Error {
-    at(generics, "a potential has no generics of its own; the generated code is generic over the scalar anyway")
+pub(crate) fn own_generics(generics: &impl ToTokens, role: Role) -> Error {
+    let role = role.noun();
+    at(generics, format!("a {role} has no generics of its own; the generated code is generic over the scalar anyway"))
 }
 
-pub(crate) fn no_receiver(name: &Ident) -> Error {
-    at(name, format!("a potential takes the law first: `fn {name}(&self, q: …) -> f64`"))
+pub(crate) fn no_receiver(signature: &Signature, role: Role) -> Error {
+    let (name, inputs, output) = (&signature.ident, text(&signature.inputs), text(&signature.output));
+    let inputs = if inputs.is_empty() { inputs } else { format!(", {inputs}") };
+    let output = if output.is_empty() { output } else { format!(" {output}") };
+    at(name, format!("a {} takes the law first: `fn {name}(&self{inputs}){output}`", role.noun()))
 }
 
-pub(crate) fn mutable_receiver(receiver: &impl ToTokens) -> Error {
-    at(receiver, "a potential changes nothing; write `&self`")
+pub(crate) fn mutable_receiver(receiver: &impl ToTokens, role: Role) -> Error {
+    at(receiver, format!("a {} changes nothing; write `&self`", role.noun()))
 }
 
-pub(crate) fn other_receiver(receiver: &impl ToTokens) -> Error {
-    at(receiver, "a potential takes the law by reference; write `&self`")
+pub(crate) fn other_receiver(receiver: &impl ToTokens, role: Role) -> Error {
+    at(receiver, format!("a {} takes the law by reference; write `&self`", role.noun()))
 }
 
 pub(crate) fn no_position(whole: &impl ToTokens) -> Error {
@@ -211,28 +217,62 @@ pub(crate) fn named_twice(pattern: &impl ToTokens) -> Error {
     at(pattern, format!("`{}` is named twice", text(pattern)))
 }
 
-pub(crate) fn unknown_argument(pattern: &impl ToTokens) -> Error {
+pub(crate) fn unknown_argument(pattern: &impl ToTokens, role: Role) -> Error {
+    let name = text(pattern);
+    // `mass` is meant to be `m`, or `ma` of `ma` and `mb`.
+    let meant = role.arguments().iter().find(|known| known.meaning.split(' ').next() == Some(&name));
+    let hint = match meant {
+        Some(known) => format!("the {} is called `{}`", known.meaning, known.name),
+        None => format!("expected one of: {}. Parameters are fields of the law: `self.k`", arguments(role)),
+    };
+    at(pattern, format!("`{name}` is not an argument a {} can have; {hint}", role.noun()))
+}
+
+/// `q` (position), `m` (mass)
+fn arguments(role: Role) -> String {
+    let known: Vec<_> = role.arguments().iter().map(|known| format!("`{}` ({})", known.name, known.meaning)).collect();
+    known.join(", ")
+}
+
+/// About a name that this role does not know and another one does, if there is more to say than that.
+pub(crate) fn argument_of_another_role(name: &Ident, role: Role) -> Option<Error> {
+    let is = |names: &[&str]| names.iter().any(|known| name == known);
+    if role.is_of_two() && is(&["q", "v", "m"]) {
+        Some(super::pair::argument_of_one_body(name, role))
+    } else if role == Role::PairForce && is(&["r"]) {
+        Some(super::pair::distance_of_a_force(name))
+    } else if role.force().knows(&name.to_string()) && !role.is_force() {
+        Some(velocity_of_a_potential(name, role))
+    } else {
+        None
+    }
+}
+
+fn velocity_of_a_potential(name: &Ident, role: Role) -> Error {
+    let (noun, force) = (role.noun(), role.force().name());
+    at(name, format!("a {noun} does not depend on the velocity `{name}`; what depends on it is a `#[{force}]`"))
+}
+
+pub(crate) fn coordinates_apart(coordinates: &[&Pat], role: Role) -> Error {
+    let (names, n) = (coordinates.iter().map(text).collect::<Vec<_>>().join(", "), coordinates.len());
+    let all = quote::quote!(#(#coordinates),*);
+    let (place, what) = (role.place().name, role.place().meaning);
     at(
-        pattern,
+        &all,
         format!(
-            "`{}` is not an argument a potential can have; expected one of: `q` (position), `m` (mass), `t` (time). \
-             Parameters are fields of the law: `self.k`",
-            text(pattern)
+            "the {what} is one argument, `{place}: [f64; {n}]`; take it to pieces in the body: `let [{names}] = {place};`"
         ),
     )
 }
 
-pub(crate) fn velocity_argument(pattern: &impl ToTokens) -> Error {
+pub(crate) fn place_in_pieces(pattern: &impl ToTokens, role: Role) -> Error {
+    let (place, what) = (role.place().name, role.place().meaning);
     at(
         pattern,
-        "a potential does not depend on the velocity `v`; expected one of: `q` (position), `m` (mass), `t` (time)",
-    )
-}
-
-pub(crate) fn position_in_pieces(pattern: &impl ToTokens) -> Error {
-    at(
-        pattern,
-        format!("the position is one argument, `q`; take it to pieces in the body: `let {} = q;`", text(pattern)),
+        format!(
+            "the {what} is one argument, `{place}`; take it to pieces in the body: `let {} = {place};`",
+            text(pattern)
+        ),
     )
 }
 

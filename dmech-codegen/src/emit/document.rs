@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use dmech_symbolic::expression::{Expr, Graph};
-use dmech_symbolic::kernel::{Kernels, Step};
+use dmech_symbolic::kernel::{ForcedKernels, Kernels, Step};
 use dmech_symbolic::program::Program;
 
 use crate::Derivation;
@@ -23,7 +23,6 @@ impl Documents {
             list.iter().enumerate().map(|(i, &e)| format!(" {what}{} = {}", subscript(i, dimension), show(e))).collect()
         };
         let cost = |program: &Program| program.cost().to_string();
-        let increment = |what: &str, step: &Step| vec![format!(" The increment Δ of {what}. {}", way(step))];
         Self {
             texts: [
                 block("The potential.", vec![format!(" Φ = {}", show(formulas.potential))], cost(&kernels.potential)),
@@ -36,14 +35,14 @@ impl Documents {
                 ),
                 vec![format!(" ∂∇̄Φ/∂b. Cost: {}.", cost(&kernels.discrete_gradient_jacobian))],
                 vec![" v − c ∇Φ(q).".to_owned()],
-                increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit),
-                increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete),
+                vec![increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit)],
+                vec![increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete)],
             ],
         }
     }
 }
 
-/// A paragraph with formulas.
+/// A title, formulas, and what they cost.
 pub(super) fn block(title: &str, lines: Vec<String>, cost: String) -> Vec<String> {
     let mut text = vec![format!(" {title}"), String::new(), " ```text".to_owned()];
     text.extend(lines);
@@ -52,6 +51,37 @@ pub(super) fn block(title: &str, lines: Vec<String>, cost: String) -> Vec<String
         text.extend([String::new(), format!(" Cost: {cost}.")]);
     }
     text
+}
+
+/// The paragraphs above `force`, `force_dq` and `force_dv`; of a Jacobian the entries that are not zero.
+pub(super) fn force_texts(graph: &Graph, forced: &ForcedKernels) -> [Vec<String>; 3] {
+    let formulas = &forced.formulas;
+    let name = |i: usize| subscript(i, formulas.force.len());
+    let force = formulas.force.iter().enumerate();
+    let force = force.map(|(i, &e)| format!(" F{} = {}", name(i), shown(graph, e))).collect();
+    let jacobian = |title: &str, by: &str, rows: &[Vec<Expr>], program: &Program| {
+        let mut lines = vec![];
+        for (i, row) in rows.iter().enumerate() {
+            for (j, &e) in row.iter().enumerate().filter(|(_, e)| !graph.is_zero(**e)) {
+                lines.push(format!(" ∂F{}/{by}{} = {}", name(i), name(j), shown(graph, e)));
+            }
+        }
+        if lines.is_empty() {
+            vec![format!(" {title} It vanishes.")]
+        } else {
+            block(title, lines, program.cost().to_string())
+        }
+    };
+    [
+        block("The force.", force, forced.force.cost().to_string()),
+        jacobian("∂F/∂q.", "∂", &formulas.force_dq, &forced.force_dq),
+        jacobian("∂F/∂v.", "∂v", &formulas.force_dv, &forced.force_dv),
+    ]
+}
+
+/// The line above the function that solves a step.
+pub(super) fn increment(what: &str, step: &Step) -> String {
+    format!(" The increment Δ of {what}. {}", way(step))
 }
 
 /// How a step is solved, which follows from the structure of the law.

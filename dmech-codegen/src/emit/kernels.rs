@@ -1,12 +1,13 @@
 //! The functions of the implementation, one for each kernel.
 
 use dmech_symbolic::expression::{Graph, Symbol};
-use dmech_symbolic::kernel::{ForcedKernels, Kernels, Step, Variables};
+use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, Step, Variables};
 use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 use super::body::{Body, body};
+use super::document::{Documents, force_texts, increment};
 use super::names::{Names, ident};
 use crate::lower::{Parameter, Read, Source};
 
@@ -34,12 +35,12 @@ pub(super) struct Printer<'a> {
 impl Printer<'_> {
     /// All functions of `Potential` for a conservative law.
     pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
-        let doc = super::document::Documents::new(self.graph, kernels);
-        let pointwise = self.pointwise(kernels);
+        let Documents { texts: [potential, gradient, hessian, discrete, jacobian, kick_doc, implicit_doc, exact_doc] } =
+            Documents::new(self.graph, kernels);
+        let pointwise = self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian]);
         let kick = self.kick(&kernels.kick);
         let implicit = self.step("implicit_increment", &kernels.implicit, false);
         let exact = self.step("discrete_increment", &kernels.discrete, true);
-        let [.., kick_doc, implicit_doc, exact_doc] = doc.texts;
         quote! {
             #pointwise
             #(#[doc = #kick_doc])* #kick
@@ -57,10 +58,14 @@ impl Printer<'_> {
 
     /// The functions of `Potential` that are taken at a point, or between two.
     pub(super) fn pointwise(&self, kernels: &Kernels) -> TokenStream {
+        let [potential, gradient, hessian, discrete, jacobian, ..] = Documents::new(self.graph, kernels).texts;
+        self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian])
+    }
+
+    fn pointwise_with(&self, kernels: &Kernels, documents: [Vec<String>; 5]) -> TokenStream {
         let Self { scalar, variables, .. } = self;
         let d = &self.dimension;
         let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let doc = super::document::Documents::new(self.graph, kernels);
         let q = [("q", &variables.q[..])];
         let ends = [("a", &variables.a[..]), ("b", &variables.b[..])];
         let potential = self.function("potential", &q, &[], quote!(#scalar), Shape::Scalar, &kernels.potential);
@@ -76,7 +81,7 @@ impl Printer<'_> {
             Shape::Matrix,
             &kernels.discrete_gradient_jacobian,
         );
-        let [potential_doc, gradient_doc, hessian_doc, discrete_doc, jacobian_doc, ..] = doc.texts;
+        let [potential_doc, gradient_doc, hessian_doc, discrete_doc, jacobian_doc] = documents;
         quote! {
             #(#[doc = #potential_doc])* #potential
             #(#[doc = #gradient_doc])* #gradient
@@ -102,7 +107,13 @@ impl Printer<'_> {
             let t = underscored(&time.map_or_else(|| ident("t"), |t| self.names.symbol(t)), used);
             self.signed_function(name, &arguments, &[], Some(&t), result.clone(), shape, program)
         });
-        quote!(#(#functions)*)
+        let [force, force_dq, force_dv] = functions;
+        let [force_doc, dq_doc, dv_doc] = force_texts(self.graph, forced);
+        quote! {
+            #(#[doc = #force_doc])* #force
+            #(#[doc = #dq_doc])* #force_dq
+            #(#[doc = #dv_doc])* #force_dv
+        }
     }
 
     /// The functions of `Field` that a law with a force needs.
@@ -113,7 +124,22 @@ impl Printer<'_> {
         let slope = self.function("slope", &arguments, &[], vector.clone(), Shape::Vector, &forced.slope);
         let half = self.function("half_force", &arguments, &[], vector, Shape::Vector, &forced.half_force);
         let potential = self.step("potential_increment", &kernels.discrete, true);
-        quote!(#slope #half #potential)
+        let workless = match &forced.discrete {
+            ForcedStep::Mean(_) => TokenStream::new(),
+            ForcedStep::Middle { slope, change } => self.middle_step(slope, change, forced.discrete_is_linear),
+        };
+        let slope_doc = format!(" ∇Φ − F: minus all that acts. Cost: {}.", forced.slope.cost());
+        let half_doc = match &forced.discrete {
+            ForcedStep::Mean(_) => " F/2, the share of the start of a step in the mean force.",
+            ForcedStep::Middle { .. } => " Nothing: a force that does no work is taken in the middle of the step.",
+        };
+        let potential_doc = increment("the potential alone: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete);
+        quote! {
+            #[doc = #slope_doc] #slope
+            #[doc = #half_doc] #half
+            #[doc = #potential_doc] #potential
+            #workless
+        }
     }
 
     /// The steps of a law with a force.
@@ -122,10 +148,26 @@ impl Printer<'_> {
             true => Step::Linear(program.clone()),
             false => Step::Newton(program.clone()),
         };
-        let kick = self.kick(&forced.kick);
-        let implicit = self.step("implicit_increment", &wrap(&forced.implicit, forced.implicit_is_linear), false);
-        let exact = self.step("discrete_increment", &wrap(&forced.discrete, forced.discrete_is_linear), true);
-        quote!(#kick #implicit #exact)
+        let exact = match &forced.discrete {
+            ForcedStep::Mean(program) => {
+                let step = wrap(program, forced.discrete_is_linear);
+                let exact_doc =
+                    increment("the energy-exact step: Δ + g (∇̄Φ(a, q + Δ) − F′/2) = c, F′ at (q + Δ, v′)", &step);
+                let exact = self.step("discrete_increment", &step, true);
+                quote!(#[doc = #exact_doc] #exact)
+            }
+            ForcedStep::Middle { .. } => self.rounded_middle_step(),
+        };
+        let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
+        let (kick, implicit) = (self.kick(&forced.kick), self.step("implicit_increment", &trapezoid, false));
+        let kick_doc = format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost());
+        let implicit_doc =
+            increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
+        quote! {
+            #[doc = #kick_doc] #kick
+            #[doc = #implicit_doc] #implicit
+            #exact
+        }
     }
 
     pub(super) fn function(
@@ -194,7 +236,7 @@ impl Printer<'_> {
     }
 
     /// `let [x, _] = …` with the names of the symbols that are used; none if none is.
-    fn pattern(&self, symbols: &[Symbol], used: &[Symbol]) -> Option<TokenStream> {
+    pub(super) fn pattern(&self, symbols: &[Symbol], used: &[Symbol]) -> Option<TokenStream> {
         if !symbols.iter().any(|s| used.contains(s)) {
             return None;
         }

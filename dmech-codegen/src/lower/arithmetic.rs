@@ -126,7 +126,10 @@ impl<'m> Interpreter<'m> {
                     _ => Value::Number(self.numbers(operator, left, right)),
                 }
             }
-            (left, right) => self.refuse(body::no_such_operation(whole, operator.sign(), &left.kind(), &right.kind())),
+            (left, right) => {
+                let (left, right) = (left.kind(), right.kind());
+                self.refuse(body::no_such_operation(whole, operator.sign(), (left_at, &left), (right_at, &right)))
+            }
         }
     }
 

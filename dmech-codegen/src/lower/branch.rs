@@ -143,6 +143,7 @@ impl<'m> Interpreter<'m> {
             None => None,
         };
         let before = self.scope.clone();
+        self.bind_let(&branch.cond);
         let yes = self.block(&branch.then_branch);
         let after_yes = std::mem::replace(&mut self.scope, before.clone());
         let no = self.else_branch(branch);
@@ -186,6 +187,18 @@ impl<'m> Interpreter<'m> {
         match self.merge(condition, None, yes, no) {
             Ok(value) => value,
             Err((yes, no)) => self.refuse(body::branches_differ(e, &yes, &no)),
+        }
+    }
+
+    /// The names of `if let`, which is refused.
+    fn bind_let(&mut self, condition: &Expr) {
+        match condition {
+            Expr::Let(condition) => self.bind_names(&condition.pat),
+            Expr::Binary(both) => {
+                self.bind_let(&both.left);
+                self.bind_let(&both.right);
+            }
+            _ => {}
         }
     }
 

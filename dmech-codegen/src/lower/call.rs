@@ -3,12 +3,12 @@
 use proc_macro2::Ident;
 use syn::{Expr, ExprCall, ExprMethodCall, ExprPath, FnArg, ImplItemFn, ReceiverKind, ReturnType, Safety};
 
-use crate::diagnostics::{body, pair};
+use crate::diagnostics::{body, nearest, pair};
 use crate::model::{Sibling, vector_alias};
 
 use super::interpreter::Interpreter;
 use super::pattern::bare;
-use super::statement::result_of;
+use super::statement::{result_of, thrown_away};
 use super::value::{At, Owner, Value};
 
 /// An argument of a call, with the code to point at.
@@ -145,7 +145,10 @@ impl<'m> Interpreter<'m> {
             None if model.formulas().any(|formula| formula.ident == *name) => {
                 return self.refuse(body::recursion(name));
             }
-            None => return self.refuse(body::unknown_helper(name, &model.name)),
+            None => {
+                let near = nearest(&text, model.methods.keys().map(String::as_str));
+                return self.refuse(body::unknown_helper(name, &model.name, near));
+            }
         };
         if self.calls.contains(&text) {
             return self.refuse(body::recursion(name));
@@ -157,17 +160,22 @@ impl<'m> Interpreter<'m> {
             FnArg::Typed(typed) => Some(typed),
             FnArg::Receiver(_) => None,
         });
+        // What does not fit is a mistake of the caller.
+        let mut fitting = vec![];
+        for (parameter, Given { value, at }) in typed.zip(arguments) {
+            fitting.push((parameter, self.conform(value, &parameter.ty, At::Code(at)), at));
+        }
         self.calls.push(text);
         let value = self.in_new_scope(|this| {
-            for (parameter, argument) in typed.zip(arguments) {
-                let value = this.conform(argument.value, &parameter.ty, At::Code(argument.at));
-                this.bind(&parameter.pat, value, At::Code(argument.at));
+            for (parameter, value, at) in fitting {
+                this.bind(&parameter.pat, value, At::Code(at));
             }
             let value = this.function_body(&method.block);
             match &method.sig.output {
                 ReturnType::Type(_, ty) => match result_of(&method.block) {
                     Some(at) => this.conform(value, ty, At::Code(at)),
-                    None => this.conform(value, ty, At::Other(&method.sig.ident)),
+                    None if value.is_unknown() => Value::Unknown,
+                    None => this.refuse(body::no_result(&method.sig.ident, thrown_away(&method.block))),
                 },
                 ReturnType::Default => value,
             }

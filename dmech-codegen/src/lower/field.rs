@@ -39,7 +39,7 @@ impl<'m> Interpreter<'m> {
             (Value::Vector(components), Member::Named(name)) => {
                 match component(&name.to_string()).and_then(|i| components.get(i)) {
                     Some(&number) => Value::Number(number),
-                    None => self.refuse(body::no_component(name, components.len())),
+                    None => self.refuse_once(body::no_component(name, components.len())),
                 }
             }
             (other, _) => self.refuse(body::no_field(&field.member, &field.base, &other.kind())),
@@ -63,8 +63,8 @@ impl<'m> Interpreter<'m> {
             Some(fields) => match fields.iter().find(|(name, _)| *name == text) {
                 Some((_, ty)) => self.conform(Value::Field(field), ty, At::Other(member)),
                 None => {
-                    let declared: Vec<_> = fields.iter().map(|(name, _)| format!("`{name}`")).collect();
-                    self.refuse(body::unknown_field(member, &declared.join(", ")))
+                    let declared: Vec<_> = fields.iter().map(|(name, _)| name.as_str()).collect();
+                    self.refuse(body::unknown_field(member, &declared))
                 }
             },
         }

@@ -7,7 +7,7 @@ use dmech_symbolic::kernel::{PairVariables, Variables};
 use quote::ToTokens;
 use syn::{Expr, Lit};
 
-use crate::diagnostics::{body, pair};
+use crate::diagnostics::{Mistakes, body, pair};
 use crate::model::{ArgumentRole, Formula as Role, Model, Shape};
 
 use super::budget::{self, Budget, Excess};
@@ -33,7 +33,7 @@ pub(super) struct Interpreter<'m> {
     /// The helpers and constants that are being read, outermost first.
     pub(super) calls: Vec<String>,
     pub(super) budget: Budget,
-    errors: Vec<syn::Error>,
+    mistakes: Mistakes,
     said: HashSet<String>,
 }
 
@@ -54,13 +54,13 @@ impl<'m> Interpreter<'m> {
             scope: Scope::default(),
             calls: vec![],
             budget: Budget::default(),
-            errors: vec![],
+            mistakes: Mistakes::default(),
             said: HashSet::new(),
         }
     }
 
     /// The law as expressions, or what is wrong with its bodies.
-    pub(super) fn run(mut self) -> Result<Lowered, Vec<syn::Error>> {
+    pub(super) fn run(mut self) -> Result<Lowered, Mistakes> {
         let model = self.model;
         let potential = match &model.potential {
             Some(potential) => {
@@ -77,7 +77,7 @@ impl<'m> Interpreter<'m> {
             None => Some(None),
         };
         match (potential, force) {
-            (Some(potential), Some(force)) if self.errors.is_empty() => {
+            (Some(potential), Some(force)) if self.mistakes.errors.is_empty() => {
                 let Self { mut graph, variables, mut parameters, pair, .. } = self;
                 let roots: Vec<_> = std::iter::once(potential).chain(force.iter().flatten().copied()).collect();
                 // What was read and then cancelled is no parameter of the law.
@@ -85,7 +85,7 @@ impl<'m> Interpreter<'m> {
                 let pair = pair.map(|variables| super::pair::lowered(&mut graph, variables, &parameters));
                 Ok(Lowered { graph, variables, potential, force, parameters, pair })
             }
-            _ => Err(self.errors),
+            _ => Err(self.mistakes),
         }
     }
 
@@ -96,28 +96,37 @@ impl<'m> Interpreter<'m> {
         let components = match (at, shape) {
             (None, _) => {
                 if !unknown {
-                    self.report(body::no_result(&of.ident));
+                    self.report(body::no_result(&of.ident, super::statement::thrown_away(&of.body)));
                 }
                 None
             }
             (Some(e), Shape::Number) => self.number(value, e).map(|x| vec![x]),
-            (Some(e), _) => self.components(value, e),
+            (Some(e), shape) => self.components(value, shape, e, of),
         };
         for &component in components.iter().flatten() {
             if let Some(excess) = budget::excess_of(&self.graph, component) {
                 self.report(body::excess(&of.ident, excess));
             }
         }
-        if components.is_none() && self.errors.is_empty() {
+        if components.is_none() && self.mistakes.errors.is_empty() {
             self.report(body::not_understood(&of.ident));
         }
         components
     }
 
     /// The components of a force.
-    fn components(&mut self, value: Value, at: &'m Expr) -> Option<Vec<Formula>> {
+    fn components(&mut self, value: Value, shape: Shape, at: &'m Expr, of: &'m Role) -> Option<Vec<Formula>> {
         let dimension = self.model.dimension;
-        let components = match value {
+        let found = match &value {
+            Value::Vector(components) => components.len(),
+            Value::Array(elements) => elements.len(),
+            _ => dimension,
+        };
+        if found != dimension {
+            self.report(body::wrong_components(at, &of.ident, found, dimension));
+            return None;
+        }
+        match value {
             Value::Vector(components) => Some(components),
             Value::Array(elements) => {
                 let numbers = elements.into_iter().enumerate().map(|(i, x)| self.number(x, &At::Code(at).part(i)));
@@ -126,19 +135,18 @@ impl<'m> Interpreter<'m> {
             Value::Field(field) => Some(self.field_vector(&field, dimension)),
             Value::Unknown => None,
             other => {
-                self.report(body::expected_number(at, &other.kind()));
+                self.report(body::expected_components(at, &of.ident, dimension, shape == Shape::Vector, &other.kind()));
                 None
             }
-        };
-        components.filter(|components| components.len() == dimension)
+        }
     }
 
     /// What is wrong with the bodies of a law whose signature is refused already.
-    pub(super) fn mistakes(mut self) -> Vec<syn::Error> {
+    pub(super) fn mistakes(mut self) -> Mistakes {
         for formula in self.model.formulas() {
             self.read(formula);
         }
-        self.errors
+        self.mistakes
     }
 
     fn read(&mut self, formula: &'m Role) -> Value {
@@ -177,18 +185,25 @@ impl<'m> Interpreter<'m> {
     pub(super) fn report(&mut self, error: syn::Error) {
         const ENOUGH: usize = 50;
         let span = error.span();
-        if self.errors.len() < ENOUGH && self.said.insert(format!("{span:?} {error}")) {
-            self.errors.push(error);
+        if self.mistakes.errors.len() < ENOUGH && self.said.insert(format!("{span:?} {error}")) {
+            self.mistakes.errors.push(error);
+            let method = self.calls.iter().rfind(|call| !call.starts_with("const "));
+            self.mistakes.methods.extend(method.cloned());
         }
     }
 
     /// Runs without noting errors; where there were any, the value is not known.
     pub(super) fn quietly(&mut self, run: impl FnOnce(&mut Self) -> Value) -> Value {
-        let (errors, said) = (std::mem::take(&mut self.errors), std::mem::take(&mut self.said));
+        let before = (std::mem::take(&mut self.mistakes), std::mem::take(&mut self.said));
         let value = run(self);
-        let failed = !self.errors.is_empty();
-        (self.errors, self.said) = (errors, said);
+        let failed = !self.mistakes.errors.is_empty();
+        (self.mistakes, self.said) = before;
         if failed { Value::Unknown } else { value }
+    }
+
+    /// Notes an error whose cause is elsewhere, once for all the places where it shows.
+    pub(super) fn refuse_once(&mut self, error: syn::Error) -> Value {
+        if self.said.insert(error.to_string()) { self.refuse(error) } else { Value::Unknown }
     }
 
     /// Notes an error; its value silences what follows.
@@ -269,22 +284,33 @@ impl<'m> Interpreter<'m> {
                 Some(mutability) => self.refuse(body::mutable_reference(mutability)),
                 None => self.value(&reference.expr),
             },
-            Expr::Closure(_) => self.refuse(body::stray_closure(e)),
-            Expr::Return(_) => self.refuse(body::early_return(e)),
-            Expr::While(turns) => self.refuse(body::open_loop(&turns.while_token)),
-            Expr::Loop(turns) => self.refuse(body::open_loop(&turns.loop_token)),
-            Expr::Break(leave) => self.refuse(body::jump(&leave.break_token, "break")),
-            Expr::Continue(skip) => self.refuse(body::jump(&skip.continue_token, "continue")),
-            Expr::Match(choice) => self.refuse(body::match_expression(&choice.match_token)),
-            Expr::Macro(invocation) => self.refuse(body::macro_call(&invocation.mac)),
-            Expr::Struct(literal) => self.refuse(body::struct_literal(&literal.path)),
-            Expr::Unsafe(block) => self.refuse(body::not_a_formula(&block.unsafe_token, "an `unsafe` block")),
-            Expr::Async(block) => self.refuse(body::not_a_formula(&block.async_token, "an `async` block")),
-            Expr::Const(block) => self.refuse(body::not_a_formula(&block.const_token, "a `const` block")),
-            Expr::Try(question) => self.refuse(body::not_a_formula(&question.question_token, "the operator `?`")),
-            Expr::Let(condition) => self.refuse(body::if_let(&condition.let_token)),
-            other => self.refuse(body::not_a_formula(other, "this")),
+            Expr::Closure(_) => {
+                self.abandon(e);
+                self.refuse(body::stray_closure(e))
+            }
+            other => self.refused(other),
         }
+    }
+
+    /// What no formula contains, and what it leaves behind.
+    fn refused(&mut self, e: &'m Expr) -> Value {
+        self.abandon(e);
+        self.refuse(match e {
+            Expr::Return(_) => body::early_return(e),
+            Expr::While(turns) => body::open_loop(&turns.while_token),
+            Expr::Loop(turns) => body::open_loop(&turns.loop_token),
+            Expr::Break(leave) => body::jump(&leave.break_token, "break"),
+            Expr::Continue(skip) => body::jump(&skip.continue_token, "continue"),
+            Expr::Match(choice) => body::match_expression(&choice.match_token),
+            Expr::Macro(invocation) => body::macro_call(&invocation.mac),
+            Expr::Struct(literal) => body::struct_literal(&literal.path),
+            Expr::Unsafe(block) => body::not_a_formula(&block.unsafe_token, "an `unsafe` block"),
+            Expr::Async(block) => body::not_a_formula(&block.async_token, "an `async` block"),
+            Expr::Const(block) => body::not_a_formula(&block.const_token, "a `const` block"),
+            Expr::Try(question) => body::not_a_formula(&question.question_token, "the operator `?`"),
+            Expr::Let(condition) => body::if_let(&condition.let_token),
+            other => body::not_a_formula(other, "this"),
+        })
     }
 
     fn literal(&mut self, literal: &Lit, e: &Expr) -> Value {
@@ -301,7 +327,9 @@ impl<'m> Interpreter<'m> {
                 (_, Err(_)) => self.refuse(body::number_too_large(e)),
             },
             Lit::Bool(truth) => Value::known(truth.value),
-            _ => self.refuse(body::not_a_number(e)),
+            Lit::Str(_) => self.refuse(body::not_a_number(e, "text")),
+            Lit::Char(_) => self.refuse(body::not_a_number(e, "a character")),
+            _ => self.refuse(body::not_a_number(e, "no number")),
         }
     }
 

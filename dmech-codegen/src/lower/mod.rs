@@ -14,12 +14,14 @@
 //! | [`sequence`] | arrays, ranges and their iterators |
 //! | [`call`] | helpers of the block, `f64::sqrt(x)`, closures |
 //! | [`name`] | variables, constants |
+//! | [`abandon`] | nothing: what refused code leaves behind |
 //! | [`pair`] | the arguments of a law between two bodies |
 //! | [`field`] | `self.k`, `self.k[2]`, `Self::G` |
 //!
 //! Loops are unrolled, helpers inlined, branches merged with a selection. Every error is noted and its value replaced
 //! by [`Value::Unknown`](value::Value), which silences whatever follows from it, so that one run finds all of them.
 
+mod abandon;
 mod arithmetic;
 mod assign;
 mod branch;
@@ -42,6 +44,7 @@ mod vector;
 #[cfg(test)]
 mod tests;
 
+use crate::diagnostics::Mistakes;
 use crate::model::Model;
 
 pub(crate) use budget::Excess;
@@ -49,11 +52,11 @@ pub use lowered::{Lowered, LoweredPair, Parameter, Read, Source};
 pub(crate) use pair::data;
 
 /// The law as expressions, or everything in its body that cannot be differentiated or understood.
-pub(crate) fn lower(model: &Model) -> Result<Lowered, Vec<syn::Error>> {
+pub(crate) fn lower(model: &Model) -> Result<Lowered, Mistakes> {
     interpreter::Interpreter::new(model).run()
 }
 
 /// What is wrong with the body of a law that is refused for its signature.
-pub(crate) fn mistakes(model: &Model) -> Vec<syn::Error> {
+pub(crate) fn mistakes(model: &Model) -> Mistakes {
     interpreter::Interpreter::new(model).mistakes()
 }

@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 use quote::quote_spanned;
 use syn::{Expr, ExprPath, GenericParam, ImplItemConst};
 
-use crate::diagnostics::{body, pair};
-use crate::model::{ArgumentRole, Known, Sibling, known_type};
+use crate::diagnostics::{body, law, nearest, pair};
+use crate::model::{ArgumentRole, Known, PairArgument, Role, Sibling, known_type};
 
 use super::interpreter::Interpreter;
 use super::value::{At, Field, Owner, Value};
@@ -40,27 +40,55 @@ impl<'m> Interpreter<'m> {
         if text == "self" {
             return Value::Law;
         }
-        let error = if let Some(error) = pair::undeclared(self.model, name) {
-            error
-        } else if self.model.generics.params.iter().any(|p| matches!(p, GenericParam::Const(c) if c.ident == *name)) {
+        let is_const = |p: &GenericParam| matches!(p, GenericParam::Const(c) if c.ident == *name);
+        let error = if self.model.generics.params.iter().any(is_const) {
+            if self.model.dimension == 0 {
+                // The position has been refused, for the same reason as a rule.
+                return Value::Unknown;
+            }
             body::const_parameter(name)
         } else if float_constant(&["consts".to_owned(), text.clone()]).is_some() {
             body::imported_constant(name)
-        } else if self.calls.len() > 1 {
-            body::unknown_in_helper(name)
         } else {
-            let position = |role| matches!(role, ArgumentRole::Position(_) | ArgumentRole::Refused);
-            let declared: Vec<_> =
-                self.model.formulas().flat_map(|formula| &formula.arguments).filter(|a| position(a.role)).collect();
-            let declares_m = self.model.names_mass;
-            match text.as_str() {
-                "m" if !declares_m => body::undeclared_argument(name, "mass of the particle"),
-                "t" => body::undeclared_argument(name, "time"),
-                "v" => body::velocity(name),
-                _ => body::unknown_name(name, !declared.is_empty()),
-            }
+            self.unknown_name(name)
         };
         self.refuse(error)
+    }
+
+    fn unknown_name(&self, name: &Ident) -> syn::Error {
+        use PairArgument::{Distance, Separation};
+        let text = name.to_string();
+        let is_field = self.model.fields.iter().flatten().any(|(field, _)| *field == text);
+        let variables = self.scope.bindings.iter().map(|binding| binding.name.as_str());
+        let near = nearest(&text, variables).filter(|_| !is_field);
+        if self.calls.len() > 1 {
+            return body::unknown_in_helper(name, near);
+        }
+        let formula =
+            self.model.formulas().find(|formula| self.calls.first().is_some_and(|call| formula.ident == *call));
+        let Some(formula) = formula else { return body::unknown_name(name, None, near) };
+        let declares = |role: fn(ArgumentRole) -> bool| formula.arguments.iter().any(|argument| role(argument.role));
+        let other_of_two = match text.as_str() {
+            "r" => declares(|role| matches!(role, ArgumentRole::Pair(Separation(_)))),
+            "d" => declares(|role| role == ArgumentRole::Pair(Distance)),
+            _ => false,
+        };
+        if other_of_two && formula.role == Role::Pair {
+            return pair::distance_and_separation(name);
+        }
+        match formula.role.arguments().iter().find(|known| known.name == text) {
+            Some(known) => body::undeclared_argument(name, known, &formula.ident, self.model),
+            None => law::argument_of_another_role(name, formula.role).unwrap_or_else(|| {
+                let place = |role| match role {
+                    ArgumentRole::Pair(Distance) => Some("r"),
+                    ArgumentRole::Position(_) | ArgumentRole::Pair(Separation(_)) | ArgumentRole::Refused => {
+                        Some(formula.role.place().name)
+                    }
+                    _ => None,
+                };
+                body::unknown_name(name, formula.arguments.iter().find_map(|argument| place(argument.role)), near)
+            }),
+        }
     }
 
     /// `Self::G`
@@ -68,7 +96,10 @@ impl<'m> Interpreter<'m> {
         let model = self.model;
         let last = &path.path.segments[1].ident;
         match model.constants.get(name) {
-            None => self.refuse(body::unknown_constant(last, &self.model.name)),
+            None => {
+                let near = nearest(name, self.model.constants.keys().map(String::as_str));
+                self.refuse(body::unknown_constant(last, &self.model.name, near))
+            }
             Some(Sibling::Conditional) => self.refuse(body::conditional_sibling(last)),
             Some(Sibling::One(constant)) => match known_type(&constant.ty) {
                 // What a formula shows by its name, and the compiler folds anyway.

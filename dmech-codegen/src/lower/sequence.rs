@@ -99,7 +99,7 @@ impl<'m> Interpreter<'m> {
                 None => self.refuse(body::index_out_of_range(&index.index, n, components.len())),
             },
             Value::Field(field) => self.field_element(&field, i),
-            Value::Number(_) => self.refuse(body::indexed_number(e, &index.expr)),
+            Value::Number(_) => self.refuse_once(body::indexed_number(e, &index.expr)),
             other => self.refuse(body::not_indexable(&index.expr, &other.kind())),
         }
     }

@@ -1,6 +1,6 @@
 //! Blocks, `let`, `for`.
 
-use syn::{Attribute, Block, Expr, ExprForLoop, Item, Local, Pat, Stmt, UseTree};
+use syn::{Attribute, Block, Expr, ExprForLoop, Item, Local, Pat, Stmt, Token, UseTree};
 
 use crate::diagnostics::body;
 
@@ -14,6 +14,15 @@ pub(super) fn result_of(block: &Block) -> Option<&Expr> {
         Stmt::Expr(Expr::Return(leave), _) => leave.expr.as_deref(),
         Stmt::Expr(Expr::Block(inner), None) => result_of(&inner.block),
         Stmt::Expr(e, None) => Some(e),
+        _ => None,
+    }
+}
+
+/// The `;` behind the last expression of a block, which throws its value away.
+pub(super) fn thrown_away(block: &Block) -> Option<&Token![;]> {
+    match block.stmts.last()? {
+        Stmt::Expr(Expr::Assign(_) | Expr::ForLoop(_) | Expr::While(_) | Expr::Return(_), _) => None,
+        Stmt::Expr(_, semicolon) => semicolon.as_ref(),
         _ => None,
     }
 }
@@ -84,7 +93,8 @@ impl<'m> Interpreter<'m> {
             };
         };
         if let Some((diverge, _)) = &init.diverge {
-            self.report(body::let_else(diverge));
+            self.bind_names(&local.pat);
+            return self.refuse(body::let_else(diverge));
         }
         let value = self.value(&init.expr);
         self.bind(&local.pat, value, At::Code(&init.expr));
@@ -149,6 +159,7 @@ impl<'m> Interpreter<'m> {
             self.bind(&each.pat, Value::Unknown, At::Other(&each.pat));
             self.block(&each.body);
             self.scope.reset(mark);
+            self.abandon(&each.body);
             return Value::Unknown;
         };
         let excess = self.budget.turns(items.len());

@@ -115,6 +115,7 @@ impl Value {
             Self::Integer(_) => "an integer".into(),
             Self::Truth(_) => "a condition".into(),
             Self::Array(elements) => counted("an array", elements.len()),
+            Self::Vector(components) if components.len() == 1 => "a vector with 1 component".into(),
             Self::Vector(components) => format!("a vector with {} components", components.len()),
             Self::Tuple(parts) if parts.is_empty() => "nothing, `()`".into(),
             Self::Tuple(parts) => counted("a tuple", parts.len()),

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use syn::{Attribute, Block, Expr, ExprClosure, Fields, Item, ItemStruct, Meta, Pat, PatType, ReturnType, Stmt};
 use syn::{parse_quote, token};
 
-use crate::diagnostics::law;
+use crate::diagnostics::{Mistakes, law};
 
 use super::roles::Role;
 use super::{Argument, ArgumentRole, Formula, Model, Parsed, arguments, finish, nesting, signature};
@@ -15,7 +15,7 @@ use super::{Argument, ArgumentRole, Formula, Model, Parsed, arguments, finish, n
 pub(crate) fn from_derive(item: TokenStream) -> Parsed {
     let mut errors = vec![];
     let model = read(item, &mut errors);
-    finish(TokenStream::new(), model, errors)
+    finish(TokenStream::new(), model, Mistakes { errors, ..Mistakes::default() })
 }
 
 fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {
@@ -74,6 +74,7 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
         names_time: arguments.names(ArgumentRole::Time),
         docs: item.attrs.iter().filter(|a| a.path().is_ident("doc")).cloned().collect(),
         potential: Some(Formula {
+            role: Role::Potential,
             ident: attribute.path().segments[0].ident.clone(),
             arguments: arguments.list,
             body: block(*closure.body),

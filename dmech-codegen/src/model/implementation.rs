@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use syn::{Attribute, ImplItem, ImplItemFn, Item, ItemImpl, Path, Type};
 
-use crate::diagnostics::{self, law};
+use crate::diagnostics::{self, Mistakes, law};
 
 use super::roles::{self, Role};
 use super::{
@@ -14,16 +14,19 @@ use super::{
 
 /// Reads the block that the attribute stands on.
 pub(crate) fn from_impl(attribute: TokenStream, item: TokenStream) -> Parsed {
-    let mut errors = vec![];
-    let krate = arguments::parse(attribute, &mut errors);
-    let model = read(item.clone(), krate, &mut errors);
-    finish(roles::strip(item), model, errors)
+    let mut mistakes = Mistakes::default();
+    let krate = arguments::parse(attribute, &mut mistakes.errors);
+    let block = read(item.clone(), &mut mistakes.errors);
+    let misspelt = block.as_ref().and_then(Misspelt::of);
+    let item = roles::strip(item, misspelt.as_ref().map(|misspelt| misspelt.name.as_str()));
+    let model = block.and_then(|block| model(block, misspelt, krate, &mut mistakes));
+    finish(item, model, mistakes)
 }
 
-fn read(item: TokenStream, krate: Path, errors: &mut Vec<syn::Error>) -> Option<Model> {
+fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<ItemImpl> {
     let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item));
     match parsed {
-        Ok(Item::Impl(block)) => model(block, krate, errors),
+        Ok(Item::Impl(block)) => Some(block),
         Ok(other) => {
             errors.push(law::not_an_impl(&other));
             None
@@ -35,7 +38,8 @@ fn read(item: TokenStream, krate: Path, errors: &mut Vec<syn::Error>) -> Option<
     }
 }
 
-fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<Model> {
+fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mut Mistakes) -> Option<Model> {
+    let Mistakes { errors, methods: mistaken } = mistakes;
     let ItemImpl { trait_, generics, self_ty, items, unsafety, .. } = block;
     if let Some((path, _)) = &trait_ {
         errors.push(law::trait_impl(path));
@@ -47,11 +51,11 @@ fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<M
         errors.push(law::unnamed_type(&self_ty));
         return None;
     };
-    let mut members = Members::default();
+    let mut members = Members { misspelt, ..Members::default() };
     for item in items {
         members.take(item, errors);
     }
-    let Members { potential, force, pair: role_is_pair, methods, constants, had_role } = members;
+    let Members { potential, force, pair: role_is_pair, methods, constants, had_role, .. } = members;
     if potential.is_none() && force.is_none() {
         if !had_role {
             errors.push(law::no_role(&self_ty));
@@ -64,7 +68,11 @@ fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<M
     let mut names = Vec::new();
     let mut data = None;
     let mut read = |method: ImplItemFn, role: Role, errors: &mut Vec<syn::Error>| {
+        let before = errors.len();
         let checked = signature::check(&method, role, &constants, errors);
+        if errors.len() > before {
+            mistaken.insert(method.sig.ident.to_string());
+        }
         if dimension != 0 && checked.dimension != 0 && checked.dimension != dimension {
             errors.push(law::other_dimension(&method.sig.ident, checked.dimension, dimension));
         }
@@ -77,7 +85,7 @@ fn model(block: ItemImpl, krate: Path, errors: &mut Vec<syn::Error>) -> Option<M
             _ => {}
         }
         names.extend(checked.list.iter().map(|argument| argument.role));
-        let formula = Formula { ident: method.sig.ident, arguments: checked.list, body: method.block };
+        let formula = Formula { role, ident: method.sig.ident, arguments: checked.list, body: method.block };
         (formula, checked.result)
     };
     let roles = if role_is_pair { [Role::Pair, Role::PairForce] } else { [Role::Potential, Role::Force] };
@@ -121,6 +129,31 @@ struct Members {
     methods: BTreeMap<String, Sibling<ImplItemFn>>,
     constants: BTreeMap<String, Sibling<syn::ImplItemConst>>,
     had_role: bool,
+    misspelt: Option<Misspelt>,
+}
+
+/// An attribute that was meant to give the only role of the block.
+struct Misspelt {
+    name: String,
+    role: Role,
+}
+
+impl Misspelt {
+    /// A block that has a role leaves other attributes to whoever knows them.
+    fn of(block: &ItemImpl) -> Option<Self> {
+        let methods = block.items.iter().filter_map(|item| match item {
+            ImplItem::Fn(method) => Some(method),
+            _ => None,
+        });
+        let attributes: Vec<_> = methods.flat_map(|method| &method.attrs).collect();
+        if attributes.iter().any(|attribute| Role::of(attribute).is_some()) {
+            return None;
+        }
+        attributes.into_iter().find_map(|attribute| {
+            let role = Role::meant_by(attribute)?;
+            Some(Self { name: attribute.path().get_ident()?.to_string(), role })
+        })
+    }
 }
 
 impl Members {
@@ -140,15 +173,19 @@ impl Members {
     fn take_method(&mut self, method: ImplItemFn, errors: &mut Vec<syn::Error>) {
         let mut given = None;
         for attribute in &method.attrs {
-            let Some(role) = Role::of(attribute) else { continue };
+            let misspelt = self.misspelt.as_ref().filter(|misspelt| attribute.path().is_ident(&misspelt.name));
+            if let Some(misspelt) = misspelt {
+                errors.push(law::misspelt_role(attribute, misspelt.role));
+            }
+            let Some(role) = Role::of(attribute).or(misspelt.map(|misspelt| misspelt.role)) else { continue };
             self.had_role = true;
             if attribute.meta.require_path_only().is_err() {
                 errors.push(law::role_arguments(attribute));
             }
-            if given.is_some_and(|other| other != role) {
-                errors.push(law::two_roles(attribute));
+            match given {
+                Some(first) if first != role => errors.push(law::two_roles(attribute, first, role)),
+                _ => given = Some(role),
             }
-            given = Some(role);
         }
         let Some(role) = given else {
             let conditional = is_conditional(&method.attrs);
@@ -158,23 +195,14 @@ impl Members {
         if let Some(cfg) = method.attrs.iter().find(|a| is_cfg(a)) {
             errors.push(law::conditional_potential(cfg));
         }
-        let of_two = matches!(role, Role::Pair | Role::PairForce);
-        if of_two != self.pair && (self.potential.is_some() || self.force.is_some()) {
+        if role.is_of_two() != self.pair && (self.potential.is_some() || self.force.is_some()) {
             errors.push(diagnostics::pair::one_body_beside(&method.sig.ident));
             return;
         }
-        self.pair = of_two;
-        let (slot, what) = match role {
-            Role::Force => (&mut self.force, "force"),
-            Role::PairForce => (&mut self.force, "pair_force"),
-            Role::Pair => (&mut self.potential, "pair"),
-            Role::Potential => (&mut self.potential, "potential"),
-        };
+        self.pair = role.is_of_two();
+        let slot = if role.is_force() { &mut self.force } else { &mut self.potential };
         match slot {
-            Some(first) => {
-                errors.push(law::second_of_its_role(&method.sig.ident, &first.sig.ident, what));
-                errors.push(law::first_of_its_role(&first.sig.ident, what));
-            }
+            Some(first) => errors.push(law::second_of_its_role(&method.sig.ident, &first.sig.ident, role)),
             None => *slot = Some(method),
         }
     }

@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use syn::{Attribute, Block, Generics, Ident, ImplItemConst, ImplItemFn, Pat, Path, Type};
 
+use crate::diagnostics::Mistakes;
 use crate::lower;
 
 pub(crate) use derived::from_derive;
@@ -26,6 +27,7 @@ pub(crate) use implementation::from_impl;
 pub use pair::{Body, PairSignature};
 
 pub(crate) use pair::PairArgument;
+pub(crate) use roles::{Kind, KnownArgument, Role};
 pub(crate) use types::{Known, Length, VectorAlias, known_type, vector_alias};
 
 /// What was read, and the user's item as it is to be emitted again.
@@ -33,7 +35,7 @@ pub(crate) struct Parsed {
     /// The item without the attributes of roles; empty for the derive, where the compiler keeps the item itself.
     pub(crate) item: TokenStream,
     /// The law, or everything that is wrong with it.
-    pub(crate) model: Result<Model, Vec<syn::Error>>,
+    pub(crate) model: Result<Model, Mistakes>,
     /// What could be read of a law that is wrong: what its author calls need not look missing.
     pub(crate) refused: Option<Box<Model>>,
 }
@@ -72,6 +74,8 @@ pub struct Model {
 
 /// A method, or closure, with a role.
 pub(crate) struct Formula {
+    /// What it is.
+    pub(crate) role: Role,
     /// Its name; that of the attribute for the derive.
     pub(crate) ident: Ident,
     /// Its arguments in order.
@@ -137,13 +141,13 @@ impl Model {
 }
 
 /// The body of a law that is refused is read all the same, so that its mistakes show in the same run.
-fn finish(item: TokenStream, model: Option<Model>, mut errors: Vec<syn::Error>) -> Parsed {
+fn finish(item: TokenStream, model: Option<Model>, mut mistakes: Mistakes) -> Parsed {
     match model {
-        Some(model) if errors.is_empty() => Parsed { item, model: Ok(model), refused: None },
+        Some(model) if mistakes.errors.is_empty() => Parsed { item, model: Ok(model), refused: None },
         Some(model) => {
-            errors.extend(lower::mistakes(&model));
-            Parsed { item, model: Err(errors), refused: Some(Box::new(model)) }
+            mistakes.extend(lower::mistakes(&model));
+            Parsed { item, model: Err(mistakes), refused: Some(Box::new(model)) }
         }
-        None => Parsed { item, model: Err(errors), refused: None },
+        None => Parsed { item, model: Err(mistakes), refused: None },
     }
 }

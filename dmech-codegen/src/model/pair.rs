@@ -1,15 +1,13 @@
 //! What a law between two bodies takes.
 
-use std::collections::BTreeMap;
-
 use quote::ToTokens;
-use syn::{ImplItemConst, Pat, Type};
+use syn::{Pat, Type};
 
-use crate::diagnostics::{law, pair};
+use crate::diagnostics::pair;
 
 use super::roles::Role;
-use super::signature::{self, Arguments};
-use super::{ArgumentRole, Shape, Sibling};
+use super::signature::Arguments;
+use super::{ArgumentRole, Shape};
 
 /// A law between two bodies, beside its formulas.
 pub struct PairSignature {
@@ -50,54 +48,19 @@ impl Body {
     }
 }
 
-/// Reads one argument of a `#[pair]` or a `#[pair_force]`.
-pub(super) fn argument(
+/// Reads `a: &Charge`.
+pub(super) fn data_argument(
     pat: &Pat,
     ty: &Type,
-    of: Role,
-    constants: &BTreeMap<String, Sibling<ImplItemConst>>,
+    of: Body,
     arguments: &mut Arguments,
 ) -> Result<ArgumentRole, syn::Error> {
-    let name = match pat {
-        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => name.ident.to_string(),
-        Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(pair::in_pieces(pat)),
-        _ => return Err(pair::unknown_argument(pat, of == Role::PairForce)),
-    };
-    let vector = |arguments: &mut Arguments| {
-        let (shape, count) = signature::position(ty, constants)?;
-        if arguments.dimension != 0 && arguments.dimension != count {
-            return Err(law::force_of_other_dimension(ty, count, arguments.dimension));
-        }
-        arguments.dimension = count;
-        Ok(shape)
-    };
-    let role = match (name.as_str(), of) {
-        ("r", Role::Pair) => {
-            signature::number(ty, "distance", &name)?;
-            PairArgument::Distance
-        }
-        ("r", _) => return Err(pair::distance_of_a_force(pat)),
-        ("d", _) => PairArgument::Separation(vector(arguments)?),
-        ("va" | "vb", Role::Pair) => return Err(pair::velocity_of_a_potential(pat)),
-        ("va", _) => PairArgument::Velocity(Body::A, vector(arguments)?),
-        ("vb", _) => PairArgument::Velocity(Body::B, vector(arguments)?),
-        ("ma" | "mb", _) => {
-            signature::number(ty, "mass", &name)?;
-            PairArgument::Mass(if name == "ma" { Body::A } else { Body::B })
-        }
-        ("a" | "b", _) => {
-            let data = data(pat, ty)?;
-            match &arguments.data {
-                Some(other) if !same(other, data) => return Err(pair::two_data_types(ty, other)),
-                _ => arguments.data = Some(data.clone()),
-            }
-            PairArgument::Data(if name == "a" { Body::A } else { Body::B })
-        }
-        ("t", _) => return signature::number(ty, "time", &name).map(|()| ArgumentRole::Time),
-        ("q" | "v" | "m", _) => return Err(pair::argument_of_one_body(pat, &name, of == Role::PairForce)),
-        _ => return Err(pair::unknown_argument(pat, of == Role::PairForce)),
-    };
-    Ok(ArgumentRole::Pair(role))
+    let data = data(pat, ty)?;
+    match &arguments.data {
+        Some(other) if !same(other, data) => return Err(pair::two_data_types(ty, other)),
+        _ => arguments.data = Some(data.clone()),
+    }
+    Ok(ArgumentRole::Pair(PairArgument::Data(of)))
 }
 
 /// `Charge` of `&Charge`.

@@ -11,7 +11,7 @@ use crate::diagnostics::law;
 
 use super::roles::Role;
 use super::types::Length;
-use super::{Argument, ArgumentRole, Known, Shape, Sibling, known_type, pair};
+use super::{Argument, ArgumentRole, Body, Known, PairArgument, Shape, Sibling, known_type, pair};
 
 /// A symbolic Hessian of more coordinates than this is no help to anyone.
 const MAX_DIMENSION: usize = 64;
@@ -50,17 +50,17 @@ pub(super) fn check(
         errors.push(law::keyword(abi, "extern"));
     }
     if !signature.generics.params.is_empty() {
-        errors.push(law::own_generics(&signature.generics));
+        errors.push(law::own_generics(&signature.generics, role));
     }
     if let Some(clause) = &signature.generics.where_clause {
-        errors.push(law::own_generics(clause));
+        errors.push(law::own_generics(clause, role));
     }
     match signature.receiver() {
-        None => errors.push(law::no_receiver(&signature.ident)),
+        None => errors.push(law::no_receiver(signature, role)),
         Some(receiver) => match &receiver.kind {
             ReceiverKind::Reference(_, _, None) => {}
-            ReceiverKind::Reference(_, _, Some(_)) => errors.push(law::mutable_receiver(receiver)),
-            _ => errors.push(law::other_receiver(receiver)),
+            ReceiverKind::Reference(_, _, Some(_)) => errors.push(law::mutable_receiver(receiver, role)),
+            _ => errors.push(law::other_receiver(receiver, role)),
         },
     }
     let typed = signature.inputs.iter().filter_map(|input| match input {
@@ -68,18 +68,16 @@ pub(super) fn check(
         FnArg::Receiver(_) => None,
     });
     let mut arguments = arguments(typed, role, constants, errors);
-    if matches!(role, Role::Pair | Role::PairForce) {
+    if role.is_of_two() {
         pair::check(&arguments, &signature.ident, role, errors);
-    } else if arguments.dimension == 0 && !arguments.list.iter().any(|argument| argument.role == ArgumentRole::Refused)
-    {
-        let missing = if role == Role::Force { law::no_position_or_velocity } else { law::no_position };
+    } else if arguments.dimension == 0 && !arguments.names(ArgumentRole::Refused) {
+        let missing = if role.is_force() { law::no_position_or_velocity } else { law::no_position };
         errors.push(missing(&signature.ident));
     }
-    match role {
-        Role::Force | Role::PairForce => {
-            arguments.result = returns_force(signature, arguments.dimension, constants, errors)
-        }
-        _ => returns_number(&signature.output, &signature.ident, errors),
+    if role.is_force() {
+        arguments.result = returns_force(signature, arguments.dimension, constants, errors);
+    } else {
+        returns_number(&signature.output, &signature.ident, errors);
     }
     arguments
 }
@@ -91,7 +89,7 @@ pub(super) fn returns_number(output: &ReturnType, whole: &impl ToTokens, errors:
         ReturnType::Type(_, ty) if matches!(&**ty, Type::Reference(_)) => errors.push(law::wrong_return(ty)),
         ReturnType::Type(_, ty) => match known_type(ty) {
             Known::Float => {}
-            Known::Single => errors.push(law::single_precision(ty)),
+            Known::Single => say_once(law::single_precision(ty), errors),
             _ => errors.push(law::wrong_return(ty)),
         },
     }
@@ -129,15 +127,20 @@ pub(super) fn arguments<'a>(
     errors: &mut Vec<syn::Error>,
 ) -> Arguments {
     let mut arguments = Arguments { list: vec![], dimension: 0, result: Shape::Number, data: None };
+    let typed: Vec<_> = typed.collect();
+    let apart = coordinates_apart(&typed, role);
+    if !apart.is_empty() {
+        errors.push(law::coordinates_apart(&apart, role));
+    }
     for PatType { pat, ty, .. } in typed {
-        let read = match role {
-            Role::Pair | Role::PairForce => pair::argument(pat, ty, role, constants, &mut arguments),
-            _ => argument(pat, ty, role, constants, &mut arguments.dimension),
-        };
-        let role = match read {
+        if apart.iter().any(|&coordinate| std::ptr::eq(coordinate, &**pat)) {
+            arguments.list.push(Argument { role: ArgumentRole::Refused, pattern: (**pat).clone() });
+            continue;
+        }
+        let role = match argument(pat, ty, role, constants, &mut arguments) {
             Ok(role) => role,
             Err(error) => {
-                errors.push(error);
+                say_once(error, errors);
                 ArgumentRole::Refused
             }
         };
@@ -149,46 +152,79 @@ pub(super) fn arguments<'a>(
     arguments
 }
 
+/// `x: f64, y: f64` where `q: [f64; 2]` is meant, or `d: [f64; 2]`.
+fn coordinates_apart<'a>(typed: &[&'a PatType], of: Role) -> Vec<&'a Pat> {
+    let is_coordinate = |typed: &&&PatType| match &*typed.pat {
+        Pat::Ident(name) => {
+            let name = name.ident.to_string();
+            let free = ![of, Role::Force].iter().any(|role| role.knows(&name));
+            free && name.len() == 1 && known_type(&typed.ty) == Known::Float
+        }
+        _ => false,
+    };
+    let coordinates: Vec<_> = typed.iter().filter(is_coordinate).map(|typed| &*typed.pat).collect();
+    let says_where = |name: &syn::Ident| name == of.place().name || (of == Role::Pair && name == "r");
+    let has_position = typed.iter().any(|typed| matches!(&*typed.pat, Pat::Ident(name) if says_where(&name.ident)));
+    if coordinates.len() > 1 && !has_position { coordinates } else { vec![] }
+}
+
+/// A law in `f32` is one mistake, however many types show it.
+fn say_once(error: syn::Error, errors: &mut Vec<syn::Error>) {
+    let sentence = error.to_string();
+    if !errors.iter().any(|said| said.to_string() == sentence) {
+        errors.push(error);
+    }
+}
+
 fn argument(
     pat: &Pat,
     ty: &Type,
     of: Role,
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
-    dimension: &mut usize,
+    arguments: &mut Arguments,
 ) -> Result<ArgumentRole, syn::Error> {
     let name = match pat {
-        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => name.ident.to_string(),
-        Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::position_in_pieces(pat)),
-        _ => return Err(law::unknown_argument(pat)),
+        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => &name.ident,
+        Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::place_in_pieces(pat, of)),
+        _ => return Err(law::unknown_argument(pat, of)),
     };
-    match name.as_str() {
-        "v" if of != Role::Force => Err(law::velocity_argument(pat)),
-        "q" | "v" => {
-            let (shape, count) = position(ty, constants)?;
-            if *dimension != 0 && *dimension != count {
-                return Err(law::force_of_other_dimension(ty, count, *dimension));
-            }
-            *dimension = count;
-            Ok(if name == "q" { ArgumentRole::Position(shape) } else { ArgumentRole::Velocity(shape) })
-        }
-        "m" => number(ty, "mass", &name).map(|()| ArgumentRole::Mass),
-        "t" => number(ty, "time", &name).map(|()| ArgumentRole::Time),
-        _ if of == Role::Force => Err(law::unknown_force_argument(pat)),
-        _ => Err(law::unknown_argument(pat)),
+    let text = name.to_string();
+    if !of.knows(&text) {
+        return Err(law::argument_of_another_role(name, of).unwrap_or_else(|| law::unknown_argument(name, of)));
     }
+    let mut vector = || {
+        let (shape, count) = position(ty, constants)?;
+        if arguments.dimension != 0 && arguments.dimension != count {
+            return Err(law::force_of_other_dimension(ty, count, arguments.dimension));
+        }
+        arguments.dimension = count;
+        Ok(shape)
+    };
+    Ok(match text.as_str() {
+        "q" => ArgumentRole::Position(vector()?),
+        "v" => ArgumentRole::Velocity(vector()?),
+        "m" => number(ty, "mass", &text).map(|()| ArgumentRole::Mass)?,
+        "t" => number(ty, "time", &text).map(|()| ArgumentRole::Time)?,
+        "r" => number(ty, "distance", &text).map(|()| ArgumentRole::Pair(PairArgument::Distance))?,
+        "d" => ArgumentRole::Pair(PairArgument::Separation(vector()?)),
+        "va" => ArgumentRole::Pair(PairArgument::Velocity(Body::A, vector()?)),
+        "vb" => ArgumentRole::Pair(PairArgument::Velocity(Body::B, vector()?)),
+        "ma" => number(ty, "mass", &text).map(|()| ArgumentRole::Pair(PairArgument::Mass(Body::A)))?,
+        "mb" => number(ty, "mass", &text).map(|()| ArgumentRole::Pair(PairArgument::Mass(Body::B)))?,
+        "a" => pair::data_argument(pat, ty, Body::A, arguments)?,
+        "b" => pair::data_argument(pat, ty, Body::B, arguments)?,
+        _ => return Err(law::unknown_argument(pat, of)),
+    })
 }
 
-pub(super) fn number(ty: &Type, quantity: &str, name: &str) -> Result<(), syn::Error> {
+fn number(ty: &Type, quantity: &str, name: &str) -> Result<(), syn::Error> {
     match known_type(ty) {
         Known::Float if !matches!(ty, Type::Reference(_)) => Ok(()),
         _ => Err(law::not_a_number(ty, quantity, name)),
     }
 }
 
-pub(super) fn position(
-    ty: &Type,
-    constants: &BTreeMap<String, Sibling<ImplItemConst>>,
-) -> Result<(Shape, usize), syn::Error> {
+fn position(ty: &Type, constants: &BTreeMap<String, Sibling<ImplItemConst>>) -> Result<(Shape, usize), syn::Error> {
     if let Type::Reference(reference) = ty {
         let by_value = known_type(&reference.elem) != Known::Other;
         return Err(if by_value { law::position_by_reference(ty) } else { law::wrong_position(ty) });

@@ -21,8 +21,8 @@ fn marked(text: &str) -> (String, Vec<std::ops::Range<usize>>) {
 
 fn assert_refused(text: &str, messages: &[&str], read: impl Fn(TokenStream) -> Parsed) {
     let (plain, ranges) = marked(text);
-    let Err(errors) = read(plain.parse().unwrap()).model else { panic!("accepted: {text}") };
-    let mut said: Vec<_> = errors.iter().map(|error| (error.span().byte_range(), error.to_string())).collect();
+    let Err(mistakes) = read(plain.parse().unwrap()).model else { panic!("accepted: {text}") };
+    let mut said: Vec<_> = mistakes.errors.iter().map(|error| (error.span().byte_range(), error.to_string())).collect();
     said.sort_by_key(|(range, _)| (range.start, range.end));
     assert_eq!(said.len(), messages.len(), "{text}: {said:#?}");
     assert_eq!(ranges.len(), messages.len(), "{text}: as many marks as messages");
@@ -99,8 +99,10 @@ fn the_crate_can_be_somewhere_else() {
         ("krate = x", "`krate` is no option of the macro; the only one is `crate = path::to::dmech`"),
         ("\"x\"", "this is no option of the macro; the only one is `crate = path::to::dmech`"),
     ] {
-        let Err(errors) = from_impl(arguments.parse().unwrap(), item()).model else { panic!("accepted: {arguments}") };
-        assert_eq!(errors.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
+        let Err(mistakes) = from_impl(arguments.parse().unwrap(), item()).model else {
+            panic!("accepted: {arguments}")
+        };
+        assert_eq!(mistakes.errors.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
     }
 }
 
@@ -214,26 +216,24 @@ fn roles() {
     refused(
         "impl «Law» { fn energy(&self, q: f64) -> f64 { q } }",
         &[
-            "no method of this block has a role; mark the one that returns the potential energy of `Law` with `#[potential]`",
+            "no method of this block has a role; mark the one that returns the energy of `Law` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
         ],
     );
     refused(
         "impl «physics::Law<3>» { }",
         &[
-            "no method of this block has a role; mark the one that returns the potential energy of `physics::Law<3>` with `#[potential]`",
+            "no method of this block has a role; mark the one that returns the energy of `physics::Law<3>` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
         ],
     );
     refused(
-        "impl Law { #[potential] fn «a»(&self, q: f64) -> f64 { q } #[potential] fn «b»(&self, q: f64) -> f64 { q } }",
+        "impl Law { #[potential] fn a(&self, q: f64) -> f64 { q } #[potential] fn «b»(&self, q: f64) -> f64 { q } }",
         &[
-            "`a` is the first `#[potential]` of this law",
             "`b` is a second potential, and a law has one; `a` is marked already. Add the two in one method, with the other as a helper",
         ],
     );
     refused(
-        "impl Law { #[force] fn «a»(&self, v: f64) -> f64 { v } #[force] fn «b»(&self, q: f64) -> f64 { q } }",
+        "impl Law { #[force] fn a(&self, v: f64) -> f64 { v } #[force] fn «b»(&self, q: f64) -> f64 { q } }",
         &[
-            "`a` is the first `#[force]` of this law",
             "`b` is a second force, and a law has one; `a` is marked already. Add the two in one method, with the other as a helper",
         ],
     );
@@ -248,12 +248,28 @@ fn roles() {
         &["a force is a function of position and velocity; give it an argument `q: [f64; D]`, `v: [f64; D]` or both"],
     );
     refused(
+        "impl Law { #[potential] «#[force]» fn energy(&self, q: [f64; 2]) -> f64 { q[0] } }",
+        &["this method is a potential already, and a method has one role; state the force in a method of its own"],
+    );
+    refused(
+        "impl Law { #[«forse»] fn drag(&self, v: [f64; 2]) -> [f64; 2] { v } }",
+        &["`forse` is no role of a method; write `#[force]`"],
+    );
+    refused(
+        "impl Law { #[potential] fn energy(&self, «x: f64, y»: f64, t: f64) -> f64 { x * y * t } }",
+        &["the position is one argument, `q: [f64; 2]`; take it to pieces in the body: `let [x, y] = q;`"],
+    );
+    refused(
+        "impl Law { #[potential] fn energy(&self, q: «[f32; 2]») -> f32 { q[0] } }",
+        &["write the law in `f64`; the generated code runs it in `f32` and other scalars as well"],
+    );
+    refused(
         "impl Law { #[force] fn drag(&self, q: [f64; 2], v: «[f64; 3]») -> [f64; 2] { q } }",
-        &["this has 3 components, and 2 are named before; position, velocity and force have as many"],
+        &["this has 3 components, and what is named before it has 2; position, velocity and force have equally many"],
     );
     refused(
         "impl Law { #[force] fn drag(&self, v: [f64; 2]) -> «f64» { v[0] } }",
-        &["this has 1 components, and 2 are named before; position, velocity and force have as many"],
+        &["this has 1 component, and what is named before it has 2; position, velocity and force have equally many"],
     );
     refused(
         "impl Law { #[force] fn drag(&self, v: [f64; 2]) -> «bool» { true } }",
@@ -265,11 +281,11 @@ fn roles() {
     );
     refused(
         "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { q } #[force] fn «drag»(&self, v: [f64; 2]) -> [f64; 2] { v } }",
-        &["`drag` has 2 coordinates and the potential of this law has 1"],
+        &["`drag` has 2 coordinates, and the potential of this law has 1"],
     );
     refused(
         "impl Law { #[potential] «#[force]» fn both(&self, q: f64) -> f64 { q } }",
-        &["a method has one role; state the potential and the force in two methods"],
+        &["this method is a potential already, and a method has one role; state the force in a method of its own"],
     );
     refused(
         "impl Law { «#[potential(q)]» fn energy(&self, q: f64) -> f64 { q } }",
@@ -287,7 +303,7 @@ fn roles() {
 fn signatures() {
     refused(
         "impl Law { #[potential] fn «energy»(q: f64) -> f64 { q } }",
-        &["a potential takes the law first: `fn energy(&self, q: …) -> f64`"],
+        &["a potential takes the law first: `fn energy(&self, q: f64) -> f64`"],
     );
     refused(
         "impl Law { #[potential] fn energy(«&mut self», q: f64) -> f64 { q } }",
@@ -356,7 +372,7 @@ fn arguments() {
     );
     refused(
         "impl Law { #[potential] fn energy(&self, q: f64, «v»: f64) -> f64 { q * v } }",
-        &["a potential does not depend on the velocity `v`; expected one of: `q` (position), `m` (mass), `t` (time)"],
+        &["a potential does not depend on the velocity `v`; what depends on it is a `#[force]`"],
     );
     refused("impl Law { #[potential] fn energy(&self, q: f64, «q»: f64) -> f64 { q } }", &["`q` is named twice"]);
     refused(
@@ -496,14 +512,14 @@ fn derives() {
 /// Arguments of laws between two bodies, each with what is said of it.
 #[test]
 fn laws_between_two_bodies() {
-    const PAIR: &str = "`r` (distance) or `d` (separation q_a − q_b), `ma`, `mb` (masses), `a: &P`, `b: &P` (data of the bodies), `t` (time). Parameters are fields of the law: `self.k`";
+    const PAIR: &str = "`r` (distance), `d` (separation q_a − q_b), `ma` (mass of a), `mb` (mass of b), `a` (data of a), `b` (data of b), `t` (time). Parameters are fields of the law: `self.k`";
     let pair = |arguments: &str, message: &str| {
         refused(&format!("impl Law {{ #[pair] fn energy(&self, {arguments}) -> f64 {{ 1.0 }} }}"), &[message]);
     };
     let force = |arguments: &str, message: &str| {
         refused(&format!("impl Law {{ #[pair_force] fn pull(&self, {arguments}) -> f64 {{ 1.0 }} }}"), &[message]);
     };
-    pair("«s»: f64", &format!("`s` is not an argument a `#[pair]` can have; expected one of: {PAIR}"));
+    pair("«s»: f64", &format!("`s` is not an argument a pair potential can have; expected one of: {PAIR}"));
     pair(
         "«q»: f64",
         "`q` belongs to a law of one body, and here there are two: write the distance `r: f64`, or the separation `d: [f64; D]`, which is q_a − q_b",
@@ -512,7 +528,16 @@ fn laws_between_two_bodies() {
     force("d: f64, «v»: f64", "`v` belongs to a law of one body, and here there are two: write `va` and `vb`");
     pair(
         "r: f64, «va»: f64",
-        "a potential energy does not depend on the velocity `va`; state a force with `#[pair_force]`, alone or beside the `#[pair]`",
+        "a pair potential does not depend on the velocity `va`; what depends on it is a `#[pair_force]`",
+    );
+    pair(
+        "«x: f64, y»: f64, ma: f64",
+        "the separation q_a − q_b is one argument, `d: [f64; 2]`; take it to pieces in the body: `let [x, y] = d;`",
+    );
+    pair("r: f64, «mass»: f64", "`mass` is not an argument a pair potential can have; the mass of a is called `ma`");
+    force(
+        "d: f64, «separation»: f64",
+        "`separation` is not an argument a pair force can have; the separation q_a − q_b is called `d`",
     );
     pair("r: «[f64; 2]»", "the distance `r` is a number; write `r: f64`");
     pair("r: f64, ma: «f32»", "the mass `ma` is a number; write `ma: f64`");
@@ -525,7 +550,10 @@ fn laws_between_two_bodies() {
         "d: «Vec<f64>»",
         "`Vec<f64>` cannot be a position; expected `f64` (one coordinate), `[f64; D]`, or nalgebra's `SVector<f64, D>`, `Vector2<f64>`, `Vector3<f64>`",
     );
-    pair("«[x, y]»: [f64; 2]", "the separation is one argument, `d`; take it to pieces in the body: `let [x, y] = d;`");
+    pair(
+        "«[x, y]»: [f64; 2]",
+        "the separation q_a − q_b is one argument, `d`; take it to pieces in the body: `let [x, y] = d;`",
+    );
     pair("r: f64, a: «Charge»", "the data of a body is only read; take it by reference: `a: &Charge`");
     pair("r: f64, b: «&mut Charge»", "the data of a body is only read; take it by reference: `b: &Charge`");
     pair(
@@ -538,7 +566,7 @@ fn laws_between_two_bodies() {
     );
     force(
         "d: f64, va: «[f64; 2]»",
-        "this has 2 components, and 1 are named before; position, velocity and force have as many",
+        "this has 2 components, and what is named before it has 1; position, velocity and force have equally many",
     );
     refused(
         "impl Law { #[pair] fn «energy»(&self, ma: f64) -> f64 { ma } }",
@@ -565,10 +593,9 @@ fn laws_between_two_bodies() {
         ],
     );
     refused(
-        "impl Law { #[pair] fn «one»(&self, r: f64) -> f64 { r } #[pair] fn «two»(&self, r: f64) -> f64 { r } }",
+        "impl Law { #[pair] fn one(&self, r: f64) -> f64 { r } #[pair] fn «two»(&self, r: f64) -> f64 { r } }",
         &[
-            "`one` is the first `#[pair]` of this law",
-            "`two` is a second pair, and a law has one; `one` is marked already. Add the two in one method, with the other as a helper",
+            "`two` is a second pair potential, and a law has one; `one` is marked already. Add the two in one method, with the other as a helper",
         ],
     );
 }

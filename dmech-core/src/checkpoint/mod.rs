@@ -54,8 +54,8 @@ use crate::scheme::Method;
 /// second.advance(600)?;
 /// assert_eq!(second.state(), whole.state());
 ///
-/// let refused = spring(4.5).resume(&checkpoint).unwrap_err();
-/// assert_eq!(refused, Error::Checkpoint(dmech_core::Difference::Laws));
+/// let refused = spring(4.5).resume(&checkpoint).err();
+/// assert_eq!(refused, Some(Error::Checkpoint(dmech_core::Difference::Laws)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

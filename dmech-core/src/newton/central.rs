@@ -106,25 +106,26 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
             steady = steady.and(size.less_or_equal(half * last).or(exact));
         }
         if !steady.all() {
-            return lengthen::<BETWEEN, D, R>(equation, iteration, factor);
+            return Increment::apart(lengthen::<BETWEEN, D, R>(*equation, iteration, factor));
         }
         if exact.all() {
             return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
         }
         last = size;
     }
-    lengthen::<BETWEEN, D, R>(equation, PATIENCE, factor)
+    Increment::apart(lengthen::<BETWEEN, D, R>(*equation, PATIENCE, factor))
 }
 
-/// The rare case: the vector equation, with the step lengthened gradually.
+/// The rare case: the vector equation, with the step lengthened gradually. By value: the equation then needs no place
+/// in memory before.
 #[cold]
 #[inline(never)]
 fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
-    equation: &Equation<D, R>,
+    equation: Equation<D, R>,
     spent: u32,
     mut factor: impl FnMut(R, R) -> [R; 3],
 ) -> Result<Increment<D, R>, NotConverged> {
-    continuation::follow(equation, spent, |equation, delta, x| {
+    continuation::follow::<false, D, R>(equation, spent, |equation, delta, x| {
         let sum: [R; D] = if BETWEEN { core::array::from_fn(|i| equation.a[i] + x[i]) } else { x };
         let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
         rank_one(equation, delta, x, sum, c, c1 + c1)

@@ -12,10 +12,12 @@ const SHORTEST: f64 = 1.0 / 16384.0;
 ///
 /// θ, the part of the step, advances by as much as Newton accepts. Each Δ(θ) is predicted with the force extrapolated
 /// linearly in θ, so that the powers θ and θ² of the known parts are exact.
+///
+/// The equation comes by value: were it borrowed, every step that does not come here would still lay it out in memory.
 #[cold]
 #[inline(never)]
-pub(super) fn follow<const D: usize, R: Real>(
-    equation: &Equation<D, R>,
+pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
+    equation: Equation<D, R>,
     spent: u32,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
@@ -30,10 +32,10 @@ pub(super) fn follow<const D: usize, R: Real>(
     while evaluations < equation.max_iterations {
         let next = f64::min(theta + advance, 1.0);
         // At the end the equation itself: a is then exact.
-        let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { *equation };
+        let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { equation };
         let ahead = R::from_f64(next - theta);
         part.guess = part.increment(core::array::from_fn(|i| ahead.mul_add(slope[i], gradient[i])));
-        match settle(&part, &mut correct) {
+        match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
             Ok(found) => {
                 evaluations += found.evaluations;
                 if next >= 1.0 {
@@ -45,7 +47,7 @@ pub(super) fn follow<const D: usize, R: Real>(
                 advance *= 2.0;
             }
             Err(astray) => {
-                evaluations += astray.iterations;
+                evaluations += astray.iterations as u32;
                 residual = astray.residual;
                 advance *= 0.25;
                 if advance < SHORTEST {
@@ -57,5 +59,5 @@ pub(super) fn follow<const D: usize, R: Real>(
     if residual.is_nan() {
         residual = largest(&equation.guess);
     }
-    Err(NotConverged { iterations: evaluations, residual })
+    Err(NotConverged { iterations: evaluations.into(), residual })
 }

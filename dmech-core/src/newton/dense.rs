@@ -4,7 +4,7 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
-use super::{Correction, Equation, Increment, NotConverged, drive, elimination, once};
+use super::{Correction, Equation, Increment, NotConverged, drive, drive_middle, elimination, once};
 
 /// Solves Δ + g G(q + Δ) = drift − frozen, given b ↦ (G(b), J(b)) with J = ∂G/∂b.
 ///
@@ -52,6 +52,29 @@ pub fn dense_forced<const D: usize, R: Real>(
     })
 }
 
+/// As [`dense_forced`], for a force that does no work: with increments rounded once, and what the rounding of G has left
+/// out.
+///
+/// # Errors
+/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
+pub fn dense_middle<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut force: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
+) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
+    let mut rest = [R::ZERO; D];
+    let found = drive_middle(equation, |equation, _, delta, b| {
+        let (slope, by_position, by_velocity) = force(equation, delta, b);
+        let jacobian: [[R; D]; D] =
+            from_fn(|i| from_fn(|j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j])));
+        let change = elimination::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
+        let turned = from_fn(|i| (0..D).fold(R::ZERO, |sum, j| jacobian[i][j].mul_add(change[j], sum)));
+        let (correction, lost) = Correction::sum(change, slope, turned);
+        rest = lost;
+        correction
+    })?;
+    Ok((found, rest))
+}
+
 /// As [`dense`], for a force that is linear in b: one correction from Δ = 0 is the solution.
 ///
 /// # Errors
@@ -72,11 +95,14 @@ fn correction<const D: usize, R: Real>(
     gradient: [R; D],
     jacobian: &[[R; D]; D],
 ) -> Correction<D, R> {
-    let g = equation.g;
     let wanted = equation.increment(gradient);
     let residual = from_fn(|i| wanted[i] - delta[i]);
-    let matrix = from_fn(|i| from_fn(|j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO })));
-    let delta = elimination::solve(matrix, residual);
+    let delta = elimination::solve(newton_matrix(equation.g, jacobian), residual);
     let gradient = from_fn(|i| (0..D).fold(gradient[i], |sum, j| jacobian[i][j].mul_add(delta[j], sum)));
     Correction { delta, gradient }
+}
+
+/// 1 + g J.
+fn newton_matrix<const D: usize, R: Real>(g: R, jacobian: &[[R; D]; D]) -> [[R; D]; D] {
+    from_fn(|i| from_fn(|j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO })))
 }

@@ -20,9 +20,11 @@ pub fn drive<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    match settle(equation, &mut correct) {
+    match settle::<false, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
-        Err(astray) => continuation::follow(equation, astray.iterations, correct),
+        Err(astray) => {
+            Increment::apart(continuation::follow::<false, D, R>(*equation, astray.iterations as u32, correct))
+        }
     }
 }
 
@@ -38,6 +40,24 @@ pub fn drive_discrete<const D: usize, R: Real>(
     drive(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
 }
 
+/// As [`drive_discrete`], with the increment rounded once: for forces that do no work.
+///
+/// # Errors
+/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
+#[inline]
+pub fn drive_middle<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    let mut correct = |equation: &Equation<D, R>, delta, b| correct(equation, equation.a, delta, b);
+    match settle::<true, D, R>(equation, &mut correct) {
+        Ok(increment) => Ok(increment),
+        Err(astray) => {
+            Increment::apart(continuation::follow::<true, D, R>(*equation, astray.iterations as u32, correct))
+        }
+    }
+}
+
 /// Newton from the equation's guess, given up as soon as it leaves the neighbourhood of the guess.
 ///
 /// What must be right to round-off is the force: for a short step Δ is known to an ulp long before G = (known − Δ)/g is.
@@ -48,7 +68,7 @@ pub fn drive_discrete<const D: usize, R: Real>(
 /// The guess is left behind when the first correction is larger than the whole step, or when corrections do not halve
 /// (the affine-invariant monotonicity test; P. Deuflhard, Newton Methods for Nonlinear Problems, §3.2).
 #[inline]
-pub(super) fn settle<const D: usize, R: Real>(
+pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
     correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
@@ -59,7 +79,7 @@ pub(super) fn settle<const D: usize, R: Real>(
     let mut last = R::ZERO;
     for iteration in 1..=PATIENCE.min(equation.max_iterations) {
         let Correction { delta: change, gradient } = correct(equation, delta, equation.end(delta));
-        delta = equation.increment(gradient);
+        delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let size = length(&change);
         let step = length(&delta);
         let settled;
@@ -81,11 +101,11 @@ pub(super) fn settle<const D: usize, R: Real>(
             return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
         }
         if astray.and(settled.not()).any() || !size.finite().all() {
-            return Err(NotConverged { iterations: iteration, residual: largest(&change) });
+            return Err(NotConverged { iterations: iteration.into(), residual: largest(&change) });
         }
         last = size;
     }
-    Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations), residual: last.to_f64() })
+    Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations).into(), residual: last.to_f64() })
 }
 
 /// Σ|xᵢ|: unlike a maximum it does not lose a NaN.

@@ -1,8 +1,9 @@
 //! Solving the implicit steps: Newton to round-off on the increment.
 //!
-//! Hand-written laws use [`dense`], [`dense_discrete`] and [`dense_forced`]; generated ones bring their own correction in a straight
-//! line and use [`drive`] and [`drive_discrete`], or [`once`] and [`once_discrete`] where the Hessian is constant; a
-//! law that depends on |q| alone has one scalar unknown and uses [`central`].
+//! Hand-written laws use [`dense`], [`dense_discrete`], [`dense_forced`] and [`dense_middle`]; generated ones bring
+//! their own correction in a straight line and use [`drive`], [`drive_discrete`] and [`drive_middle`], or [`once`],
+//! [`once_discrete`] and [`once_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
+//! unknown and uses [`central`].
 
 mod continuation;
 mod dense;
@@ -13,7 +14,7 @@ mod once;
 
 pub mod central;
 
-pub use dense::{dense, dense_discrete, dense_forced, linear};
-pub use drive::{drive, drive_discrete};
+pub use dense::{dense, dense_discrete, dense_forced, dense_middle, linear};
+pub use drive::{drive, drive_discrete, drive_middle};
 pub use equation::{Correction, Equation, Increment, NotConverged};
-pub use once::{once, once_discrete};
+pub use once::{once, once_discrete, once_middle};

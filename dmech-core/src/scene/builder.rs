@@ -26,6 +26,18 @@ pub struct Scene<const D: usize, P = (), L = ()> {
     pub(super) laws: L,
 }
 
+/// A [`Law`] in D dimensions, which acts on each body by itself.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not act on each body of this scene by itself",
+    label = "the bodies move in {D} dimensions",
+    note = "a law of one body is a `#[potential]` or a `#[force]` of the position `q: [f64; {D}]`",
+    note = "a law between two bodies acts along links: `.pairs(law)`, `.chain(law)`, `.bonds(law, list)`"
+)]
+pub trait FieldLaw<const D: usize>: Law<D> {}
+
+#[diagnostic::do_not_recommend]
+impl<const D: usize, X: Law<D>> FieldLaw<D> for X {}
+
 /// The bodies of a scene.
 #[derive(Clone, Debug)]
 pub struct Bodies<const D: usize, P> {
@@ -82,7 +94,7 @@ impl<const D: usize, P, L> Scene<D, P, L> {
     }
 
     /// A law that acts on each body by itself.
-    pub fn field<X: Law<D>>(self, law: X) -> Scene<D, P, (L, Each<X>)> {
+    pub fn field<X: FieldLaw<D>>(self, law: X) -> Scene<D, P, (L, Each<X>)> {
         self.with(Each { law })
     }
 
@@ -107,6 +119,11 @@ impl<const D: usize, P, L> Scene<D, P, L> {
 
     fn with<X>(self, term: X) -> Scene<D, P, (L, X)> {
         Scene { bodies: self.bodies, laws: (self.laws, term) }
+    }
+
+    /// The masses, in the order of the bodies.
+    pub fn masses(&self) -> &[f64] {
+        &self.bodies.masses
     }
 
     /// The number of bodies.

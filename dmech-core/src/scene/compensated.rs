@@ -5,12 +5,24 @@ use dmech_scalar::two_sum;
 use super::vectors::Vectors;
 
 /// hi + lo, where hi is the value and lo what rounding took from it so far.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct CompensatedVectors<const D: usize> {
     /// The value.
     pub hi: Vectors<D>,
     /// What is missing.
     pub lo: Vectors<D>,
+}
+
+impl<const D: usize> Clone for CompensatedVectors<D> {
+    fn clone(&self) -> Self {
+        CompensatedVectors { hi: self.hi.clone(), lo: self.lo.clone() }
+    }
+
+    /// Without a new allocation.
+    fn clone_from(&mut self, other: &Self) {
+        self.hi.clone_from(&other.hi);
+        self.lo.clone_from(&other.lo);
+    }
 }
 
 impl<const D: usize> CompensatedVectors<D> {

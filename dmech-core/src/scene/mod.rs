@@ -19,7 +19,7 @@ mod terms;
 mod vectors;
 mod watch;
 
-pub use builder::{Bodies, Scene};
+pub use builder::{Bodies, FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
 pub use matrix::Matrix;
 pub use newton::Solver;
@@ -27,5 +27,5 @@ pub use scheme::{SceneScheme, Start};
 pub use setting::{Setting, System};
 pub use state::SceneState;
 pub use stepper::SceneStepper;
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Pairs, Term, Topology};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Pairs, Term, Topology, WithoutVelocities};
 pub use vectors::Vectors;

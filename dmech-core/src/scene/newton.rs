@@ -81,7 +81,7 @@ impl<const D: usize> Solver<D> {
     ) -> Result<Effort, NotConverged> {
         match self.settle(equation, unknown, 1.0) {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
-            Err(astray) => self.lengthen(equation, unknown, astray.iterations),
+            Err(astray) => self.lengthen(equation, unknown, astray.iterations as u32),
         }
     }
 
@@ -106,7 +106,7 @@ impl<const D: usize> Solver<D> {
                 self.matrix.clear();
                 unknown.jacobian(theta, &self.end, &self.velocity, equation.rate, &mut self.matrix);
                 if !self.factorise(equation, theta) {
-                    return Err(NotConverged { iterations: iteration, residual: f64::NAN });
+                    return Err(NotConverged { iterations: iteration.into(), residual: f64::NAN });
                 }
                 since_factors = 0;
             }
@@ -116,7 +116,7 @@ impl<const D: usize> Solver<D> {
             self.matrix.multiply_add(&self.correction, &mut self.gradient);
             let [size, step] = self.correct();
             if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step) {
-                return Err(NotConverged { iterations: iteration, residual: size });
+                return Err(NotConverged { iterations: iteration.into(), residual: size });
             }
             let rate = if iteration == 1 { size / step } else { size / last };
             let settled = size == 0.0 || U::LINEAR || rate * size <= MARGIN * force;
@@ -129,13 +129,13 @@ impl<const D: usize> Solver<D> {
             }
             if iteration > 1 && rate > 0.5 {
                 if since_factors <= 1 {
-                    return Err(NotConverged { iterations: iteration, residual: size });
+                    return Err(NotConverged { iterations: iteration.into(), residual: size });
                 }
                 since_factors = CHORD;
             }
             last = size;
         }
-        Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations), residual: last })
+        Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations).into(), residual: last })
     }
 
     /// Follows the root from a step of length 0 to the whole step.
@@ -174,13 +174,13 @@ impl<const D: usize> Solver<D> {
                     advance *= 2.0;
                 }
                 Err(astray) => {
-                    evaluations += astray.iterations;
+                    evaluations += astray.iterations as u32;
                     residual = astray.residual;
                     advance *= 0.25;
                 }
             }
         }
-        Err(NotConverged { iterations: evaluations, residual })
+        Err(NotConverged { iterations: evaluations.into(), residual })
     }
 
     /// b = q + Δ and, where it is needed, v at the end of the step.

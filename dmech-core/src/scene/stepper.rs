@@ -49,7 +49,7 @@ impl<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> SceneStepper<D, A, S> {
         let memory = match scheme.begin(&system, Start { t: t0, q: &q, v: &v }, &mut solver) {
             Ok(memory) => memory,
             Err(NotConverged { iterations, residual }) => {
-                return Err(Error::NotConverged { step: 0, time: t0, dt, iterations, residual });
+                return Err(Error::NotConverged { step: 0, time: t0, dt, iterations: iterations as u32, residual });
             }
         };
         let before = memory.clone();
@@ -117,7 +117,13 @@ impl<const D: usize, A: Acts<D>, S: SceneScheme<D, A>> SceneStepper<D, A, S> {
     fn failure(&self, cause: Option<NotConverged>) -> Error {
         let dt = self.system.setting.dt;
         if let Some(NotConverged { iterations, residual }) = cause {
-            return Error::NotConverged { step: self.steps + 1, time: self.t(), dt, iterations, residual };
+            return Error::NotConverged {
+                step: self.steps + 1,
+                time: self.t(),
+                dt,
+                iterations: iterations as u32,
+                residual,
+            };
         }
         let (step, time) = (self.steps, self.t0 + (self.steps - 1) as f64 * dt);
         let q = self.scheme.position(&self.memory);

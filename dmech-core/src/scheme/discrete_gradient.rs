@@ -2,8 +2,12 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
+<<<<<<< HEAD
 use super::guess::continued;
 use super::{Effort, Method, Newton, Scheme, Stride};
+=======
+use super::{Effort, Method, Newton, Scheme, Stride, workless};
+>>>>>>> main
 use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential};
@@ -107,16 +111,14 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     let zero = [R::ZERO; D];
     let guess = newton.guess((stride.dt, v.hi), zero, g, expected);
     let field = law.field(stride.mass, half.mul_add(stride.dt, t));
-    let (rate, t_end, max_iterations) = (stride.rate, t + stride.dt, newton.limit());
-    let v = v.hi;
+    let equation = Equation { guess, max_iterations: newton.limit(), ..Equation::new(q, drift, g) };
     if !<L::Field<'_> as Field<D, R>>::FORCED {
-        let equation = Equation { q, a: q, drift, frozen: zero, g, v, rate, t_end, guess, max_iterations };
         return field.discrete_increment(&equation);
     }
     // The unknown side has the force at the end; that at the start is known.
-    let half_force = law.field(stride.mass, t).half_force(q, v);
-    let frozen = scaled(-g, half_force);
-    let equation = Equation { q, a: q, drift, frozen, g, v, rate, t_end, guess, max_iterations };
+    let half_force = law.field(stride.mass, t).half_force(q, v.hi);
+    let (frozen, t_end) = (scaled(-g, half_force), t + stride.dt);
+    let equation = Equation { frozen, v: v.hi, rate: stride.rate, t_end, ..equation };
     let found = field.discrete_increment(&equation)?;
     Ok(Increment { gradient: difference(found.gradient, half_force), ..found })
 }
@@ -134,9 +136,20 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
         let DiscreteGradientMemory { mut q, mut v, gradients } = *memory;
+<<<<<<< HEAD
         let found = increment(law, stride, t, q.value(), &v, continued(gradients), &self.newton)?;
         q.add(found.delta);
         stride.kick_compensated(&mut v, found.gradient);
+=======
+        let found = if <L::Field<'_> as Field<D, R>>::FORCED && <L::Field<'_> as Field<D, R>>::CONSERVES_ENERGY {
+            workless::step(law, stride, t, &mut q, &mut v, gradients, &self.newton)?
+        } else {
+            let found = increment(law, stride, t, q.value(), &v, gradients, &self.newton)?;
+            q.add(found.delta);
+            stride.kick_compensated(&mut v, found.gradient);
+            found
+        };
+>>>>>>> main
         *memory = DiscreteGradientMemory { q, v, gradients: [found.gradient, gradients[0], gradients[1]] };
         Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
     }

@@ -8,6 +8,7 @@ mod implicit;
 mod kanatani;
 mod leapfrog;
 mod stride;
+mod workless;
 
 pub use composed::{
     Coefficients, Composable, Composed, ComposedDiscreteGradientMemory, ComposedImplicitMemory, ComposedLeapfrogMemory,
@@ -20,6 +21,7 @@ pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
 pub use stride::Stride;
+pub(crate) use stride::exact_product;
 
 use dmech_scalar::Real;
 

@@ -46,6 +46,17 @@ impl<R: Real> Stride<R> {
         core::array::from_fn(|i| self.dt.mul_add(v.hi[i], self.dt * v.lo[i]))
     }
 
+    /// As [`Stride::drift`], and what its rounding leaves out: for forces that do no work.
+    #[inline(always)]
+    pub(super) fn drift_and_rest<const D: usize>(&self, v: &CompensatedVector<D, R>) -> ([R; D], [R; D]) {
+        let (mut drift, mut left) = ([R::ZERO; D], [R::ZERO; D]);
+        for i in 0..D {
+            let (moved, rest) = exact_product(self.dt, v.hi[i]);
+            (drift[i], left[i]) = two_sum(moved, self.dt.mul_add(v.lo[i], rest));
+        }
+        (drift, left)
+    }
+
     /// v −= (`fall`/`dt`) G, to more digits than that quotient has.
     ///
     /// The position moves by multiples of `fall`. Were the velocity to move by a coefficient that is only nearly fall/dt,
@@ -67,7 +78,8 @@ impl<R: Real> Stride<R> {
 ///
 /// # Reference
 /// T. J. Dekker, Numer. Math. 18 (1971) 224–242; the splitting is Veltkamp's.
-fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
+#[inline(always)]
+pub(crate) fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
     let digits = 1.0 - R::EPSILON.to_f64().log2();
     let splitter = R::from_f64((0.5 * digits).ceil().exp2() + 1.0);
     let halves = |x: R| {

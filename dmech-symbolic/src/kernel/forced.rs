@@ -1,10 +1,11 @@
 //! Programs for laws with a force beside, or in place of, a potential.
 //!
 //! The velocity at the end of a step is eliminated by (v + v′)/2 = Δ/h (Greenspan (2.1)), v′ = v + (2/h)(Δ − h v); its
-//! share of the Jacobian is (2/h) ∂F/∂v.
+//! share of the Jacobian is (2/h) ∂F/∂v. A force that does no work needs the mean velocity Δ/h alone.
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
+use crate::linear;
 use crate::program::Program;
 
 use super::{Variables, correction};
@@ -28,9 +29,8 @@ pub struct ForcedKernels {
     pub kick: Program,
     /// One Newton correction of the trapezoidal step, with the end velocity eliminated.
     pub implicit: Program,
-    /// One Newton correction of the energy-exact step: ∇̄Φ and the mean force, or where the force does no work the force
-    /// at the mean position and mean velocity.
-    pub discrete: Program,
+    /// One Newton correction of the energy-exact step.
+    pub discrete: ForcedStep,
     /// The trapezoidal step is linear in the increment.
     pub implicit_is_linear: bool,
     /// The energy-exact step is linear in the increment.
@@ -39,6 +39,24 @@ pub struct ForcedKernels {
     pub depends_on_velocity: bool,
     /// F·v = 0 for every v: the force turns the velocity and does no work.
     pub workless: bool,
+}
+
+/// One Newton correction of the energy-exact step for a law with a force.
+#[derive(Clone, Debug)]
+pub enum ForcedStep {
+    /// ∇̄Φ and the mean force. Outputs: δ, G + J δ.
+    Mean(Program),
+    /// A force that does no work, at the mean position and mean velocity.
+    ///
+    /// It does none in the step if it is at right angles to the very increment that the velocity follows from. The
+    /// residual is therefore not part of a formula, where g G would be rounded in another way: it is formed of G as
+    /// computed, and given back as `rhs`.
+    Middle {
+        /// G.
+        slope: Program,
+        /// From the residual as `rhs`: δ, J δ.
+        change: Program,
+    },
 }
 
 /// The formulas behind the programs.
@@ -70,7 +88,8 @@ impl ForcedKernels {
         let end = Point::at_end(graph, variables);
         let (implicit, implicit_is_linear) = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
-            forced_correction(graph, &here, variables)
+            let (jacobian, linear) = by_increment(graph, &here, variables);
+            (correction(graph, &here, &jacobian, false, variables), linear)
         };
         let (discrete, discrete_is_linear) = {
             let mut ends = TwoPoints::new(graph, q, a, b);
@@ -89,7 +108,14 @@ impl ForcedKernels {
                     graph.sub(slope, placed)
                 })
                 .collect();
-            forced_correction(graph, &total, variables)
+            let (jacobian, linear) = by_increment(graph, &total, variables);
+            let step = if workless {
+                let change = change(graph, &jacobian, variables);
+                ForcedStep::Middle { slope: Program::schedule(graph, &total), change }
+            } else {
+                ForcedStep::Mean(correction(graph, &total, &jacobian, false, variables))
+            };
+            (step, linear)
         };
         Self {
             force: Program::schedule(graph, force),
@@ -118,13 +144,28 @@ struct Point {
 impl Point {
     /// (q′, v′), with v′ = v + (2/h)(Δ − h v).
     fn at_end(graph: &mut Graph, variables: &Variables) -> Self {
-        let velocity = turned_velocity(graph, variables, 1.0);
-        Self { position: variables.b.iter().map(|&b| graph.symbol(b)).collect(), velocity }
+        let rate = graph.symbol(variables.rate);
+        let Variables { v, b, delta, drift, .. } = variables;
+        let velocity = v
+            .iter()
+            .zip(delta)
+            .zip(drift)
+            .map(|((&v, &delta), &drift)| {
+                let (v, delta, drift) = (graph.symbol(v), graph.symbol(delta), graph.symbol(drift));
+                let turned = graph.sub(delta, drift);
+                let turned = graph.mul(&[rate, turned]);
+                graph.add(&[v, turned])
+            })
+            .collect();
+        Self { position: b.iter().map(|&b| graph.symbol(b)).collect(), velocity }
     }
 
-    /// ((q + q′)/2, (v + v′)/2).
+    /// ((q + q′)/2, Δ/h).
+    ///
+    /// Not (v + v′)/2 by way of v′: the rounding of 2/h would enter as a force of its own, which works in one sense at
+    /// every step. As a factor of the whole velocity it does not matter.
     fn in_the_middle(graph: &mut Graph, variables: &Variables) -> Self {
-        let velocity = turned_velocity(graph, variables, 0.5);
+        let rate = graph.symbol(variables.rate);
         let ends = variables.a.iter().zip(&variables.b);
         let position = ends
             .map(|(&a, &b)| {
@@ -132,7 +173,12 @@ impl Point {
                 graph.mean(a, b)
             })
             .collect();
-        Self { position, velocity }
+        let moved = variables.delta.iter().map(|&delta| {
+            let delta = graph.symbol(delta);
+            let moved = graph.mul(&[rate, delta]);
+            graph.scale(0.5, moved)
+        });
+        Self { velocity: moved.collect(), position }
     }
 
     fn place(&self, graph: &mut Graph, e: Expr, variables: &Variables) -> Expr {
@@ -143,27 +189,10 @@ impl Point {
     }
 }
 
-/// v + share (2/h)(Δ − h v).
-fn turned_velocity(graph: &mut Graph, variables: &Variables, share: f64) -> Vec<Expr> {
-    let rate = graph.symbol(variables.rate);
-    let Variables { v, delta, drift, .. } = variables;
-    v.iter()
-        .zip(delta)
-        .zip(drift)
-        .map(|((&v, &delta), &drift)| {
-            let (v, delta, drift) = (graph.symbol(v), graph.symbol(delta), graph.symbol(drift));
-            let turned = graph.sub(delta, drift);
-            let turned = graph.mul(&[rate, turned]);
-            let turned = graph.scale(share, turned);
-            graph.add(&[v, turned])
-        })
-        .collect()
-}
-
-/// The correction for a force that depends on Δ through the end b = q + Δ and through the end velocity.
+/// J = ∂G/∂Δ of a force that depends on Δ through the end b = q + Δ and through the velocity.
 ///
 /// The second value says whether the equation is linear: then one correction from Δ = 0 solves it.
-fn forced_correction(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Program, bool) {
+fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Vec<Vec<Expr>>, bool) {
     let by_position = calculus::jacobian(graph, force, &variables.b);
     let by_increment = calculus::jacobian(graph, force, &variables.delta);
     let jacobian: Vec<Vec<_>> = by_position
@@ -173,7 +202,22 @@ fn forced_correction(graph: &mut Graph, force: &[Expr], variables: &Variables) -
         .collect();
     let unknowns: Vec<_> = variables.b.iter().chain(&variables.delta).copied().collect();
     let linear = !jacobian.iter().flatten().any(|&e| graph.depends_on(e, &unknowns));
-    (correction(graph, force, &jacobian, false, variables), linear)
+    (jacobian, linear)
+}
+
+/// δ and J δ with (1 + g J) δ = rhs.
+fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
+    let matrix = super::newton_matrix(graph, jacobian, variables);
+    let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
+    let delta = linear::solve(graph, &matrix, &residual, false);
+    let turned: Vec<_> = jacobian
+        .iter()
+        .map(|row| {
+            let terms: Vec<_> = row.iter().zip(&delta).map(|(&j, &delta)| graph.mul(&[j, delta])).collect();
+            graph.add(&terms)
+        })
+        .collect();
+    Program::schedule(graph, &[delta, turned].concat())
 }
 
 /// Whether F·v vanishes identically: decided on the expression, products over sums expanded.

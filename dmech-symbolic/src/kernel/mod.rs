@@ -3,7 +3,7 @@
 mod forced;
 mod pair;
 
-pub use forced::{ForceFormulas, ForcedKernels};
+pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};
 pub use pair::{PairForce, PairKernels, PairLaw, PairPotential, PairVariables, Radial, Separation};
 
 use crate::calculus::{self, TwoPoints};
@@ -204,6 +204,23 @@ fn with_two_derivatives(graph: &mut Graph, f: Expr, symbol: Symbol, name: Symbol
     Program::schedule(graph, &outputs)
 }
 
+/// 1 + g J.
+fn newton_matrix(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Vec<Vec<Expr>> {
+    let n = jacobian.len();
+    let g = graph.symbol(variables.g);
+    let one = graph.one();
+    (0..n)
+        .map(|i| {
+            (0..n)
+                .map(|j| {
+                    let scaled = graph.mul(&[g, jacobian[i][j]]);
+                    if i == j { graph.add(&[one, scaled]) } else { scaled }
+                })
+                .collect()
+        })
+        .collect()
+}
+
 /// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it, G + J δ.
 fn correction(
     graph: &mut Graph,
@@ -214,17 +231,7 @@ fn correction(
 ) -> Program {
     let n = force.len();
     let g = graph.symbol(variables.g);
-    let one = graph.one();
-    let matrix: Vec<Vec<_>> = (0..n)
-        .map(|i| {
-            (0..n)
-                .map(|j| {
-                    let scaled = graph.mul(&[g, jacobian[i][j]]);
-                    if i == j { graph.add(&[one, scaled]) } else { scaled }
-                })
-                .collect()
-        })
-        .collect();
+    let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = (0..n)
         .map(|i| {
             let (rhs, delta) = (graph.symbol(variables.rhs[i]), graph.symbol(variables.delta[i]));

@@ -1,18 +1,37 @@
 //! Branches, loops, statements, and code that is no formula.
 
 use quote::ToTokens;
-use syn::{Error, Ident, Macro};
+use syn::{Error, Ident, Macro, Token};
 
-use crate::diagnostics::{at, text};
+use crate::diagnostics::{at, counted, text};
 use crate::lower::Excess;
 
-pub(crate) fn no_result(name: &Ident) -> Error {
-    at(name, "the potential must end with its value; leave away the `;` behind the last expression")
+/// The value is missing, or thrown away by a `;` behind it.
+pub(crate) fn no_result(name: &Ident, semicolon: Option<&Token![;]>) -> Error {
+    match semicolon {
+        Some(semicolon) => at(
+            semicolon,
+            format!("this `;` throws the value of `{name}` away; remove it, so that the value comes last"),
+        ),
+        None => at(name, format!("`{name}` has no value; write it as the last expression, without `;` behind it")),
+    }
+}
+
+/// A force with more or fewer components than the position.
+pub(crate) fn wrong_components(e: &impl ToTokens, name: &Ident, found: usize, expected: usize) -> Error {
+    at(e, format!("this has {}, and `{name}` returns {expected}, one for each coordinate", counted(found, "component")))
+}
+
+/// A force whose value is one number, or anything else without components.
+pub(crate) fn expected_components(e: &impl ToTokens, name: &Ident, n: usize, is_vector: bool, found: &str) -> Error {
+    let form =
+        if is_vector { format!("a vector with {}", counted(n, "component")) } else { format!("an array of {n}") };
+    at(e, format!("`{name}` returns {form}, one component for each coordinate; this is {found}"))
 }
 
 /// What is said where nothing better is known.
 pub(crate) fn not_understood(name: &Ident) -> Error {
-    at(name, "this potential cannot be read; write its value as one formula")
+    at(name, format!("`{name}` cannot be read; write its value as one formula"))
 }
 
 pub(crate) fn early_return(e: &impl ToTokens) -> Error {
@@ -40,7 +59,11 @@ pub(crate) fn match_expression(token: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn if_let(token: &impl ToTokens) -> Error {
-    at(token, "a branch is chosen by a comparison; write `if x < 0.0 { … } else { … }`")
+    at(
+        token,
+        "`if let` cannot be differentiated; choose by a comparison, `if x < 0.0 { … } else { … }`, and take arrays to pieces with \
+         `let [x, y] = q;`",
+    )
 }
 
 pub(crate) fn let_else(token: &impl ToTokens) -> Error {
@@ -83,17 +106,23 @@ pub(crate) fn inner_function(name: &Ident) -> Error {
 }
 
 pub(crate) fn inner_item(item: &impl ToTokens) -> Error {
-    at(item, "the body of a potential is a formula; move this item out of it")
+    at(item, "the body of a law is a formula; move this item out of it")
 }
 
 pub(crate) fn macro_call(call: &Macro) -> Error {
     let name = text(&call.path);
     let message = match name.as_str() {
         "println" | "print" | "eprintln" | "eprint" | "dbg" => {
-            format!("a potential prints nothing; `{name}!` belongs in the program that runs it")
+            format!("a law prints nothing; `{name}!` belongs in the program that runs it")
         }
         "assert" | "debug_assert" | "assert_eq" | "panic" | "todo" | "unimplemented" | "unreachable" => {
-            format!("a potential cannot fail; check parameters where the law is made, without `{name}!`")
+            format!("a law cannot fail; check parameters where the law is made, without `{name}!`")
+        }
+        "vec" => {
+            let elements = text(&call.tokens);
+            let is_list = !elements.ends_with('…') && !elements.contains(';');
+            let array = if is_list { format!("[{elements}]") } else { "[a, b]".into() };
+            format!("how long a `Vec` is, is not known when the macro runs; write an array, `{array}`")
         }
         _ => format!("what `{name}!` expands to cannot be seen here; write the formula out"),
     };
@@ -112,7 +141,7 @@ pub(crate) fn not_a_formula(e: &impl ToTokens, what: &str) -> Error {
     at(
         e,
         format!(
-            "{what} cannot be differentiated; a potential is made of numbers, `let`, arithmetic, `if` on comparisons, \
+            "{what} cannot be differentiated; a law is made of numbers, `let`, arithmetic, `if` on comparisons, \
              constant loops and the functions of `f64`"
         ),
     )
@@ -133,13 +162,13 @@ pub(crate) fn excess(e: &impl ToTokens, excess: Excess) -> Error {
         }
         Excess::Terms => "the sums of this law unroll into too many terms; shorten its loops",
         Excess::Size => {
-            "this potential unrolls into more than 4000 expressions, too many to be differentiated; shorten its loops"
+            "this law unrolls into more than 4000 expressions, too many to be differentiated; shorten its loops"
         }
         Excess::Height | Excess::Tower => {
-            "this potential applies function to function too many times to be differentiated, probably in a loop"
+            "this law applies function to function too many times to be differentiated, probably in a loop"
         }
         Excess::Choices => {
-            "too many choices of this potential (`if`, `min`, `max`, `abs`) depend on each other to be differentiated; let \
+            "too many choices of this law (`if`, `min`, `max`, `abs`) depend on each other to be differentiated; let \
              each `if` add its own term to a sum"
         }
     };

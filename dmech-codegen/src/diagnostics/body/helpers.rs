@@ -5,7 +5,10 @@ use syn::{Error, Ident};
 
 use crate::diagnostics::{at, text};
 
-pub(crate) fn unknown_helper(name: &Ident, law: &str) -> Error {
+pub(crate) fn unknown_helper(name: &Ident, law: &str, near: Option<&str>) -> Error {
+    if let Some(near) = near {
+        return at(name, format!("`{name}` is not a method of this block; did you mean `{near}`?"));
+    }
     at(
         name,
         format!(
@@ -33,7 +36,7 @@ pub(crate) fn unfit_helper(name: &Ident) -> Error {
 }
 
 pub(crate) fn changing_helper(name: &Ident) -> Error {
-    at(name, format!("`{name}` takes `&mut self`; a potential changes nothing, let the helper take `&self`"))
+    at(name, format!("`{name}` takes `&mut self`; a law changes nothing, let the helper take `&self`"))
 }
 
 pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {

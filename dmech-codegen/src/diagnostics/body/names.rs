@@ -4,10 +4,14 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Error;
 
-use crate::diagnostics::{at, text};
+use crate::diagnostics::{at, counted, nearest, text};
+use crate::model::{Kind, KnownArgument, Model};
 
-pub(crate) fn unknown_name(name: &Ident, has_position: bool) -> Error {
-    let declared = if has_position { "; declared coordinates: `q`" } else { "" };
+pub(crate) fn unknown_name(name: &Ident, place: Option<&str>, near: Option<&str>) -> Error {
+    if let Some(near) = near {
+        return at(name, format!("`{name}` is not known here; did you mean `{near}`?"));
+    }
+    let declared = place.map_or_else(String::new, |place| format!("; declared coordinates: `{place}`"));
     let hint = if looks_constant(name) {
         format!("A constant belongs in this block, `const {name}: f64 = …;`, and is called `Self::{name}`")
     } else {
@@ -16,7 +20,10 @@ pub(crate) fn unknown_name(name: &Ident, has_position: bool) -> Error {
     at(name, format!("`{name}` is neither a coordinate nor a parameter{declared}. {hint}"))
 }
 
-pub(crate) fn unknown_in_helper(name: &Ident) -> Error {
+pub(crate) fn unknown_in_helper(name: &Ident, near: Option<&str>) -> Error {
+    if let Some(near) = near {
+        return at(name, format!("`{name}` is not known in this helper; did you mean `{near}`?"));
+    }
     let hint = if looks_constant(name) {
         format!("A constant belongs in this block, `const {name}: f64 = …;`, and is called `Self::{name}`")
     } else {
@@ -29,18 +36,24 @@ fn looks_constant(name: &Ident) -> bool {
     name.to_string().chars().all(|c| c.is_uppercase() || c.is_ascii_digit() || c == '_')
 }
 
-pub(crate) fn undeclared_argument(name: &Ident, meaning: &str) -> Error {
+pub(crate) fn undeclared_argument(name: &Ident, known: &KnownArgument, of: &Ident, law: &Model) -> Error {
+    let ty = match known.kind {
+        Kind::Vector if law.dimension == 0 => "[f64; D]".into(),
+        Kind::Vector if law.dimension > 1 => format!("[f64; {}]", law.dimension),
+        Kind::Data => match law.pair.as_ref().and_then(|pair| pair.data.as_ref()) {
+            Some(data) => format!("&{}", text(data)),
+            None => "&P".into(),
+        },
+        Kind::Vector | Kind::Number => "f64".into(),
+    };
     at(
         name,
         format!(
-            "`{name}` is not declared; for the {meaning}, add `{name}: f64` to the arguments of the potential, for a \
-             parameter of the law write `self.{name}`"
+            "`{name}` is not declared; for the {}, add `{name}: {ty}` to the arguments of `{of}`, for a parameter of the law \
+             write `self.{name}`",
+            known.meaning
         ),
     )
-}
-
-pub(crate) fn velocity(name: &Ident) -> Error {
-    at(name, "a potential does not depend on the velocity; `v` has no meaning in it")
 }
 
 pub(crate) fn const_parameter(name: &Ident) -> Error {
@@ -68,7 +81,10 @@ pub(crate) fn foreign_constant(e: &impl ToTokens, path: &str) -> Error {
     )
 }
 
-pub(crate) fn unknown_constant(name: &Ident, law: &str) -> Error {
+pub(crate) fn unknown_constant(name: &Ident, law: &str, near: Option<&str>) -> Error {
+    if let Some(near) = near {
+        return at(name, format!("`{name}` is not a constant of this block; did you mean `Self::{near}`?"));
+    }
     at(
         name,
         format!(
@@ -78,12 +94,22 @@ pub(crate) fn unknown_constant(name: &Ident, law: &str) -> Error {
 }
 
 pub(crate) fn unset_variable(name: &Ident) -> Error {
-    at(name, format!("`{name}` has no value yet, at least not in every branch before this"))
+    at(
+        name,
+        format!(
+            "`{name}` has no value yet, at least not in every branch before this; give it one where it is declared"
+        ),
+    )
 }
 
-pub(crate) fn unknown_field(member: &impl ToTokens, declared: &str) -> Error {
-    let declared = if declared.is_empty() { "it has none".to_owned() } else { format!("declared: {declared}") };
-    at(member, format!("`{}` is not a parameter of this law; {declared}", text(member)))
+pub(crate) fn unknown_field(member: &impl ToTokens, declared: &[&str]) -> Error {
+    let name = text(member);
+    let hint = match nearest(&name, declared.iter().copied()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if declared.is_empty() => "it has none".into(),
+        None => format!("declared: `{}`", declared.join("`, `")),
+    };
+    at(member, format!("`{name}` is not a parameter of this law; {hint}"))
 }
 
 pub(crate) fn no_field(member: &impl ToTokens, base: &impl ToTokens, found: &str) -> Error {
@@ -113,8 +139,7 @@ pub(crate) fn pattern_mismatch(pattern: &impl ToTokens, found: &str, is_vector: 
 }
 
 pub(crate) fn wrong_count(pattern: &impl ToTokens, names: usize, values: usize) -> Error {
-    let plural = if names == 1 { "" } else { "s" };
-    at(pattern, format!("this pattern has {names} part{plural} and the value has {values}"))
+    at(pattern, format!("this pattern has {} and the value has {values}", counted(names, "part")))
 }
 
 pub(crate) fn not_a_place(e: &impl ToTokens) -> Error {

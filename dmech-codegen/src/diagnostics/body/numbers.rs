@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Error;
 
-use crate::diagnostics::{at, text};
+use crate::diagnostics::{at, counted, nearest, text};
 
 /// `2` where `2.0` is meant, or a variable that holds an integer.
 pub(crate) fn integer(e: &dyn ToTokens) -> Error {
@@ -32,7 +32,20 @@ pub(crate) fn integer(e: &dyn ToTokens) -> Error {
 }
 
 pub(crate) fn expected_number(e: &dyn ToTokens, found: &str) -> Error {
-    at(&e.to_token_stream(), format!("a number is expected here, this is {found}"))
+    let e = e.to_token_stream();
+    let hint = reduction(&e, found).map(|hint| format!("; write {hint}")).unwrap_or_default();
+    at(&e, format!("a number is expected here, this is {found}{hint}"))
+}
+
+/// How one number is made of several.
+fn reduction(e: &impl ToTokens, found: &str) -> Option<String> {
+    let whole = text(e);
+    let whole = if whole.contains([' ', '…']) { "x".into() } else { whole };
+    if found.starts_with("a vector") {
+        Some(format!("a component, `{whole}.x`, or the length, `{whole}.norm()`"))
+    } else {
+        found.starts_with("an array").then(|| format!("a component, `{whole}[0]`"))
+    }
 }
 
 pub(crate) fn expected_integer(e: &dyn ToTokens, found: &str) -> Error {
@@ -72,8 +85,8 @@ pub(crate) fn number_too_large(e: &impl ToTokens) -> Error {
     at(e, "this number is out of range")
 }
 
-pub(crate) fn not_a_number(e: &impl ToTokens) -> Error {
-    at(e, "a formula is made of numbers; this is none")
+pub(crate) fn not_a_number(e: &impl ToTokens, what: &str) -> Error {
+    at(e, format!("a law is made of numbers, and this is {what}; leave it away"))
 }
 
 pub(crate) fn single_precision_literal(e: &impl ToTokens) -> Error {
@@ -93,7 +106,7 @@ pub(crate) fn division_by_zero(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn remainder(e: &impl ToTokens) -> Error {
-    at(e, "the remainder jumps, so that a potential with it has no force; for a periodic law write `sin` or `cos`")
+    at(e, "the remainder jumps and cannot be differentiated; for a periodic law write `sin` or `cos`")
 }
 
 pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
@@ -104,30 +117,44 @@ pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
     at(op, format!("`{}` works on bits, not on numbers; {instead}", text(op)))
 }
 
-pub(crate) fn no_such_operation(e: &impl ToTokens, sign: &str, left: &str, right: &str) -> Error {
+/// `left ∘ right` where there is no such operation.
+pub(crate) fn no_such_operation(
+    e: &syn::Expr,
+    sign: &str,
+    left: (&syn::Expr, &str),
+    right: (&syn::Expr, &str),
+) -> Error {
+    let ((left_at, left), (right_at, right)) = (left, right);
+    let is_vector = |found: &str| found.starts_with("a vector");
     let with_array = [left, right].iter().any(|side| side.starts_with("an array"));
-    let hint = match (with_array, left == right && left.starts_with("a vector")) {
-        (true, _) => "; arrays have no arithmetic, write it for each component or use nalgebra's vectors",
-        (_, true) => "; write `dot`, `cross` or `component_mul`",
-        _ => "",
+    let several = if is_vector(left) { (left_at, left) } else { (right_at, right) };
+    let hint = match (with_array, is_vector(left) && is_vector(right)) {
+        (true, _) => "; arrays have no arithmetic, write it for each component or use nalgebra's vectors".into(),
+        (_, true) if left == right => "; write `dot`, `cross` or `component_mul`".into(),
+        (_, true) => String::new(),
+        _ => reduction(several.0, several.1).map(|hint| format!("; write {hint}")).unwrap_or_default(),
     };
     at(e, format!("`{sign}` is not defined between {left} and {right}{hint}"))
 }
 
 pub(crate) fn cast_to_integer(e: &impl ToTokens) -> Error {
-    at(e, "rounding to an integer jumps, so that a potential with it has no force; keep the number as `f64`")
+    at(e, "rounding to an integer jumps and cannot be differentiated; keep the number as `f64`")
 }
 
 pub(crate) fn cast(e: &impl ToTokens, found: &str) -> Error {
     at(e, format!("only integers and numbers can be cast, to `f64` or to an integer type; this is {found}"))
 }
 
+/// The functions of numbers that a law can use.
+const FUNCTIONS: &str = "sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 \
+                         sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum";
+
 /// A method that numbers do not have, or that has no derivative.
 pub(crate) fn unknown_function(name: &Ident) -> Error {
     let text = name.to_string();
     let message = match text.as_str() {
         "floor" | "ceil" | "round" | "trunc" | "fract" | "round_ties_even" | "rem_euclid" | "div_euclid" => {
-            format!("`{text}` jumps, so that a potential with it has no force; use a continuous function")
+            format!("`{text}` jumps and cannot be differentiated; use a continuous function")
         }
         "pow" => "numbers have `powi` for integer exponents and `powf` for others: `x.powi(2)`, `x.powf(1.5)`".into(),
         "square" | "squared" | "sq" => format!("`{text}` is not a function of `f64`; write `powi(2)` or `x * x`"),
@@ -136,18 +163,21 @@ pub(crate) fn unknown_function(name: &Ident) -> Error {
         | "total_cmp" | "partial_cmp" => {
             format!("`{text}` looks at how a number is stored; a law compares numbers: `x < 0.0`")
         }
-        _ => format!(
-            "`{text}` is not among the functions that can be differentiated: sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p \
-             log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot abs recip mul_add \
-             min max clamp signum"
-        ),
+        "norm" | "dot" | "cross" => {
+            format!(
+                "numbers have no `{text}`; write `abs`, or take nalgebra's vector as the position: `q: SVector<f64, 2>`"
+            )
+        }
+        _ => match nearest(&text, FUNCTIONS.split(' ')) {
+            Some(near) => format!("`{text}` is not a function of numbers; did you mean `{near}`?"),
+            None => format!("`{text}` is not among the functions that can be differentiated: {FUNCTIONS}"),
+        },
     };
     at(name, message)
 }
 
 pub(crate) fn wrong_arguments(name: &Ident, expected: usize, given: usize) -> Error {
-    let plural = if expected == 1 { "" } else { "s" };
-    at(name, format!("`{name}` takes {expected} argument{plural} here, not {given}"))
+    at(name, format!("`{name}` takes {} here, not {given}", counted(expected, "argument")))
 }
 
 pub(crate) fn power_exponent(e: &impl ToTokens, found: &str) -> Error {
@@ -166,9 +196,9 @@ pub(crate) fn integer_exponent(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn exponent_too_large(e: &impl ToTokens, most: i32) -> Error {
-    at(e, format!("this power is larger than {most}, beyond any use in a potential"))
+    at(e, format!("this power is larger than {most}, beyond any use in a law"))
 }
 
 pub(crate) fn not_finite(e: &impl ToTokens, name: &str) -> Error {
-    at(e, format!("a potential is finite; `{name}` has no place in it"))
+    at(e, format!("a law is finite; `{name}` has no place in it"))
 }

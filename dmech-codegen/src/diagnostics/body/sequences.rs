@@ -3,7 +3,7 @@
 use quote::ToTokens;
 use syn::{Error, Ident};
 
-use crate::diagnostics::{at, text};
+use crate::diagnostics::{at, nearest, text};
 
 pub(crate) fn index_not_known(e: &impl ToTokens, found: &str) -> Error {
     at(e, format!("an index is a literal, a constant of this block or a loop index; this is {found}"))
@@ -78,6 +78,10 @@ pub(crate) fn filter(name: &Ident) -> Error {
 }
 
 pub(crate) fn unknown_array_function(name: &Ident) -> Error {
+    let known = ["iter", "map", "len", "windows"];
+    if let Some(near) = nearest(&name.to_string(), known) {
+        return at(name, format!("`{name}` cannot be read; did you mean `{near}`?"));
+    }
     at(name, format!("`{name}` cannot be read; of an array a law can use an index, `iter`, `map`, `len` and `windows`"))
 }
 
@@ -91,6 +95,11 @@ pub(crate) fn vector_function_of_array(name: &Ident, length: usize) -> Error {
 }
 
 pub(crate) fn unknown_iterator_function(name: &Ident) -> Error {
+    let known =
+        ["map", "sum", "product", "fold", "zip", "enumerate", "rev", "chain", "flat_map", "skip", "take", "step_by"];
+    if let Some(near) = nearest(&name.to_string(), known) {
+        return at(name, format!("`{name}` cannot be read; did you mean `{near}`?"));
+    }
     at(
         name,
         format!(

@@ -3,9 +3,25 @@
 use quote::ToTokens;
 use syn::{Error, Ident};
 
-use crate::diagnostics::{at, text};
+use crate::diagnostics::{at, counted, nearest, text};
 
 pub(crate) fn unknown_vector_function(name: &Ident) -> Error {
+    let known = [
+        "norm",
+        "norm_squared",
+        "dot",
+        "cross",
+        "normalize",
+        "metric_distance",
+        "component_mul",
+        "component_div",
+        "sum",
+        "map",
+        "iter",
+    ];
+    if let Some(near) = nearest(&name.to_string(), known) {
+        return at(name, format!("`{name}` cannot be read; did you mean `{near}`?"));
+    }
     at(
         name,
         format!(
@@ -16,7 +32,7 @@ pub(crate) fn unknown_vector_function(name: &Ident) -> Error {
 }
 
 pub(crate) fn no_component(name: &Ident, dimension: usize) -> Error {
-    at(name, format!("a vector with {dimension} components has no component `{name}`"))
+    at(name, format!("a vector with {} has no component `{name}`", counted(dimension, "component")))
 }
 
 pub(crate) fn expected_vector(e: &impl ToTokens, found: &str) -> Error {
@@ -28,7 +44,7 @@ pub(crate) fn expected_array(e: &impl ToTokens, found: &str) -> Error {
 }
 
 pub(crate) fn dimensions_differ(e: &impl ToTokens, left: usize, right: usize) -> Error {
-    at(e, format!("this vector has {right} components, the other {left}"))
+    at(e, format!("this vector has {}, the other {left}", counted(right, "component")))
 }
 
 pub(crate) fn cross_product(name: &Ident, dimension: usize) -> Error {

@@ -1,6 +1,7 @@
 //! Lowering is held against the compiler: the same text is compiled as Rust and lowered, and both give one value.
 //! Refusals are held to their words and to the piece of the user's text that they point at.
 
+mod consequences;
 mod constructs;
 mod functions;
 mod limits;
@@ -28,7 +29,7 @@ pub(super) fn lower_derive(text: &str) -> Result<Lowered, Vec<syn::Error>> {
 }
 
 fn lower_parsed(parsed: Parsed) -> Result<Lowered, Vec<syn::Error>> {
-    parsed.model.and_then(|model| super::lower(&model))
+    parsed.model.and_then(|model| super::lower(&model)).map_err(|mistakes| mistakes.errors)
 }
 
 /// A law of D coordinates with this body: `impl Law { #[potential] fn energy(&self, q: [f64; D]) -> f64 { … } }`.

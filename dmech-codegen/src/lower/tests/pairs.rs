@@ -71,26 +71,30 @@ fn bodies() {
         "a.«strength»() / r",
         "`strength` is a method of the data, which the macro cannot see; read the fields themselves (`a.q`), or write a helper in this block that takes the numbers",
     );
-    refused("r: f64", "«ma» / r", "the mass `ma` is read here and not declared; add it to the arguments: `ma: f64`");
+    refused(
+        "r: f64",
+        "«ma» / r",
+        "`ma` is not declared; for the mass of a, add `ma: f64` to the arguments of `energy`, for a parameter of the law write `self.ma`",
+    );
     refused(
         "d: f64",
         "1.0 / «r» + d",
-        "the distance `r` is read here and not declared; add it to the arguments: `r: f64`",
+        "the distance `r` is the length of the separation `d`; name one of the two and compute the other from it",
     );
     refused(
         "d: f64",
         "d * «va»",
-        "the velocity `va` is read here and not declared; add it to the arguments: `va: [f64; D]`; only a `#[pair_force]` can have it",
+        "a pair potential does not depend on the velocity `va`; what depends on it is a `#[pair_force]`",
     );
-    refused("r: f64", "r * «m»", "there are two masses, `ma` and `mb`; add them to the arguments");
+    refused("r: f64", "r * «m»", "`m` belongs to a law of one body, and here there are two: write `ma` and `mb`");
     refused(
         "r: f64",
         "r * «q»",
-        "there are two positions; a law between bodies sees their difference, `d`, or its length, `r`",
+        "`q` belongs to a law of one body, and here there are two: write the distance `r: f64`, or the separation `d: [f64; D]`, which is q_a − q_b",
     );
     refused(
         "r: f64, b: &Charge",
         "r * «a».q * b.q",
-        "the data `a` is read here and not declared; add it to the arguments: `a: &P`",
+        "`a` is not declared; for the data of a, add `a: &Charge` to the arguments of `energy`, for a parameter of the law write `self.a`",
     );
 }

@@ -76,12 +76,12 @@ fn numbers_that_are_none() {
     refused("let x: «f32» = q[0]; x", &["write `f64`; the generated code runs in `f32` and other scalars as well"]);
     refused(
         "«q[0] as i32» as f64",
-        &["rounding to an integer jumps, so that a potential with it has no force; keep the number as `f64`"],
+        &["rounding to an integer jumps and cannot be differentiated; keep the number as `f64`"],
     );
     refused("«q[0] > 0.0»", &["a number is expected here, this is a condition"]);
     refused("«1e999» * q[0]", &["this number is out of range"]);
-    refused("«f64::NAN» * q[0]", &["a potential is finite; `NAN` has no place in it"]);
-    refused("1.0 + «\"a\"»", &["a formula is made of numbers; this is none"]);
+    refused("«f64::NAN» * q[0]", &["a law is finite; `NAN` has no place in it"]);
+    refused("1.0 + «\"a\"»", &["a law is made of numbers, and this is text; leave it away"]);
     refused("q[0] / «0.0»", &["this divides by zero"]);
     refused("q[0].powi(«7 / 0»)", &["this integer has no value: it is out of range, or divides by zero"]);
     refused("q[0] * «300 as u8» as f64", &["this integer has no value: it is out of range, or divides by zero"]);
@@ -92,13 +92,13 @@ fn functions_without_a_derivative() {
     refused(
         "q[0].«floor»() + q[1].«rem_euclid»(1.0)",
         &[
-            "`floor` jumps, so that a potential with it has no force; use a continuous function",
-            "`rem_euclid` jumps, so that a potential with it has no force; use a continuous function",
+            "`floor` jumps and cannot be differentiated; use a continuous function",
+            "`rem_euclid` jumps and cannot be differentiated; use a continuous function",
         ],
     );
     refused(
         "«q[0] % 2.0»",
-        &["the remainder jumps, so that a potential with it has no force; for a periodic law write `sin` or `cos`"],
+        &["the remainder jumps and cannot be differentiated; for a periodic law write `sin` or `cos`"],
     );
     refused(
         "q[0].«pow»(2)",
@@ -132,7 +132,7 @@ fn functions_without_a_derivative() {
         ],
     );
     refused("q[0].powf(«2»)", &["`powf` takes a number; write `powi(2)`, or the exponent with a decimal point"]);
-    refused("«q[0].powi(100000)»", &["this power is larger than 4096, beyond any use in a potential"]);
+    refused("«q[0].powi(100000)»", &["this power is larger than 4096, beyond any use in a law"]);
     refused(
         "q[0].«sqrt»(1.0) + q[1].«clamp»(0.0)",
         &["`sqrt` takes 0 arguments here, not 1", "`clamp` takes 2 arguments here, not 1"],
@@ -159,16 +159,16 @@ fn names() {
     refused(
         "«m» * q[0]",
         &[
-            "`m` is not declared; for the mass of the particle, add `m: f64` to the arguments of the potential, for a parameter of the law write `self.m`",
+            "`m` is not declared; for the mass, add `m: f64` to the arguments of `energy`, for a parameter of the law write `self.m`",
         ],
     );
     refused(
         "«t» * q[0]",
         &[
-            "`t` is not declared; for the time, add `t: f64` to the arguments of the potential, for a parameter of the law write `self.t`",
+            "`t` is not declared; for the time, add `t: f64` to the arguments of `energy`, for a parameter of the law write `self.t`",
         ],
     );
-    refused("«v»[0]", &["a potential does not depend on the velocity; `v` has no meaning in it"]);
+    refused("«v»[0]", &["a potential does not depend on the velocity `v`; what depends on it is a `#[force]`"]);
     refused(
         "«crate::G» * q[0]",
         &[
@@ -179,10 +179,13 @@ fn names() {
         "Self::«G» * q[0]",
         &["`G` is not a constant of this block; declare it beside the potential: `impl Law { const G: f64 = …; }`"],
     );
-    refused("let x; «x» + q[0]", &["`x` has no value yet, at least not in every branch before this"]);
+    refused(
+        "let x; «x» + q[0]",
+        &["`x` has no value yet, at least not in every branch before this; give it one where it is declared"],
+    );
     refused(
         "let x; if q[0] > 0.0 { x = 1.0; } «x»",
-        &["`x` has no value yet, at least not in every branch before this"],
+        &["`x` has no value yet, at least not in every branch before this; give it one where it is declared"],
     );
     refused(
         "«z».k",
@@ -221,7 +224,7 @@ fn names() {
 
 #[test]
 fn arrays_and_indices() {
-    refused("«q»", &["a number is expected here, this is an array of 2"]);
+    refused("«q»", &["a number is expected here, this is an array of 2; write a component, `q[0]`"]);
     refused(
         "«q + q»",
         &[
@@ -295,11 +298,8 @@ fn patterns() {
         ],
     );
     refused(
-        "let «[x]» = q «else» { return 0.0 }; x",
-        &[
-            "this pattern has 1 part and the value has 2",
-            "`let … else` has no use in a formula; bind names, arrays and tuples of names",
-        ],
+        "let [x] = q «else» { return 0.0 }; x",
+        &["`let … else` has no use in a formula; bind names, arrays and tuples of names"],
     );
     refused(
         "let «ref x» = q; x[0]",
@@ -363,7 +363,9 @@ fn branches() {
     refused("!«q[0]»", &["a condition is expected here, this is a number; compare it with something: `x < 0.0`"]);
     refused(
         "if «let» 1.0 = q[0] { 1.0 } else { 0.0 }",
-        &["a branch is chosen by a comparison; write `if x < 0.0 { … } else { … }`"],
+        &[
+            "`if let` cannot be differentiated; choose by a comparison, `if x < 0.0 { … } else { … }`, and take arrays to pieces with `let [x, y] = q;`",
+        ],
     );
     refused(
         "«match» q[0] { _ => 1.0 }",
@@ -392,8 +394,8 @@ fn branches() {
 #[test]
 fn statements() {
     refused_block(
-        "impl Law { #[potential] fn «energy»(&self, q: f64) -> f64 { q; } }",
-        &["the potential must end with its value; leave away the `;` behind the last expression"],
+        "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { q«;» } }",
+        &["this `;` throws the value of `energy` away; remove it, so that the value comes last"],
     );
     refused(
         "if q[0] > 0.0 { «return 1.0»; } q[0]",
@@ -422,9 +424,9 @@ fn statements() {
     refused("«'a:» for i in 0..2 { } 0.0", &["labels have no use here, since nothing can jump to them; leave it away"]);
     refused(
         "«assert!(q[0] > 0.0)»; q[0]",
-        &["a potential cannot fail; check parameters where the law is made, without `assert!`"],
+        &["a law cannot fail; check parameters where the law is made, without `assert!`"],
     );
-    refused("«println!(\"x\")»; q[0]", &["a potential prints nothing; `println!` belongs in the program that runs it"]);
+    refused("«println!(\"x\")»; q[0]", &["a law prints nothing; `println!` belongs in the program that runs it"]);
     refused("«sum!(q)»", &["what `sum!` expands to cannot be seen here; write the formula out"]);
     refused(
         "«#[cfg(test)]» let x = 1.0; q[0]",
@@ -434,7 +436,7 @@ fn statements() {
         "«#[cfg(test)]» { 1.0; } q[0]",
         &["whether this holds is not known when the macro runs; write one `impl` block for each case"],
     );
-    refused("«struct P;» q[0]", &["the body of a potential is a formula; move this item out of it"]);
+    refused("«struct P;» q[0]", &["the body of a law is a formula; move this item out of it"]);
     refused(
         "«5.0» = q[0]; q[1]",
         &["only a variable declared with `let mut`, or an element of one, can be assigned to"],
@@ -451,19 +453,19 @@ fn statements() {
     refused(
         "«unsafe» { q[0] }",
         &[
-            "an `unsafe` block cannot be differentiated; a potential is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
+            "an `unsafe` block cannot be differentiated; a law is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
         ],
     );
     refused(
         "«async» { q[0] }",
         &[
-            "an `async` block cannot be differentiated; a potential is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
+            "an `async` block cannot be differentiated; a law is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
         ],
     );
     refused(
         "q[0]«?»",
         &[
-            "the operator `?` cannot be differentiated; a potential is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
+            "the operator `?` cannot be differentiated; a law is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
         ],
     );
     refused(
@@ -473,7 +475,7 @@ fn statements() {
     refused(
         "<«f64» as Trait>::K * q[0]",
         &[
-            "a path through a trait cannot be differentiated; a potential is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
+            "a path through a trait cannot be differentiated; a law is made of numbers, `let`, arithmetic, `if` on comparisons, constant loops and the functions of `f64`",
         ],
     );
 }
@@ -536,7 +538,7 @@ fn helpers() {
         &[
             "which `h` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once",
             "which `K` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once",
-            "`k` takes `&mut self`; a potential changes nothing, let the helper take `&self`",
+            "`k` takes `&mut self`; a law changes nothing, let the helper take `&self`",
             "`u` is `async` or `unsafe`; a helper is a plain `fn`",
         ],
     );
@@ -563,7 +565,7 @@ fn vectors() {
         "impl Law { #[potential] fn energy(&self, q: Vector2<f64>) -> f64 { («q * q»).x + («1.0 + q»).x + «self.c».norm() + («q + Vector3::zeros()»).x + q.dot(«&Vector3::zeros()») } }",
         &[
             "`*` is not defined between a vector with 2 components and a vector with 2 components; write `dot`, `cross` or `component_mul`",
-            "`+` is not defined between a number and a vector with 2 components",
+            "`+` is not defined between a number and a vector with 2 components; write a component, `q.x`, or the length, `q.norm()`",
             "how many components `self.c` has cannot be seen from the impl block; bind it with its type: `let c: Vector2<f64> = self.c;`",
             "`+` is not defined between a vector with 2 components and a vector with 3 components",
             "this vector has 3 components, the other 2",
@@ -581,7 +583,9 @@ fn vectors() {
     );
     refused_block(
         "impl Law { #[potential] fn energy(&self, q: Vector2<f64>) -> f64 { «q» } }",
-        &["a number is expected here, this is a vector with 2 components"],
+        &[
+            "a number is expected here, this is a vector with 2 components; write a component, `q.x`, or the length, `q.norm()`",
+        ],
     );
 }
 
@@ -594,7 +598,7 @@ fn everything_in_one_run() {
             "`2` is an integer and a number is expected here; write `2.0`",
             "5 is out of range: there are 2 components, 0 to 1",
             "`w` is neither a coordinate nor a parameter; declared coordinates: `q`. A parameter is a field of the law: `self.w`",
-            "`floor` jumps, so that a potential with it has no force; use a continuous function",
+            "`floor` jumps and cannot be differentiated; use a continuous function",
         ],
     );
     refused(

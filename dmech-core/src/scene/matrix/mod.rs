@@ -2,6 +2,7 @@
 
 mod chain;
 mod dense;
+mod series;
 #[cfg(feature = "sparse")]
 mod sparse;
 

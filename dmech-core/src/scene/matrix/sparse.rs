@@ -5,13 +5,15 @@ use faer::sparse::linalg::lu::{LuRef, NumericLu, SymbolicLu, factorize_symbolic_
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, MatMut, Par};
 
+use super::series::{SMALL, Series};
 use crate::scene::vectors::Vectors;
 
 /// J in compressed columns (coordinates in the order of [`Vectors`]), and the LU factors of 1 + g J.
 ///
 /// The pattern never changes: which columns are eliminated first, so that few zeros fill up, is found once (COLAMD, by
-/// faer), and the room for the factors is kept. Rows are exchanged by size in each factorisation, so it is as stable as
-/// the dense one. Everything runs in one thread, in one order: results do not depend on the number of cores.
+/// faer), and the room for the factors is kept; it grows where an exchange of rows fills up more. Rows are exchanged by
+/// size in each factorisation, so it is as stable as the dense one. Where g J is small its power series is summed, without
+/// factors. Everything runs in one thread, in one order: results do not depend on the number of cores.
 #[derive(Clone, Debug)]
 pub struct SparseMatrix<const D: usize> {
     /// The bodies linked to body b, b itself among them, ascending: `linked[first[b]..first[b + 1]]`.
@@ -19,8 +21,10 @@ pub struct SparseMatrix<const D: usize> {
     linked: Vec<usize>,
     pattern: SymbolicSparseColMat<usize>,
     jacobian: Vec<f64>,
-    /// 1 + g J.
+    /// 1 + g J, or −g J if that is small.
     values: Vec<f64>,
+    small: bool,
+    series: Series,
     symbolic: SymbolicLu<usize>,
     factors: NumericLu<usize, f64>,
     /// Whether `factors` holds any: faer has no empty ones of the right size.
@@ -60,6 +64,8 @@ impl<const D: usize> SparseMatrix<D> {
             pattern,
             jacobian: vec![0.0; entries],
             values: vec![0.0; entries],
+            small: false,
+            series: Series::new(n),
             symbolic,
             factors: NumericLu::new(),
             factorised: false,
@@ -91,22 +97,26 @@ impl<const D: usize> SparseMatrix<D> {
     }
 
     pub(super) fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
-        let (columns, rows) = (self.pattern.col_ptr(), self.pattern.row_idx());
-        let y = y.flat_mut();
-        for (&x, column) in x.flat().iter().zip(columns.windows(2)) {
-            let range = column[0]..column[1];
-            for (&row, j) in rows[range.clone()].iter().zip(&self.jacobian[range]) {
-                y[row] += j * x;
-            }
-        }
+        multiply_add(&self.pattern, &self.jacobian, x.flat(), y.flat_mut());
     }
 
     pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
         let (columns, rows) = (self.pattern.col_ptr(), self.pattern.row_idx());
+        self.small = self.series.ends(g, SMALL, |sums| {
+            rows.iter().zip(&self.jacobian).for_each(|(&row, j)| sums[row] += j.abs());
+        });
+        let sign = if self.small { -1.0 } else { 1.0 };
+        for ((value, j), &row) in self.values.iter_mut().zip(&self.jacobian).zip(rows) {
+            *value = sign * g.flat()[row] * j;
+        }
+        if self.small {
+            return true;
+        }
         for (column, bounds) in columns.windows(2).enumerate() {
             for entry in bounds[0]..bounds[1] {
-                let row = rows[entry];
-                self.values[entry] = f64::from(u8::from(row == column)) + g.flat()[row] * self.jacobian[entry];
+                if rows[entry] == column {
+                    self.values[entry] += 1.0;
+                }
             }
         }
         let matrix = SparseColMatRef::new(self.pattern.as_ref(), &self.values[..]);
@@ -122,8 +132,21 @@ impl<const D: usize> SparseMatrix<D> {
     }
 
     pub(super) fn solve(&mut self, x: &mut Vectors<D>) {
-        if self.factorised {
+        if self.small {
+            self.series.solve(x.flat_mut(), |x, y| multiply_add(&self.pattern, &self.values, x, y));
+        } else if self.factorised {
             solve(&self.symbolic, &self.factors, x.flat_mut(), &mut self.workspace);
+        }
+    }
+}
+
+/// y += M x.
+fn multiply_add(pattern: &SymbolicSparseColMat<usize>, values: &[f64], x: &[f64], y: &mut [f64]) {
+    let (columns, rows) = (pattern.col_ptr(), pattern.row_idx());
+    for (&x, column) in x.iter().zip(columns.windows(2)) {
+        let range = column[0]..column[1];
+        for (&row, m) in rows[range.clone()].iter().zip(&values[range]) {
+            y[row] += m * x;
         }
     }
 }

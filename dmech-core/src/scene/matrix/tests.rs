@@ -78,6 +78,48 @@ fn rows_are_exchanged_by_size() {
     }
 }
 
+/// A small g J is inverted by its power series, a larger one by elimination; both leave no residual beyond rounding.
+#[test]
+fn large_matrices_are_solved_both_ways() {
+    let n = 50;
+    let all = (0..n).flat_map(|a| (0..a).map(move |b| (a, b))).collect();
+    let sparse = Topology::Sparse { bonds: all, chain: false };
+    let scales = [(1e-6, 1e-15), (0.002, 1e-15), (0.005, 1e-14), (0.5, 1e-12)];
+    for (topology, (scale, rounding)) in scales.iter().flat_map(|&x| [(&Topology::Dense, x), (&sparse, x)]) {
+        let mut matrix = Matrix::<2>::new(n, topology);
+        let (mut g, mut x) = (Vectors::zeros(n), Vectors::zeros(n));
+        let mut row = 0.0_f64;
+        for a in 0..n {
+            let f = a as f64;
+            g.set(a, if a == 5 { [0.0; 2] } else { [scale, scale * (1.0 + 0.3 * f.sin())] });
+            x.set(a, [(1.3 * f).sin(), 0.4 + (0.7 * f).cos()]);
+            let mut sum = 0.0;
+            for b in 0..n {
+                let entry = |k: usize| 0.3 * ((a * (7 + k) + b * b * 3) as f64).cos();
+                let block = [[entry(1), entry(2)], [entry(3), entry(4)]];
+                matrix.add_block(a, b, block);
+                sum += block[1][0].abs() + block[1][1].abs();
+            }
+            row = row.max(sum * g.get(a)[1]);
+        }
+        // The scales lie on both sides of where the series ends.
+        assert_eq!(row < 1.0 / 16.0, scale < 0.003, "{row}");
+        assert!(matrix.factorise(&g));
+        let (mut solution, mut image) = (x.clone(), Vectors::zeros(n));
+        matrix.solve(&mut solution);
+        matrix.multiply_add(&solution, &mut image);
+        for i in 0..2 * n {
+            let residual = solution.flat()[i] + g.flat()[i] * image.flat()[i] - x.flat()[i];
+            assert!(residual.abs() < rounding, "scale {scale}: {residual:e}");
+        }
+        assert_eq!(solution.get(5), x.get(5));
+        g.flat_mut()[3] = f64::NAN;
+        matrix.factorise(&g);
+        matrix.solve(&mut x);
+        assert!(!x.is_finite());
+    }
+}
+
 #[test]
 fn a_singular_matrix_is_noticed() {
     for topology in topologies(2) {

@@ -11,7 +11,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{DiscreteGradient, Effort, Newton};
 
 /// What [`DiscreteGradient`](struct@DiscreteGradient) carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct DiscreteGradientScene<const D: usize> {
     q: CompensatedVectors<D>,
     v: CompensatedVectors<D>,
@@ -23,6 +23,8 @@ pub struct DiscreteGradientScene<const D: usize> {
     half_force: Vectors<D>,
     g: Vectors<D>,
 }
+
+cloned_in_place!(DiscreteGradientScene { q, v, gradients, drift, half_force, g });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for DiscreteGradientScene<D> {

@@ -9,13 +9,15 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Explicit};
 
 /// What [`Explicit`] carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct ExplicitScene<const D: usize> {
     q: Vectors<D>,
     v: Vectors<D>,
     /// ∇Φ − F at the step before.
     gradient: Vectors<D>,
 }
+
+cloned_in_place!(ExplicitScene { q, v, gradient });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for ExplicitScene<D> {

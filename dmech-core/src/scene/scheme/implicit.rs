@@ -11,7 +11,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Implicit};
 
 /// What [`Implicit`](struct@Implicit) carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct ImplicitScene<const D: usize> {
     q: CompensatedVectors<D>,
     v: CompensatedVectors<D>,
@@ -21,6 +21,8 @@ pub struct ImplicitScene<const D: usize> {
     drift: Vectors<D>,
     g: Vectors<D>,
 }
+
+cloned_in_place!(ImplicitScene { q, v, gradients, drift, g });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for ImplicitScene<D> {

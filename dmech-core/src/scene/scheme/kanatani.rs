@@ -1,18 +1,17 @@
 //! Kanatani's scheme on scenes.
 
 use super::{SceneScheme, Start, discrete_gradient, guess, shift};
-use crate::law::VelocityIndependent;
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
 use crate::scene::newton::{Equation, Solver, Unknown};
 use crate::scene::setting::{Setting, System};
-use crate::scene::terms::Acts;
+use crate::scene::terms::{Acts, WithoutVelocities};
 use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Kanatani, Start as Beginning};
 
 /// What [`Kanatani`](struct@Kanatani) carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct KanataniScene<const D: usize> {
     q_before: Vectors<D>,
     q: CompensatedVectors<D>,
@@ -25,6 +24,8 @@ pub struct KanataniScene<const D: usize> {
     force: Vectors<D>,
     g: Vectors<D>,
 }
+
+cloned_in_place!(KanataniScene { q_before, q, z, gradients, drift, force, g });
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for KanataniScene<D> {
@@ -76,7 +77,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     }
 }
 
-impl<const D: usize, A: Acts<D> + VelocityIndependent + Clone> SceneScheme<D, A> for Kanatani {
+impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> for Kanatani {
     type Memory = KanataniScene<D>;
 
     fn begin(

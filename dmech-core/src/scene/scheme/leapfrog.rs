@@ -1,16 +1,15 @@
 //! Leap-frog on scenes.
 
 use super::{SceneScheme, Start};
-use crate::law::VelocityIndependent;
 use crate::newton::NotConverged;
 use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
-use crate::scene::terms::Acts;
+use crate::scene::terms::{Acts, WithoutVelocities};
 use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Leapfrog};
 
 /// What [`Leapfrog`] carries for a scene.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct LeapfrogScene<const D: usize> {
     q: Vectors<D>,
     /// Velocity half a step after.
@@ -19,6 +18,8 @@ pub struct LeapfrogScene<const D: usize> {
     gradient: Vectors<D>,
 }
 
+cloned_in_place!(LeapfrogScene { q, v, gradient });
+
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for LeapfrogScene<D> {
     fn carried(&mut self) -> Vec<&mut [f64]> {
@@ -26,7 +27,7 @@ impl<const D: usize> crate::checkpoint::Carried for LeapfrogScene<D> {
     }
 }
 
-impl<const D: usize, A: Acts<D> + VelocityIndependent> SceneScheme<D, A> for Leapfrog {
+impl<const D: usize, A: Acts<D> + WithoutVelocities> SceneScheme<D, A> for Leapfrog {
     type Memory = LeapfrogScene<D>;
 
     fn begin(

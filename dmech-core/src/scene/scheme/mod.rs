@@ -1,5 +1,21 @@
 //! The schemes on scenes: the same formulas as for one body, over all bodies at once.
 
+/// `Clone` whose `clone_from` copies into what is there: the derived one allocates anew, and a stepper keeps the memory
+/// before each step.
+macro_rules! cloned_in_place {
+    ($name:ident { $($field:ident),* }) => {
+        impl<const D: usize> Clone for $name<D> {
+            fn clone(&self) -> Self {
+                $name { $($field: self.$field.clone()),* }
+            }
+
+            fn clone_from(&mut self, other: &Self) {
+                $(self.$field.clone_from(&other.$field);)*
+            }
+        }
+    };
+}
+
 mod discrete_gradient;
 mod explicit;
 mod implicit;

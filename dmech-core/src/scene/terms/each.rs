@@ -1,6 +1,6 @@
 //! A law on each body.
 
-use super::{Acts, Fault, Term, Topology};
+use super::{Acts, Fault, Term, Topology, WithoutVelocities};
 use crate::error::Error;
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::scene::builder::Bodies;
@@ -20,7 +20,7 @@ pub struct EachReady<X> {
     masses: Vec<f64>,
 }
 
-impl<X: VelocityIndependent> VelocityIndependent for EachReady<X> {}
+impl<X: VelocityIndependent> WithoutVelocities for EachReady<X> {}
 
 impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
     type Ready = EachReady<X>;

@@ -6,7 +6,7 @@ use super::links::Links;
 use super::numbers::NumberColumns;
 use super::packed::Packed;
 use super::sweep::Kernel;
-use super::{Acts, Fault, Term, Topology};
+use super::{Acts, Fault, Term, Topology, WithoutVelocities};
 use crate::error::Error;
 use crate::law::{Potential, VelocityIndependent};
 use crate::pair::{Between, LinkLaw, Numbers, PairLaw, Reads};
@@ -30,7 +30,7 @@ pub struct LinkedReady<X: Reads<P>, T, P> {
     data: PhantomData<fn() -> P>,
 }
 
-impl<X: Reads<P> + VelocityIndependent, T, P> VelocityIndependent for LinkedReady<X, T, P> {}
+impl<X: Reads<P> + VelocityIndependent, T, P> WithoutVelocities for LinkedReady<X, T, P> {}
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
     type Ready = LinkedReady<X, T, P>;

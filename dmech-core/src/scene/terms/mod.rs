@@ -17,7 +17,6 @@ use super::builder::Bodies;
 use super::matrix::Matrix;
 use super::vectors::Vectors;
 use crate::error::Error;
-use crate::law::VelocityIndependent;
 
 /// A term of a scene as it was declared, for bodies that carry a `P`.
 pub trait Term<const D: usize, P> {
@@ -30,6 +29,11 @@ pub trait Term<const D: usize, P> {
     /// [`Error`] for links between bodies that are not there.
     fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error>;
 }
+
+/// The law of every term is [`VelocityIndependent`](crate::VelocityIndependent).
+///
+/// A trait of its own, so that the compiler names the law that is not, rather than the list of all terms.
+pub trait WithoutVelocities {}
 
 /// What acts in a scene, all terms together: a sum of potentials, and perhaps of forces.
 ///
@@ -179,8 +183,8 @@ impl<const D: usize, P, A: Term<D, P>, B: Term<D, P>> Term<D, P> for (A, B) {
     }
 }
 
-impl<A: VelocityIndependent, B: VelocityIndependent> VelocityIndependent for (A, B) {}
-impl VelocityIndependent for () {}
+impl<A: WithoutVelocities, B: WithoutVelocities> WithoutVelocities for (A, B) {}
+impl WithoutVelocities for () {}
 
 impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     const NOTHING: bool = A::NOTHING && B::NOTHING;

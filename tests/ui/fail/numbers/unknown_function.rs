@@ -9,7 +9,7 @@ struct Kepler {
 impl Kepler {
     #[potential]
     fn energy(&self, q: [f64; 2]) -> f64 {
-        -self.gm / (q[0].square() + q[1].square()).sqrt()
+        -self.gm / (q[0].square() + q[1] * q[1]).sqrt()
     }
 }
 

@@ -1,0 +1,23 @@
+//! What a refused loop would have computed is not held against the rest.
+use dmech::prelude::*;
+
+struct Kepler {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Kepler {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let (mut sum, mut i) = (0.0, 0);
+        while i < 2 {
+            sum += q[i] * q[i];
+            i += 1;
+        }
+        -self.gm / sum.sqrt() / q[i]
+    }
+}
+
+fn main() {
+    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+}

@@ -85,22 +85,42 @@ macro_rules! for_each_set {
 /// The state at time `SPAN` after a number of steps; `None` where a large step has no solution.
 const SPAN: f64 = 4.0;
 
-fn arrive<L: Law<D>, S: Scheme<L, D>, const D: usize>(law: L, scheme: S, start: State<D>, steps: u64) -> Option<State<D>> {
-    let run = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(SPAN / steps as f64).record_every(steps).run(steps);
+fn arrive<L: Law<D>, S: Scheme<L, D>, const D: usize>(
+    law: L,
+    scheme: S,
+    start: State<D>,
+    steps: u64,
+) -> Option<State<D>> {
+    let run =
+        Simulation::new(law, start).mass(MASS).scheme(scheme).dt(SPAN / steps as f64).record_every(steps).run(steps);
     run.ok().map(|run| *run.last())
 }
 
-fn slopes<L: Law<D> + Copy, S: Scheme<L, D>, const D: usize>(law: L, scheme: S, start: State<D>, exact: &State<D>, name: &str) {
+fn slopes<L: Law<D> + Copy, S: Scheme<L, D>, const D: usize>(
+    law: L,
+    scheme: S,
+    start: State<D>,
+    exact: &State<D>,
+    name: &str,
+) {
     let mut line = String::new();
     let mut last: Option<(f64, f64)> = None;
     for level in 0..40 {
         let steps = (4.0 * 2.0_f64.powf(level as f64 / 3.0)).round() as u64;
         let Some(state) = arrive(law, scheme, start, steps) else { continue };
         let error = distance(state.q, exact.q) + distance(state.v, exact.v);
-        if error < 2e-13 { break }
-        if let Some((n, e)) = last { if error < 1e-4 { line += &format!(" {steps}:{:.2}({error:.0e})", (e / error).ln() / (steps as f64 / n).ln()); } }
+        if error < 2e-13 {
+            break;
+        }
+        if let Some((n, e)) = last {
+            if error < 1e-4 {
+                line += &format!(" {steps}:{:.2}({error:.0e})", (e / error).ln() / (steps as f64 / n).ln());
+            }
+        }
         last = Some((steps as f64, error));
-        if steps > 6000 { break }
+        if steps > 6000 {
+            break;
+        }
     }
     println!("{name:<12}{:<50}{line}", S::NAME);
 }

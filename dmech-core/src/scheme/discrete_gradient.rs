@@ -2,12 +2,8 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
-<<<<<<< HEAD
 use super::guess::continued;
-use super::{Effort, Method, Newton, Scheme, Stride};
-=======
 use super::{Effort, Method, Newton, Scheme, Stride, workless};
->>>>>>> main
 use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential};
@@ -136,20 +132,14 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
         let DiscreteGradientMemory { mut q, mut v, gradients } = *memory;
-<<<<<<< HEAD
-        let found = increment(law, stride, t, q.value(), &v, continued(gradients), &self.newton)?;
-        q.add(found.delta);
-        stride.kick_compensated(&mut v, found.gradient);
-=======
         let found = if <L::Field<'_> as Field<D, R>>::FORCED && <L::Field<'_> as Field<D, R>>::CONSERVES_ENERGY {
             workless::step(law, stride, t, &mut q, &mut v, gradients, &self.newton)?
         } else {
-            let found = increment(law, stride, t, q.value(), &v, gradients, &self.newton)?;
+            let found = increment(law, stride, t, q.value(), &v, continued(gradients), &self.newton)?;
             q.add(found.delta);
             stride.kick_compensated(&mut v, found.gradient);
             found
         };
->>>>>>> main
         *memory = DiscreteGradientMemory { q, v, gradients: [found.gradient, gradients[0], gradients[1]] };
         Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
     }

@@ -96,7 +96,10 @@ pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
     let frozen = scaled(g, gradient);
     let guess = newton.guess((stride.dt, *v), frozen, g, expected);
     let max_iterations = newton.limit();
-    let equation = Equation { q: *q, a: *q, drift, frozen, g, v: *v, rate: stride.rate, t_end, guess, max_iterations };
+    let mut equation = Equation { frozen, guess, max_iterations, ..Equation::new(*q, drift, g) };
+    if <L::Field<'_> as Field<D, R>>::FORCED {
+        equation = Equation { v: *v, rate: stride.rate, t_end, ..equation };
+    }
     let found = law.field(stride.mass, t_end).implicit_increment(&equation)?;
     *q = sum(*q, found.delta);
     *v = add_scaled(*v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient));
@@ -116,29 +119,9 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
     fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
         let ImplicitMemory { mut q, mut v, gradients, .. } = *memory;
         let [gradient, before, _] = gradients;
-<<<<<<< HEAD
         let next = continued(gradients);
         let found = advance(law, stride, t + stride.dt, (&mut q, &mut v), gradient, next, &self.newton)?;
         *memory = ImplicitMemory { q, v, moved: found.delta, gradients: [found.gradient, gradient, before] };
-=======
-        let g = R::from_f64(0.25) * stride.fall;
-        let drift = scaled(stride.dt, v);
-        let frozen = scaled(g, gradient);
-        let guess = self.newton.guess((stride.dt, v), frozen, g, gradients);
-        let t_end = t + stride.dt;
-        let max_iterations = self.newton.limit();
-        let mut equation = Equation { frozen, guess, max_iterations, ..Equation::new(q, drift, g) };
-        if <L::Field<'_> as Field<D, R>>::FORCED {
-            equation = Equation { v, rate: stride.rate, t_end, ..equation };
-        }
-        let found = law.field(stride.mass, t_end).implicit_increment(&equation)?;
-        *memory = ImplicitMemory {
-            q: sum(q, found.delta),
-            v: add_scaled(v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient)),
-            moved: found.delta,
-            gradients: [found.gradient, gradient, before],
-        };
->>>>>>> main
         Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
     }
 

@@ -164,20 +164,9 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
         let g = stride.fall;
         let drift = stride.drift(&z);
         let zero = [R::ZERO; D];
-<<<<<<< HEAD
         let guess = self.newton.guess((stride.dt, z.value()), zero, g, continued(gradients));
-        let equation = Equation {
-            a: q_before,
-            guess,
-            t_end: t + stride.dt,
-            max_iterations: self.newton.limit(),
-            ..Equation::new(q.value(), drift, g)
-        };
-=======
-        let guess = self.newton.guess((stride.dt, z.value()), zero, g, gradients);
         let equation =
             Equation { a: q_before, guess, max_iterations: self.newton.limit(), ..Equation::new(q.value(), drift, g) };
->>>>>>> main
         let field = law.field(stride.mass, t);
         let found = if <L::Field<'_> as Field<D, R>>::FORCED {
             // A force beside the potential is that at the position now.

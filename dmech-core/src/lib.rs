@@ -29,6 +29,7 @@ pub mod newton;
 #[cfg(feature = "scene")]
 pub mod scene;
 pub mod scheme;
+pub mod study;
 pub mod verify;
 
 #[cfg(feature = "serde")]
@@ -53,6 +54,7 @@ pub use scheme::{
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
 pub use stepper::Stepper;
+pub use study::{Study, StudyReport};
 pub use verify::verify;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
@@ -67,6 +69,6 @@ pub mod prelude {
         coefficients,
     };
     pub use crate::verify::verify;
-    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper};
+    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper, Study};
     pub use dmech_scalar::Real as _;
 }

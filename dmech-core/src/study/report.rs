@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::interpolate::cost_at;
+use super::interpolate::{Cost, cost_at};
 use super::reference::Reference;
 use super::row::{Figures, StudyRow};
 
@@ -67,14 +67,13 @@ impl StudyReport {
     /// The time that each scheme needs for an error, in the order of [`schemes`](StudyReport::schemes); `None` where its
     /// ladder does not reach it.
     pub fn time_at(&self, error: f64) -> Vec<(&'static str, Option<Duration>)> {
-        let seconds = |figures: &Figures| figures.time.as_secs_f64().max(1e-9);
-        let time = |seconds| Duration::try_from_secs_f64(seconds).ok();
-        self.at(error, seconds).map(|(name, seconds)| (name, seconds.and_then(time))).collect()
+        self.times_at(error).map(|(name, cost)| (name, cost.map(|cost| seconds(cost.value())))).collect()
     }
 
     /// The evaluations of the force that each scheme needs for an error, likewise: the same on every machine.
     pub fn evaluations_at(&self, error: f64) -> Vec<(&'static str, Option<f64>)> {
-        self.at(error, |figures| figures.evaluations as f64).collect()
+        let evaluations = self.at(error, |figures| figures.evaluations as f64);
+        evaluations.map(|(name, cost)| (name, cost.map(Cost::value))).collect()
     }
 
     /// The scheme that needs the least time for an error, and that time; `None` where none reaches it.
@@ -83,7 +82,12 @@ impl StudyReport {
         times.filter_map(|(name, time)| time.map(|time| (name, time))).min_by_key(|(_, time)| *time)
     }
 
-    fn at(&self, error: f64, cost: fn(&Figures) -> f64) -> impl Iterator<Item = (&'static str, Option<f64>)> {
+    /// In seconds.
+    pub(super) fn times_at(&self, error: f64) -> impl Iterator<Item = (&'static str, Option<Cost>)> {
+        self.at(error, |figures| figures.time.as_secs_f64().max(1e-9))
+    }
+
+    fn at(&self, error: f64, cost: fn(&Figures) -> f64) -> impl Iterator<Item = (&'static str, Option<Cost>)> {
         let known = error >= self.resolution;
         self.schemes.iter().enumerate().map(move |(scheme, (name, _))| {
             let figures = self.rows_of(scheme).filter_map(|row| row.result().ok());
@@ -91,4 +95,9 @@ impl StudyReport {
             (*name, if known { cost_at(error, &points) } else { None })
         })
     }
+}
+
+/// A time; the longest there is where it has no other.
+pub(super) fn seconds(seconds: f64) -> Duration {
+    Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)
 }

@@ -3,7 +3,8 @@
 use core::fmt;
 use std::time::Duration;
 
-use super::report::StudyReport;
+use super::interpolate::Cost;
+use super::report::{StudyReport, seconds};
 use super::row::{Figures, StudyRow};
 use crate::invariant::Invariant;
 
@@ -78,11 +79,11 @@ impl StudyReport {
             write!(f, " {:>10}", format!("{goal:.0e}"))?;
         }
         writeln!(f)?;
-        let times = GOALS.map(|goal| self.time_at(goal));
+        let times = GOALS.map(|goal| self.times_at(goal).collect::<Vec<_>>());
         for (scheme, (name, _)) in self.schemes().iter().enumerate() {
             write!(f, "  {name:<52}")?;
             for times in &times {
-                write!(f, " {:>10}", times[scheme].1.map_or("–".to_owned(), duration))?;
+                write!(f, " {:>10}", times[scheme].1.map_or("–".to_owned(), cost))?;
             }
             writeln!(f)?;
         }
@@ -124,6 +125,12 @@ fn write_cause(f: &mut fmt::Formatter<'_>, cause: &str) -> fmt::Result {
 /// The power of the step that two errors show.
 fn order_between((h0, e0): (f64, f64), (h1, e1): (f64, f64)) -> f64 {
     (e0 / e1).ln() / (h0 / h1).ln()
+}
+
+/// A bound where the largest step of the ladder already reaches the error.
+fn cost(cost: Cost) -> String {
+    let time = duration(seconds(cost.value()));
+    if let Cost::AtMost(_) = cost { format!("≤{time}") } else { time }
 }
 
 fn duration(time: Duration) -> String {

@@ -165,6 +165,25 @@ pub enum Error {
         /// Largest component of the last correction (a length).
         residual: f64,
     },
+    /// A study without schemes.
+    #[error("the study has no schemes: call .scheme(...)")]
+    NoSchemes,
+    /// A study that does not end after it starts.
+    #[error("a study must end after its start: from t = {start} to t = {end}")]
+    Span {
+        /// The time of the start.
+        start: f64,
+        /// The refused end.
+        end: f64,
+    },
+    /// The exact solution given to a study is infinite or NaN.
+    #[error("the exact solution has the component {value} at the end, t = {time}")]
+    Exact {
+        /// The refused component.
+        value: f64,
+        /// The time of the end.
+        time: f64,
+    },
     /// A checkpoint of another simulation (feature `serde`).
     #[cfg(feature = "serde")]
     #[error("cannot resume: {0}")]

@@ -29,6 +29,7 @@ pub mod newton;
 #[cfg(feature = "scene")]
 pub mod scene;
 pub mod scheme;
+pub mod study;
 pub mod verify;
 
 #[cfg(feature = "serde")]
@@ -47,10 +48,13 @@ pub use report::Report;
 pub use run::Run;
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
-pub use scheme::{DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start};
+pub use scheme::{
+    Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start, coefficients,
+};
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
 pub use stepper::Stepper;
+pub use study::{Study, StudyReport};
 pub use verify::verify;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
@@ -61,9 +65,10 @@ pub mod prelude {
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
-        DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
+        Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
+        coefficients,
     };
     pub use crate::verify::verify;
-    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper};
+    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper, Study};
     pub use dmech_scalar::Real as _;
 }

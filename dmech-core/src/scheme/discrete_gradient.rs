@@ -2,6 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
+use super::guess::continued;
 use super::{Effort, Method, Newton, Scheme, Stride, workless};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
@@ -89,7 +90,7 @@ impl Method for DiscreteGradient {
     }
 }
 
-/// Δq and the mean slope ∇̄Φ − (F + F′)/2 of one step from q with velocity v.
+/// Δq and the mean slope ∇̄Φ − (F + F′)/2 of one step from q with velocity v, from the slope that is expected.
 #[inline(always)]
 pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     law: &L,
@@ -97,14 +98,14 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     t: R,
     q: [R; D],
     v: &CompensatedVector<D, R>,
-    gradients: [[R; D]; 3],
+    expected: [R; D],
     newton: &Newton,
 ) -> Result<Increment<D, R>, NotConverged> {
     let half = R::from_f64(0.5);
     let g = half * stride.fall;
     let drift = stride.drift(v);
     let zero = [R::ZERO; D];
-    let guess = newton.guess((stride.dt, v.hi), zero, g, gradients);
+    let guess = newton.guess((stride.dt, v.hi), zero, g, expected);
     let field = law.field(stride.mass, half.mul_add(stride.dt, t));
     let equation = Equation { guess, max_iterations: newton.limit(), ..Equation::new(q, drift, g) };
     if !<L::Field<'_> as Field<D, R>>::FORCED {
@@ -134,7 +135,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
         let found = if <L::Field<'_> as Field<D, R>>::FORCED && <L::Field<'_> as Field<D, R>>::CONSERVES_ENERGY {
             workless::step(law, stride, t, &mut q, &mut v, gradients, &self.newton)?
         } else {
-            let found = increment(law, stride, t, q.value(), &v, gradients, &self.newton)?;
+            let found = increment(law, stride, t, q.value(), &v, continued(gradients), &self.newton)?;
             q.add(found.delta);
             stride.kick_compensated(&mut v, found.gradient);
             found

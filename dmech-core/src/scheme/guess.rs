@@ -53,7 +53,7 @@ impl Newton {
         self.guess
     }
 
-    /// The first Δ: h v − frozen − g (3G − 3G₋ + G₋₋), where G, G₋, G₋₋ are the last three forces.
+    /// The first Δ: h v − frozen − g G, where G is the force that is expected, as [`continued`] gives it.
     ///
     /// v is the last to be known of a step, so everything else is put together before it.
     #[inline(always)]
@@ -62,17 +62,22 @@ impl Newton {
         (dt, v): (R, [R; D]),
         frozen: [R; D],
         g: R,
-        [last, before, earlier]: [[R; D]; 3],
+        expected: [R; D],
     ) -> [R; D] {
         match self.guess {
             Guess::Predicted => core::array::from_fn(|i| {
-                let next = R::from_f64(3.0).mul_add(last[i] - before[i], earlier[i]);
-                let fall = g.mul_add(next, frozen[i]);
+                let fall = g.mul_add(expected[i], frozen[i]);
                 dt.mul_add(v[i], -fall)
             }),
             Guess::Previous => [R::ZERO; D],
         }
     }
+}
+
+/// 3G − 3G₋ + G₋₋: the last three forces, the newest first, continued by a parabola.
+#[inline(always)]
+pub(super) fn continued<const D: usize, R: Real>([last, before, earlier]: [[R; D]; 3]) -> [R; D] {
+    core::array::from_fn(|i| R::from_f64(3.0).mul_add(last[i] - before[i], earlier[i]))
 }
 
 impl Default for Newton {

@@ -2,11 +2,12 @@
 
 use dmech_scalar::Real;
 
+use super::guess::continued;
 use super::{Effort, Method, Newton, Scheme, Stride};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential};
-use crate::newton::{Equation, NotConverged};
+use crate::newton::{Equation, Increment, NotConverged};
 use crate::vector::{add_scaled, finite, scaled, sum, weighted};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
@@ -79,6 +80,32 @@ impl Method for Implicit {
     }
 }
 
+/// One step from q and v, where ∇Φ − F is `gradient`, to the time `t_end`, from the ∇Φ − F that is expected there.
+#[inline(always)]
+pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
+    law: &L,
+    stride: &Stride<R>,
+    t_end: R,
+    (q, v): (&mut [R; D], &mut [R; D]),
+    gradient: [R; D],
+    expected: [R; D],
+    newton: &Newton,
+) -> Result<Increment<D, R>, NotConverged> {
+    let g = R::from_f64(0.25) * stride.fall;
+    let drift = scaled(stride.dt, *v);
+    let frozen = scaled(g, gradient);
+    let guess = newton.guess((stride.dt, *v), frozen, g, expected);
+    let max_iterations = newton.limit();
+    let mut equation = Equation { frozen, guess, max_iterations, ..Equation::new(*q, drift, g) };
+    if <L::Field<'_> as Field<D, R>>::FORCED {
+        equation = Equation { v: *v, rate: stride.rate, t_end, ..equation };
+    }
+    let found = law.field(stride.mass, t_end).implicit_increment(&equation)?;
+    *q = sum(*q, found.delta);
+    *v = add_scaled(*v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient));
+    Ok(found)
+}
+
 impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
     type Memory = ImplicitMemory<D, R>;
 
@@ -90,25 +117,11 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
 
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let ImplicitMemory { q, v, gradients, .. } = *memory;
+        let ImplicitMemory { mut q, mut v, gradients, .. } = *memory;
         let [gradient, before, _] = gradients;
-        let g = R::from_f64(0.25) * stride.fall;
-        let drift = scaled(stride.dt, v);
-        let frozen = scaled(g, gradient);
-        let guess = self.newton.guess((stride.dt, v), frozen, g, gradients);
-        let t_end = t + stride.dt;
-        let max_iterations = self.newton.limit();
-        let mut equation = Equation { frozen, guess, max_iterations, ..Equation::new(q, drift, g) };
-        if <L::Field<'_> as Field<D, R>>::FORCED {
-            equation = Equation { v, rate: stride.rate, t_end, ..equation };
-        }
-        let found = law.field(stride.mass, t_end).implicit_increment(&equation)?;
-        *memory = ImplicitMemory {
-            q: sum(q, found.delta),
-            v: add_scaled(v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient)),
-            moved: found.delta,
-            gradients: [found.gradient, gradient, before],
-        };
+        let next = continued(gradients);
+        let found = advance(law, stride, t + stride.dt, (&mut q, &mut v), gradient, next, &self.newton)?;
+        *memory = ImplicitMemory { q, v, moved: found.delta, gradients: [found.gradient, gradient, before] };
         Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
     }
 

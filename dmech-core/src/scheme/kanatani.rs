@@ -2,6 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
+use super::guess::continued;
 use super::{Effort, Method, Newton, Scheme, Stride, discrete_gradient};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
@@ -143,7 +144,7 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
                     t,
                     q,
                     &CompensatedVector::new(v),
-                    [gradient; 3],
+                    continued([gradient; 3]),
                     &self.newton,
                 )?;
                 scaled(back.dt.recip(), found.delta)
@@ -163,7 +164,7 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
         let g = stride.fall;
         let drift = stride.drift(&z);
         let zero = [R::ZERO; D];
-        let guess = self.newton.guess((stride.dt, z.value()), zero, g, gradients);
+        let guess = self.newton.guess((stride.dt, z.value()), zero, g, continued(gradients));
         let equation =
             Equation { a: q_before, guess, max_iterations: self.newton.limit(), ..Equation::new(q.value(), drift, g) };
         let field = law.field(stride.mass, t);

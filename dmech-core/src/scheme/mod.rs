@@ -1,5 +1,6 @@
 //! The schemes, and what a simulation needs to know of one.
 
+mod composed;
 mod discrete_gradient;
 mod explicit;
 mod guess;
@@ -9,6 +10,10 @@ mod leapfrog;
 mod stride;
 mod workless;
 
+pub use composed::{
+    Coefficients, Composable, Composed, ComposedDiscreteGradientMemory, ComposedImplicitMemory, ComposedLeapfrogMemory,
+    coefficients,
+};
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
 pub use guess::{Guess, Newton};

@@ -5,6 +5,7 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
+use super::guess::continued;
 use super::{Newton, Stride, exact_product};
 use crate::law::{Field, Law};
 use crate::newton::{Equation, Increment, NotConverged};
@@ -29,7 +30,7 @@ pub(super) fn step<L: Law<D, R>, const D: usize, R: Real>(
         v: v.hi,
         rate: stride.rate,
         t_end: t + stride.dt,
-        guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, gradients),
+        guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, continued(gradients)),
         max_iterations: newton.limit(),
         ..Equation::new(start, drift, g)
     };

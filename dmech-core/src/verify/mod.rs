@@ -19,7 +19,7 @@ use crate::law::{Law, VelocityIndependent};
 use crate::scheme::{DiscreteGradient, Explicit, Implicit, Kanatani, Leapfrog, Scheme};
 use crate::state::State;
 
-use points::Scales;
+pub(crate) use points::Scales;
 use trial::Trial;
 
 /// Puts a law through its checks around a start, with [`Explicit`], [`Implicit`](struct@Implicit) and

@@ -8,15 +8,15 @@ use crate::vector::{dot, finite};
 
 /// The mass that all checks use, and a length and a time that are typical of the start.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scales {
-    pub(super) mass: f64,
-    pub(super) length: f64,
-    pub(super) time: f64,
+pub(crate) struct Scales {
+    pub(crate) mass: f64,
+    pub(crate) length: f64,
+    pub(crate) time: f64,
 }
 
 impl Scales {
     /// The length is |q|∞ (1 at the origin); the time is the shortest of length/|v|, √(length/|a|) and 1/√‖∂a/∂q‖.
-    pub(super) fn new<L: Law<D>, const D: usize>(law: &L, start: &State<D>, mass: f64) -> Self {
+    pub(crate) fn new<L: Law<D>, const D: usize>(law: &L, start: &State<D>, mass: f64) -> Self {
         let positive = |x: &f64| *x > 0.0 && x.is_finite();
         let length = Some(largest(&start.q)).filter(positive).unwrap_or(1.0);
         let field = law.field(mass, start.t);

@@ -1,0 +1,36 @@
+//! Published sets of stage lengths.
+//!
+//! The digits are those of the sources; a test holds them to every order condition.
+
+mod order4;
+mod order6;
+mod order8;
+
+pub use order4::{McLachlan4, Suzuki4, TripleJump4};
+pub use order6::{KahanLi6, McLachlan6, SofroniouSpaletta6, SofroniouSpaletta6S11, Yoshida6};
+pub use order8::{KahanLi8, McLachlan8, Morales8, SofroniouSpaletta8, SuzukiUmeno8, Yoshida8};
+
+/// The lengths of the stages of a composition, in units of the step: Σγ = 1, and a palindrome, γ_k = γ_{N+1−k}.
+///
+/// A composition of a symmetric scheme of order 2 has order 4 if Σγ³ = 0; order 6 and 8 ask for Σγ⁵ = 0, Σγ⁷ = 0 and
+/// for conditions on products. With an implementation of your own, [`Composed::new`](crate::Composed::new) takes other sets.
+pub trait Coefficients<const STAGES: usize>: Copy + core::fmt::Debug {
+    /// The name in reports.
+    const NAME: &'static str;
+    /// The order that the composition of a symmetric scheme of order 2 has.
+    const ORDER: u32;
+    /// γ₁, …, γ_N.
+    const GAMMA: [f64; STAGES];
+}
+
+/// γ₁, …, γ_H continued to a palindrome about γ_H.
+const fn palindrome<const HALF: usize, const STAGES: usize>(half: [f64; HALF]) -> [f64; STAGES] {
+    let mut gamma = [0.0; STAGES];
+    let mut k = 0;
+    while k < HALF {
+        gamma[k] = half[k];
+        gamma[STAGES - 1 - k] = half[k];
+        k += 1;
+    }
+    gamma
+}

@@ -1,0 +1,147 @@
+//! Compositions: schemes of order 4, 6 and 8 from symmetric schemes of order 2.
+
+mod discrete_gradient;
+mod implicit;
+mod leapfrog;
+mod name;
+mod predictor;
+
+pub mod coefficients;
+
+#[cfg(test)]
+mod tests;
+
+pub use coefficients::Coefficients;
+pub use discrete_gradient::ComposedDiscreteGradientMemory;
+pub use implicit::ComposedImplicitMemory;
+pub use leapfrog::ComposedLeapfrogMemory;
+
+use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
+use self::name::Name;
+use super::{DiscreteGradient, Implicit, Leapfrog, Method};
+use crate::invariant::{Invariant, Kept};
+
+/// A symmetric scheme composed of steps of different lengths, forward and backward, to order 4, 6 or 8.
+///
+/// ```text
+/// Ψ_h = Φ_{γ_N h} ∘ … ∘ Φ_{γ₂ h} ∘ Φ_{γ₁ h},   γ_k = γ_{N+1−k},   Σγ = 1,   Σγ³ = 0, …
+/// ```
+///
+/// | of | order | energy | angular momentum | symplectic | reversible | per step |
+/// |---|---|---|---|---|---|---|
+/// | [`Leapfrog`] | 4, 6, 8 | bounded, O(h^order) | exact | yes | yes | N forces |
+/// | [`DiscreteGradient`](struct@DiscreteGradient) | 4, 6, 8 | exact | exact (central laws) | no | yes | N nonlinear solves |
+/// | [`Implicit`](struct@Implicit) | 4, 6, 8 | bounded, O(h^order), where the motion is reversible | bounded | no | yes | N nonlinear solves |
+///
+/// Every stage is a step of the scheme itself, from t + c_{k−1} h to t + c_k h with c_k = γ₁ + … + γ_k, so a composition of
+/// energy-exact steps is energy-exact. Between stages of leap-frog the two half kicks are one, and the last of a step is
+/// one with the first of the next: the force is taken once per stage.
+///
+/// [`order4`](Composed::order4), [`order6`](Composed::order6) and [`order8`](Composed::order8) take the sets of stages
+/// that were measured to be the best; [`new`](Composed::new) takes any of [`coefficients`].
+///
+/// ```
+/// use dmech_core::prelude::*;
+/// # #[derive(Clone, Copy)]
+/// # struct Quartic { k: f64 }
+/// # impl Conservative for Quartic {}
+/// # impl Potential<1> for Quartic {
+/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
+/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
+/// #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
+/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
+/// #         [0.25 * self.k * (a + b) * (a * a + b * b)]
+/// #     }
+/// #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+/// #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
+/// #     }
+/// # }
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3])).dt(0.05);
+/// let run = quartic.clone().scheme(Composed::order6(DiscreteGradient)).run_until(100.0)?;
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+///
+/// let other = quartic.scheme(Composed::new(Leapfrog, coefficients::SuzukiUmeno8)).run_until(100.0)?;
+/// assert!((other.last().q[0] - run.last().q[0]).abs() < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Requires
+/// What the scheme requires, also between the ends of the step: the stages leave it by up to 0.6 h in the sets of order
+/// 6 and 8 and go backward in time, where a damping force excites.
+/// # Reference
+/// E. Hairer, C. Lubich and G. Wanner, Geometric Numerical Integration (2nd ed., 2006), II.4 and V.3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Composed<S, C, const STAGES: usize> {
+    scheme: S,
+    coefficients: C,
+}
+
+/// A symmetric scheme that goes from one state to the next and can go backward: it can be composed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be composed to a higher order",
+    label = "not a symmetric one-step scheme",
+    note = "`Kanatani` is a two-step scheme: its step needs the position before, at the same distance in time",
+    note = "`Explicit` is not symmetric; compose `Leapfrog`, `Implicit` or `DiscreteGradient`"
+)]
+pub trait Composable: Method {}
+
+impl Composable for Leapfrog {}
+impl Composable for Implicit {}
+impl Composable for DiscreteGradient {}
+
+impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C, STAGES> {
+    /// A composition with stages from [`coefficients`], or of your own.
+    pub const fn new(scheme: S, coefficients: C) -> Self {
+        Composed { scheme, coefficients }
+    }
+
+    const JOINED: Name = Name::of(&["Composed(", S::NAME, ", ", C::NAME, ")"]);
+
+    /// c₁, …, c_N: where in the step the stages end.
+    const ENDS: [f64; STAGES] = {
+        let mut ends = [1.0; STAGES];
+        let (mut sum, mut k) = (0.0, 0);
+        while k + 1 < STAGES {
+            sum += C::GAMMA[k];
+            ends[k] = sum;
+            k += 1;
+        }
+        ends
+    };
+
+    /// Where in the step a stage begins.
+    const fn begins(k: usize) -> f64 {
+        if k == 0 { 0.0 } else { Self::ENDS[k - 1] }
+    }
+}
+
+impl<S: Composable> Composed<S, Suzuki4, 5> {
+    /// Order 4, in the five stages of [`Suzuki4`].
+    pub const fn order4(scheme: S) -> Self {
+        Composed::new(scheme, Suzuki4)
+    }
+}
+
+impl<S: Composable> Composed<S, SofroniouSpaletta6, 13> {
+    /// Order 6, in the thirteen stages of [`SofroniouSpaletta6`].
+    pub const fn order6(scheme: S) -> Self {
+        Composed::new(scheme, SofroniouSpaletta6)
+    }
+}
+
+impl<S: Composable> Composed<S, SofroniouSpaletta8, 21> {
+    /// Order 8, in the twenty-one stages of [`SofroniouSpaletta8`].
+    pub const fn order8(scheme: S) -> Self {
+        Composed::new(scheme, SofroniouSpaletta8)
+    }
+}
+
+impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Method for Composed<S, C, STAGES> {
+    const NAME: &'static str = Self::JOINED.text();
+    const ORDER: u32 = C::ORDER;
+    const SYMMETRIC: bool = true;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        S::keeps(invariant)
+    }
+}

@@ -1,0 +1,133 @@
+//! Where Newton starts in a stage: the forces of the stages before it, continued in time.
+
+use dmech_scalar::Real;
+
+use crate::vector::add_scaled;
+
+/// Where in a stage the force of a scheme belongs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    /// A discrete gradient: at the middle, and off it by the square of the stage's length.
+    Middle,
+    /// A force at the end.
+    End,
+}
+
+/// What a force of a stage depends on: 1, τ, τ², ℓ², τ³, τℓ², s, …; the first ones matter most.
+const TERMS: usize = 7;
+
+/// Weights w[k][j] by which the forces of the last N stages predict that of stage k; j counts the stages, so that j < k
+/// is of this step and j ≥ k of the step before.
+///
+/// Stages go to and fro in time, so their order says nothing: a stage of length ℓ h whose force belongs to the time τ h
+/// has G = g(τ h) + e ℓ² h² + d s h³ + O(h⁴). Here e is what a discrete gradient differs from the force in the middle by,
+/// and d what the local errors O(h³) of the stages before have moved the position by: s is the sum of their γ³.
+/// The weights reproduce these terms exactly, as many as the number of stages allows, and are the smallest that do.
+pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: Place) -> [[f64; N]; N] {
+    let mut time = [0.0; N];
+    let mut length = [0.0; N];
+    let mut error = [0.0; N];
+    let (mut t, mut s) = (0.0, 0.0);
+    let mut k = 0;
+    while k < N {
+        let (x, cube) = (gamma[k], gamma[k] * gamma[k] * gamma[k]);
+        match place {
+            Place::Middle => (time[k], length[k], error[k]) = (t + 0.5 * x, x, s + 0.5 * cube),
+            Place::End => (time[k], error[k]) = (t + x, s + cube),
+        }
+        t += x;
+        s += cube;
+        k += 1;
+    }
+    let mut weights = [[0.0; N]; N];
+    let mut k = 0;
+    while k < N {
+        // Times count from the stage to be predicted.
+        let mut terms = [[0.0; N]; TERMS];
+        let mut j = 0;
+        while j < N {
+            let before = if j < k { 0.0 } else { 1.0 };
+            let column = values(time[j] - before - time[k], length[j], error[j]);
+            let mut i = 0;
+            while i < TERMS {
+                terms[i][j] = column[i];
+                i += 1;
+            }
+            j += 1;
+        }
+        weights[k] = smallest(terms, values(0.0, length[k], error[k]));
+        k += 1;
+    }
+    weights
+}
+
+const fn values(t: f64, length: f64, error: f64) -> [f64; TERMS] {
+    let square = length * length;
+    [1.0, t, t * t, square, t * t * t, t * square, error]
+}
+
+/// The smallest w with Σⱼ aᵢⱼ wⱼ = bᵢ, w = Aᵀ (A Aᵀ)⁻¹ b; rows that depend on earlier ones are left out.
+const fn smallest<const N: usize>(a: [[f64; N]; TERMS], mut b: [f64; TERMS]) -> [f64; N] {
+    const DEPENDENT: f64 = 1e-6;
+    let mut rows = a;
+    let mut squares = [0.0; TERMS];
+    // Gram–Schmidt on the rows, carrying the right-hand sides along.
+    let mut i = 0;
+    while i < TERMS {
+        let before = dot(&rows[i], &rows[i]);
+        let mut pass = 0;
+        while pass < 2 {
+            let mut l = 0;
+            while l < i {
+                if squares[l] > 0.0 {
+                    let c = dot(&rows[i], &rows[l]) / squares[l];
+                    let mut j = 0;
+                    while j < N {
+                        rows[i][j] -= c * rows[l][j];
+                        j += 1;
+                    }
+                    b[i] -= c * b[l];
+                }
+                l += 1;
+            }
+            pass += 1;
+        }
+        let left = dot(&rows[i], &rows[i]);
+        squares[i] = if left > DEPENDENT * before { left } else { 0.0 };
+        i += 1;
+    }
+    let mut w = [0.0; N];
+    let mut i = 0;
+    while i < TERMS {
+        if squares[i] > 0.0 {
+            let c = b[i] / squares[i];
+            let mut j = 0;
+            while j < N {
+                w[j] += c * rows[i][j];
+                j += 1;
+            }
+        }
+        i += 1;
+    }
+    w
+}
+
+const fn dot<const N: usize>(x: &[f64; N], y: &[f64; N]) -> f64 {
+    let mut sum = 0.0;
+    let mut j = 0;
+    while j < N {
+        sum += x[j] * y[j];
+        j += 1;
+    }
+    sum
+}
+
+/// Σ w_j G_j.
+#[inline(always)]
+pub(super) fn expected<const N: usize, const D: usize, R: Real>(w: &[f64; N], gradients: &[[R; D]; N]) -> [R; D] {
+    let mut sum = [R::ZERO; D];
+    for j in 0..N {
+        sum = add_scaled(sum, R::from_f64(w[j]), gradients[j]);
+    }
+    sum
+}

@@ -1,0 +1,90 @@
+//! What errors are measured against where no exact solution is known.
+
+use super::case::{Case, distance, rounding};
+use super::entrant::{Entrant, Runner};
+use super::ladder::halvings;
+use crate::error::Error;
+use crate::law::Law;
+use crate::scheme::{Composed, DiscreteGradient, Method};
+
+/// No halving follows a run with this many forces.
+const MOST_FORCES: u64 = 1 << 22;
+
+/// A solution computed by the study: `Composed::order8(DiscreteGradient)`, which fits every law, with its step halved
+/// until the final position does not settle any further.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reference {
+    scheme: &'static str,
+    dt: f64,
+    error: f64,
+}
+
+impl Reference {
+    /// The scheme.
+    pub fn scheme(&self) -> &'static str {
+        self.scheme
+    }
+
+    /// Its time step.
+    pub fn dt(&self) -> f64 {
+        self.dt
+    }
+
+    /// |q_h − q_2h| at the end, and the rounding of q. Where the order shows, the error of q_h is 255 times less; at the
+    /// level of rounding it is about this.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+}
+
+/// The final position that halving the step changes least.
+pub(super) fn compute<L: Law<D> + Clone, const D: usize>(case: &Case<L, D>) -> Result<([f64; D], Reference), Error> {
+    let runner = Entrant(Composed::order8(DiscreteGradient));
+    let scales = case.scales();
+    let mut best: Option<([f64; D], Reference)> = None;
+    let mut before: Option<[f64; D]> = None;
+    let mut failure = None;
+    for dt in halvings(scales.time.min(case.end - case.start.t)) {
+        let (steps, dt) = case.whole_steps(dt)?;
+        let run = match end(&runner, case, dt, steps) {
+            Ok(run) => run,
+            Err(error) => {
+                failure = Some(error);
+                if steps > MOST_FORCES {
+                    break;
+                }
+                continue;
+            }
+        };
+        let change = before.replace(run.0).and_then(|before| distance(&run.0, &before));
+        // Two runs may end at the same numbers, which are rounded all the same.
+        let change = change.map(|change| change + rounding(&run.0));
+        if let Some(error) = change {
+            let least = best.as_ref().map_or(f64::INFINITY, |best| best.1.error);
+            if error < least {
+                best = Some((run.0, Reference { scheme: name(&runner), dt, error }));
+            }
+            if least < 1e-9 * scales.length && error > 0.5 * least {
+                break;
+            }
+        }
+        if best.is_some() && run.1 > MOST_FORCES {
+            break;
+        }
+    }
+    best.ok_or_else(|| failure.unwrap_or(Error::EndTime { end: case.end, dt: scales.time }))
+}
+
+/// The final position, and the evaluations of the force.
+fn end<L, R: Runner<L, D>, const D: usize>(
+    runner: &R,
+    case: &Case<L, D>,
+    dt: f64,
+    steps: u64,
+) -> Result<([f64; D], u64), Error> {
+    runner.watch(case, dt, steps).map(|run| (run.q, run.evaluations))
+}
+
+fn name<S: Method>(_: &Entrant<S>) -> &'static str {
+    S::NAME
+}

@@ -1,5 +1,6 @@
 //! The schemes on scenes: the same formulas as for one body, over all bodies at once.
 
+mod composed;
 mod discrete_gradient;
 mod explicit;
 mod implicit;

@@ -109,7 +109,7 @@ macro_rules! for_each_composition {
 }
 
 /// How long the motions last whose order is measured.
-const SPAN: f64 = 12.0;
+const SPAN: f64 = 4.0;
 
 /// How often the motions are compared on the way: at a single time the leading error may happen to vanish.
 const LOOKS: u64 = 8;
@@ -131,8 +131,8 @@ where
     L: Law<D> + Copy,
     S: Scheme<L, D>,
 {
-    // A hundred times what the roundings of so many steps add up to.
-    let rounding = |steps: f64| 100.0 * 16.0 * f64::EPSILON * (LOOKS as f64 * steps).sqrt();
+    // Thirty times what the roundings of so many steps add up to.
+    let rounding = |steps: f64| 30.0 * 16.0 * f64::EPSILON * (LOOKS as f64 * steps).sqrt();
     let error = |steps| {
         let path = path(law, scheme, start, steps)?;
         Some(
@@ -143,7 +143,7 @@ where
         )
     };
     // Thirds of an octave.
-    let ladder = (2..36).map(|i| (f64::from(i) / 3.0).exp2().round() as u64);
+    let ladder = (3..36).map(|i| (f64::from(i) / 3.0).exp2().round() as u64);
     let errors = ladder.filter_map(|steps| Some((steps as f64, error(steps)?)));
     let clear: Vec<(f64, f64)> = errors.take_while(|&(steps, error)| error > rounding(steps)).collect();
     let [.., (many, coarse), (more, fine)] = clear[..] else { panic!("no error is clear of rounding") };

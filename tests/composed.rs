@@ -1,6 +1,5 @@
 //! Compositions: every set of stages on every scheme that can be composed.
 
-#![allow(unused)]
 use std::hint::black_box;
 
 use dmech::prelude::coefficients::*;
@@ -13,6 +12,24 @@ mod motion;
 use counting::allocations;
 use laws::{HenonHeiles, Kepler};
 use motion::*;
+
+/// A bowl that grows steeper: central.
+#[derive(Clone, Copy, Debug)]
+struct Bowl {
+    k: f64,
+    l: f64,
+}
+
+#[dmech::law]
+impl Bowl {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let r2 = q[0] * q[0] + q[1] * q[1];
+        0.5 * self.k * r2 + 0.25 * self.l * r2 * r2
+    }
+}
+
+const BOWL: Bowl = Bowl { k: 1.2, l: 0.8 };
 
 /// A pendulum whose pivot is shaken: time and position, no velocity.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +72,7 @@ impl Wind {
     #[force]
     fn drag(&self, q: [f64; 2], v: [f64; 2], t: f64, m: f64) -> [f64; 2] {
         let u = [v[0] - self.gust * (self.omega * t).cos(), v[1] - self.gust * (self.omega * t).sin()];
-        let c = self.drag * m * (1.0 + q[0] * q[0]) * (0.1 + u[0] * u[0] + u[1] * u[1]).sqrt();
+        let c = self.drag * m * (1.0 + q[0] * q[0]) * (1.1 + u[0] * u[0] + u[1] * u[1]).sqrt();
         [-c * u[0], -c * u[1]]
     }
 }
@@ -82,62 +99,196 @@ macro_rules! for_each_set {
     };
 }
 
-/// The state at time `SPAN` after a number of steps; `None` where a large step has no solution.
+/// Runs a macro for every set of stages on every scheme that can be composed.
+macro_rules! for_each_composition {
+    ($run:ident, $($rest:tt)*) => {
+        for_each_set!($run, Leapfrog, $($rest)*);
+        for_each_set!($run, DiscreteGradient, $($rest)*);
+        for_each_set!($run, Implicit, $($rest)*);
+    };
+}
+
+/// How long the motions last whose order is measured.
 const SPAN: f64 = 4.0;
 
-fn arrive<L: Law<D>, S: Scheme<L, D>, const D: usize>(
+/// How often the motions are compared on the way: at a single time the leading error may happen to vanish.
+const LOOKS: u64 = 8;
+
+/// The states at equal distances up to `SPAN`, after so many steps each; `None` where so large a step has no solution.
+fn path<L: Law<D>, S: Scheme<L, D>, const D: usize>(
     law: L,
     scheme: S,
     start: State<D>,
     steps: u64,
-) -> Option<State<D>> {
-    let run =
-        Simulation::new(law, start).mass(MASS).scheme(scheme).dt(SPAN / steps as f64).record_every(steps).run(steps);
-    run.ok().map(|run| *run.last())
+) -> Option<Vec<State<D>>> {
+    let simulation = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(SPAN / (LOOKS * steps) as f64);
+    simulation.record_every(steps).run(LOOKS * steps).ok().map(|run| run.states().to_vec())
 }
 
-fn slopes<L: Law<D> + Copy, S: Scheme<L, D>, const D: usize>(
-    law: L,
-    scheme: S,
-    start: State<D>,
-    exact: &State<D>,
-    name: &str,
-) {
-    let mut line = String::new();
-    let mut last: Option<(f64, f64)> = None;
-    for level in 0..40 {
-        let steps = (4.0 * 2.0_f64.powf(level as f64 / 3.0)).round() as u64;
-        let Some(state) = arrive(law, scheme, start, steps) else { continue };
-        let error = distance(state.q, exact.q) + distance(state.v, exact.v);
-        if error < 2e-13 {
-            break;
-        }
-        if let Some((n, e)) = last {
-            if error < 1e-4 {
-                line += &format!(" {steps}:{:.2}({error:.0e})", (e / error).ln() / (steps as f64 / n).ln());
-            }
-        }
-        last = Some((steps as f64, error));
-        if steps > 6000 {
-            break;
-        }
-    }
-    println!("{name:<12}{:<50}{line}", S::NAME);
+/// The exponent of h in the error, from the two smallest steps whose errors are clear of rounding.
+fn measured_order<L, S, const D: usize>(law: L, scheme: S, start: State<D>, exact: &[State<D>]) -> f64
+where
+    L: Law<D> + Copy,
+    S: Scheme<L, D>,
+{
+    // Thirty times what the roundings of so many steps add up to.
+    let rounding = |steps: f64| 30.0 * 16.0 * f64::EPSILON * (LOOKS as f64 * steps).sqrt();
+    let error = |steps| {
+        let path = path(law, scheme, start, steps)?;
+        Some(
+            path.iter()
+                .zip(exact)
+                .map(|(s, exact)| distance(s.q, exact.q) + distance(s.v, exact.v))
+                .fold(0.0, f64::max),
+        )
+    };
+    // Thirds of an octave.
+    let ladder = (3..36).map(|i| (f64::from(i) / 3.0).exp2().round() as u64);
+    let errors = ladder.filter_map(|steps| Some((steps as f64, error(steps)?)));
+    let clear: Vec<(f64, f64)> = errors.take_while(|&(steps, error)| error > rounding(steps)).collect();
+    let [.., (many, coarse), (more, fine)] = clear[..] else { panic!("no error is clear of rounding") };
+    (coarse / fine).ln() / (more / many).ln()
 }
 
 #[test]
-fn zz() {
+fn every_composition_has_its_order() {
+    let mut measured = 0;
     macro_rules! one {
-        ($set:ident, $base:expr, $law:expr, $start:expr, $exact:expr, $name:literal) => {
-            slopes($law, Composed::new($base, $set), $start, &$exact, $name);
-        };
+        ($set:ident, $base:ident, $law:expr, $start:expr, $exact:expr) => {{
+            let order = measured_order($law, Composed::new($base, $set), $start, &$exact);
+            println!("{:<16} {:<22} {:<20} {order:.3}", stringify!($base), stringify!($set), stringify!($law));
+            let declared = f64::from(<Composed<$base, $set, _> as Method>::ORDER);
+            assert!((order - declared).abs() < 0.1, "{} of {}: {order}", stringify!($set), stringify!($base));
+            measured += 1;
+        }};
     }
-    macro_rules! law { ($law:expr, $start:expr, $name:literal, $($base:expr),*) => {{
-        let exact = arrive($law, Composed::order8(DiscreteGradient), $start, 1500).unwrap();
-        $( for_each_set!(one, $base, $law, $start, exact, $name); )*
-    }} }
-    law!(HenonHeiles::new(), State::new([0.2, -0.1], [0.25, 0.3]), "henon", Leapfrog, DiscreteGradient, Implicit);
-    law!(Kepler::new(), State::new([0.9, 0.2], [-0.1, 1.1]), "kepler", Leapfrog, DiscreteGradient, Implicit);
-    law!(SHAKEN, State::<1>::new([0.9], [0.4]), "shaken", Leapfrog, DiscreteGradient, Implicit);
-    law!(WIND, State::new([0.7, -0.4], [0.3, 0.8]), "wind", DiscreteGradient, Implicit);
+    macro_rules! law {
+        ($law:expr, $start:expr) => {{
+            let exact = path($law, Composed::order8(DiscreteGradient), $start, 200).expect("small steps");
+            for_each_composition!(one, $law, $start, exact);
+        }};
+    }
+    law!(HenonHeiles::new(), State::new([0.2, -0.1], [0.25, 0.3]));
+    law!(BOWL, State::new([1.1, 0.3], [-0.2, 0.5]));
+    law!(SHAKEN, State::<1>::new([0.9], [0.4]));
+    // Leap-frog refuses the wind.
+    let start = State::new([0.7, -0.4], [0.3, 0.8]);
+    let exact = path(WIND, Composed::order8(DiscreteGradient), start, 200).expect("small steps");
+    for_each_set!(one, DiscreteGradient, WIND, start, exact);
+    for_each_set!(one, Implicit, WIND, start, exact);
+    assert_eq!(measured, 14 * (3 * 3 + 2));
+}
+
+#[test]
+fn energy_and_angular_momentum_stay_exact_at_every_order() {
+    let (law, start) = (Kepler::new(), State::new([0.9, 0.2], [-0.1, 1.1]));
+    macro_rules! one {
+        ($set:ident, $base:ident, $energy:expr) => {{
+            let scheme = Composed::new($base, $set);
+            let run = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(0.1).run(20_000).expect("small steps");
+            let [energy, turning] =
+                [Invariant::Energy, Invariant::AngularMomentum].map(|i| run.drift(i).expect("a central law"));
+            println!(
+                "{:<44} energy {:.1e}, angular momentum {:.1e}",
+                run.report().scheme(),
+                energy.max_relative(),
+                turning.max_relative()
+            );
+            assert!(energy.max_relative() < $energy, "{}: {energy:?}", run.report().scheme());
+            assert!(turning.max_relative() < 1e-13, "{}: {turning:?}", run.report().scheme());
+            work_balances(&run, [MASS; 2], "Kepler");
+        }};
+    }
+    for_each_set!(one, DiscreteGradient, 1e-13);
+    // Bounded, not exact; Yoshida's long stages err by more than the rest.
+    macro_rules! bounded {
+        (Yoshida8, $($rest:tt)*) => {};
+        (TripleJump4, $($rest:tt)*) => {};
+        ($($rest:tt)*) => { one! { $($rest)* } };
+    }
+    for_each_set!(bounded, Leapfrog, 1e-2);
+}
+
+#[test]
+fn work_balances_where_the_energy_is_not_kept() {
+    let start = State::new([0.7, -0.4], [0.3, 0.8]);
+    macro_rules! one {
+        ($set:ident, $base:ident, $law:expr, $start:expr, $d:literal) => {{
+            let simulation = Simulation::new($law, $start).mass(MASS).scheme(Composed::new($base, $set)).dt(0.02);
+            let run = simulation.run(5000).expect("small steps");
+            work_balances(&run, [MASS; $d], stringify!($law));
+        }};
+    }
+    for_each_composition!(one, SHAKEN, State::<1>::new([0.9], [0.4]), 1);
+    for_each_set!(one, DiscreteGradient, WIND, start, 2);
+    for_each_set!(one, Implicit, WIND, start, 2);
+}
+
+#[test]
+fn compositions_return_when_the_velocity_is_reversed() {
+    macro_rules! one {
+        ($set:ident, $base:ident, $law:expr, $start:expr) => {{
+            let miss = miss($law, $law, Composed::new($base, $set), $start);
+            assert!(miss < 1e-12, "{} of {}: {miss:e}", stringify!($set), stringify!($base));
+        }};
+    }
+    for_each_composition!(one, HenonHeiles::new(), State::new([0.2, -0.1], [0.25, 0.3]));
+    for_each_composition!(one, Kepler::new(), State::new([0.9, 0.2], [-0.1, 1.1]));
+}
+
+#[test]
+fn no_stage_allocates_and_no_force_is_taken_twice() {
+    macro_rules! one {
+        ($set:ident, $base:ident, $law:expr, $start:expr) => {{
+            let scheme = Composed::new($base, $set);
+            let mut stepper = Simulation::new($law, $start).mass(MASS).scheme(scheme).dt(0.01).stepper().unwrap();
+            let counted = allocations(|| {
+                for _ in 0..50 {
+                    stepper.step().unwrap();
+                    black_box(stepper.state());
+                }
+                stepper.advance(50).unwrap();
+            });
+            let stages = $set::GAMMA.len() as u64;
+            assert_eq!(counted, 0, "{} of {}", stringify!($set), stringify!($base));
+            assert!(stepper.evaluations() >= 100 * stages);
+            if stepper.iterations() == 0 {
+                assert_eq!(stepper.evaluations(), 100 * stages, "{} of {}", stringify!($set), stringify!($base));
+            }
+        }};
+    }
+    for_each_composition!(one, Kepler::new(), State::new([0.9, 0.2], [-0.1, 1.1]));
+    for_each_composition!(one, SHAKEN, State::<1>::new([0.9], [0.4]));
+}
+
+/// The predictor follows the force through stages that go to and fro: a stage needs one or two evaluations.
+#[test]
+fn stages_need_one_or_two_evaluations() {
+    let (law, start) = (Kepler::new(), State::new([0.9, 0.2], [-0.1, 1.1]));
+    macro_rules! one {
+        (Yoshida8, $($rest:tt)*) => {};
+        (TripleJump4, $($rest:tt)*) => {};
+        ($set:ident, $base:ident, $stage:expr, $bound:expr) => {{
+            let stages = $set::GAMMA.len() as u64;
+            let steps = 50_000 / stages;
+            let simulation = Simulation::new(law, start).mass(MASS).scheme(Composed::new($base, $set));
+            let mut stepper = simulation.dt($stage * stages as f64).stepper().unwrap();
+            stepper.advance(steps).unwrap();
+            let per_stage = stepper.evaluations() as f64 / (steps * stages) as f64;
+            println!("{:<16} {:<22} {} {per_stage:.3}", stringify!($base), stringify!($set), $stage);
+            assert!(per_stage < $bound, "{} of {}: {per_stage}", stringify!($set), stringify!($base));
+        }};
+    }
+    for_each_set!(one, DiscreteGradient, 0.02, 2.1);
+    for_each_set!(one, DiscreteGradient, 0.005, 1.25);
+    for_each_set!(one, Implicit, 0.02, 2.1);
+    for_each_set!(one, Implicit, 0.005, 1.25);
+}
+
+#[test]
+fn reports_name_the_scheme_the_set_and_the_order() {
+    let simulation = Simulation::new(Kepler::new(), State::new([0.9, 0.2], [-0.1, 1.1])).dt(0.01);
+    let run = simulation.scheme(Composed::order6(DiscreteGradient)).run(10).unwrap();
+    assert_eq!((run.report().scheme(), run.report().order()), ("Composed(DiscreteGradient, SofroniouSpaletta6)", 6));
+    assert!(run.to_string().contains("Composed(DiscreteGradient, SofroniouSpaletta6), order 6, dt = 0.01"), "{run}");
 }

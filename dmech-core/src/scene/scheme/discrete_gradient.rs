@@ -58,7 +58,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
 }
 
 impl<const D: usize> DiscreteGradientScene<D> {
-    fn new<A: Acts<D>>(system: &System<D, A>, start: Start<'_, D>) -> Self {
+    pub(super) fn new<A: Acts<D>>(system: &System<D, A>, start: Start<'_, D>) -> Self {
         let mut gradient = Vectors::zeros(start.q.bodies());
         system.slope(start.q, start.v, start.t, &mut gradient);
         DiscreteGradientScene {
@@ -70,7 +70,7 @@ impl<const D: usize> DiscreteGradientScene<D> {
         }
     }
 
-    /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.
+    /// One step; the force then joins those of the last steps.
     fn advance<A: Acts<D>>(
         &mut self,
         system: &System<D, A>,
@@ -79,15 +79,63 @@ impl<const D: usize> DiscreteGradientScene<D> {
         newton: &Newton,
     ) -> Result<Effort, NotConverged> {
         let DiscreteGradientScene { q, v, gradients, half_force, g } = self;
-        let h = system.setting.dt;
-        let [gradient, before, earlier] = &*gradients;
+        let (moving, last) = (Moving { q, v, half_force }, gradients.each_ref());
+        let effort = moving.advance((&system.acts, &system.setting, g), t, solver, newton, last)?;
+        shift(gradients, &mut solver.gradient);
+        Ok(effort)
+    }
+
+    /// What a step changes.
+    pub(super) fn moving(&mut self) -> Moving<'_, D> {
+        Moving { q: &mut self.q, v: &mut self.v, half_force: &mut self.half_force }
+    }
+
+    /// ∇̄Φ less the mean force of the last step.
+    pub(super) fn gradient(&self) -> &Vectors<D> {
+        &self.gradients[0]
+    }
+
+    /// q and v with their low parts.
+    pub(super) fn sums(&self) -> [&CompensatedVectors<D>; 2] {
+        [&self.q, &self.v]
+    }
+
+    /// q and v with their low parts, as lists of numbers.
+    #[cfg(feature = "serde")]
+    pub(super) fn sums_mut(&mut self) -> [&mut [f64]; 4] {
+        let [q, q_low] = self.q.parts_mut();
+        let [v, v_low] = self.v.parts_mut();
+        [q, q_low, v, v_low]
+    }
+}
+
+/// Position and velocity, and vectors that a step needs for itself.
+pub(super) struct Moving<'a, const D: usize> {
+    q: &'a mut CompensatedVectors<D>,
+    v: &'a mut CompensatedVectors<D>,
+    half_force: &'a mut Vectors<D>,
+}
+
+impl<const D: usize> Moving<'_, D> {
+    /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2, with the h of the setting, and g = h²/2m. The guess
+    /// continues the three forces. Δq and the force are left in the solver.
+    pub(super) fn advance<A: Acts<D>>(
+        self,
+        (acts, setting, g): (&A, &Setting<D>, &Vectors<D>),
+        t: f64,
+        solver: &mut Solver<D>,
+        newton: &Newton,
+        forces: [&Vectors<D>; 3],
+    ) -> Result<Effort, NotConverged> {
+        let Moving { q, v, half_force } = self;
+        let h = setting.dt;
         // The share of the force at the start of the step is known.
         if A::FORCED {
             half_force.clear();
-            system.acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
+            acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
         }
-        // The gradients of the last steps hold the whole force.
-        guess(newton, (h, v), None, g, [gradient, before, earlier], &mut solver.delta);
+        // These forces are whole: there is no known part beside them.
+        guess(newton, (h, v), None, g, forces, &mut solver.delta);
         let max_iterations = newton.limit();
         let equation = Equation {
             q: &q.hi,
@@ -100,17 +148,16 @@ impl<const D: usize> DiscreteGradientScene<D> {
             rate: 2.0 / h,
             max_iterations,
         };
-        let unknown = Exact { acts: &system.acts, a: &q.hi, middle: t + 0.5 * h, end: t + h };
+        let unknown = Exact { acts, a: &q.hi, middle: t + 0.5 * h, end: t + h };
         let effort = solver.solve(&equation, &unknown)?;
         if A::FORCED {
             for (found, half) in solver.gradient.flat_mut().iter_mut().zip(half_force.flat()) {
                 *found += half;
             }
         }
-        let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
+        let (kick, found) = (setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
         CompensatedVectors::kick_and_drift(q, v, h, 0.5 * h, change);
-        shift(gradients, &mut solver.gradient);
         Ok(effort)
     }
 }

@@ -16,6 +16,7 @@ macro_rules! cloned_in_place {
     };
 }
 
+mod composed;
 mod discrete_gradient;
 mod explicit;
 mod implicit;

@@ -37,7 +37,7 @@ impl<const D: usize, const N: usize> crate::checkpoint::Carried for ComposedDisc
 }
 
 impl<C: Coefficients<N>, const N: usize> Composed<DiscreteGradient, C, N> {
-    const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, Place::Middle);
+    pub(crate) const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, Place::Middle);
 }
 
 impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for Composed<DiscreteGradient, C, N>

@@ -31,7 +31,7 @@ impl<const D: usize> crate::checkpoint::Carried for ComposedLeapfrogMemory<D> {
 
 impl<C: Coefficients<N>, const N: usize> Composed<Leapfrog, C, N> {
     /// (γ_k + γ_{k+1})/2: the half kick at the end of a stage and that at the start of the next.
-    const KICKS: [f64; N] = {
+    pub(crate) const KICKS: [f64; N] = {
         let mut kicks = [0.0; N];
         let mut k = 0;
         while k < N {

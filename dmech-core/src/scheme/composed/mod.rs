@@ -72,7 +72,7 @@ use crate::invariant::{Invariant, Kept};
 /// E. Hairer, C. Lubich and G. Wanner, Geometric Numerical Integration (2nd ed., 2006), II.4 and V.3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Composed<S, C, const STAGES: usize> {
-    scheme: S,
+    pub(crate) scheme: S,
     coefficients: C,
 }
 
@@ -98,7 +98,7 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
     const JOINED: Name = Name::of(&["Composed(", S::NAME, ", ", C::NAME, ")"]);
 
     /// c₁, …, c_N: where in the step the stages end.
-    const ENDS: [f64; STAGES] = {
+    pub(crate) const ENDS: [f64; STAGES] = {
         let mut ends = [1.0; STAGES];
         let (mut sum, mut k) = (0.0, 0);
         while k + 1 < STAGES {
@@ -110,7 +110,7 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
     };
 
     /// Where in the step a stage begins.
-    const fn begins(k: usize) -> f64 {
+    pub(crate) const fn begins(k: usize) -> f64 {
         if k == 0 { 0.0 } else { Self::ENDS[k - 1] }
     }
 }

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Two motions with known solutions: Greenspan's planet, an ellipse of eccentricity 0.33, followed for 87 orbits to
-//! t = 350, and his undamped pendulum from π/4 at rest, to t = 100. Each scheme runs with smaller and smaller steps until
-//! its error stops falling or a run takes two million forces.
+//! t = 350, and his undamped pendulum from π/4 at rest, to t = 100. Each scheme runs with smaller and smaller steps
+//! until its error stops falling or a run takes two million forces.
 //!
 //! A scheme of order p pays 10^(1/p) times the time for one more digit: on paper with two logarithmic axes it is a line
 //! of slope −p. So the cheap step of leap-frog wins where a rough answer will do, and high order where it will not; the

@@ -115,6 +115,28 @@
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
 //!
+//! # Which scheme for which error
+//!
+//! A [`Study`] runs schemes on a law over a ladder of steps, and tells what each needs for an error, in time and in forces:
+//!
+//! ```
+//! use dmech::{models::Pendulum, prelude::*};
+//!
+//! # fn main() -> Result<(), Error> {
+//! let law = Pendulum { k: 1.0 };
+//! let report = Study::new(law, State::new([1.2], [0.0]), 30.0)
+//!     .scheme(Leapfrog)
+//!     .scheme(Composed::order4(Leapfrog))
+//!     .ladder([0.4, 0.2, 0.1, 0.05, 0.025])
+//!     .exact(|t| [law.exact(1.2, t)])
+//!     .run()?;
+//! println!("{report}");
+//! let forces = report.evaluations_at(1e-3);
+//! assert!(forces[1].1 < forces[0].1);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # Features
 //!
 //! | feature | default | what |

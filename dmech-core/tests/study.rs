@@ -4,7 +4,7 @@ mod common;
 
 use std::time::Duration;
 
-use common::{Kepler, Pendulum, SUN, Spring, greenspan_orbit, kepler_position};
+use common::{DrivenSpring, Kepler, Pendulum, SUN, Spring, greenspan_orbit, kepler_position};
 use dmech_core::StudyReport;
 use dmech_core::prelude::*;
 use dmech_core::study::StudyRow;
@@ -19,8 +19,8 @@ fn error(row: &StudyRow) -> f64 {
     row.result().unwrap().error()
 }
 
-/// Kepler's equation on a nonlinear law, off the period: each declared order comes from the rows, and what a scheme keeps
-/// exactly has no drift.
+/// Kepler's equation on a nonlinear law, off the period: each declared order comes from the rows, and what a scheme
+/// keeps exactly has no drift.
 #[test]
 fn rows_show_the_order_and_what_is_kept() {
     let study =
@@ -63,7 +63,7 @@ fn rows_show_the_order_and_what_is_kept() {
     assert_eq!(seen, 14);
 }
 
-/// The oscillator q = 0.7 cos ωt + (0.4/ω) sin ωt with ω² = k/m; leap-frog advances its phase too fast by (ωh)²/24 of it.
+/// The oscillator q = 0.7 cos ωt + (0.4/ω) sin ωt with ω² = k/m, and what leap-frog makes of it in closed form.
 #[test]
 fn the_error_is_the_distance_to_the_exact_solution() {
     let (k, m, end) = (2.3, 1.7, 9.0);
@@ -220,6 +220,35 @@ fn a_step_too_large_fails_alone() {
     }
     let order = (error(&report.rows()[2]) / error(&report.rows()[3])).log2();
     assert!((order - 2.0).abs() < 0.1, "{order}");
+}
+
+/// Without a ladder too: every step fails, down to the smallest, and the study ends.
+#[test]
+fn a_default_ladder_of_failures_ends() {
+    let study = Study::new(Well { g: 1.0 }, State::new([0.0], [0.0]), 5.0).scheme(Leapfrog).scheme(Implicit);
+    let report = study.exact(|_| [0.0]).run().unwrap();
+    for scheme in 0..2 {
+        assert!(report.rows_of(scheme).count() > 10);
+        assert!(report.rows_of(scheme).all(|row| row.result().is_err()));
+    }
+}
+
+/// A spring that is driven has no energy to keep, and a reference all the same: the order shows against it.
+#[test]
+fn laws_that_name_the_time_have_a_reference() {
+    let law = DrivenSpring { k: 2.3, epsilon: 0.4, omega: 1.9 };
+    let study = Study::new(law, State::new([0.7], [0.4]).at_time(0.3), 6.1).mass(1.7);
+    let report = study.scheme(Leapfrog).scheme(DiscreteGradient).ladder([0.02, 0.01, 0.005]).run().unwrap();
+    assert!(report.resolution() < 1e-12 && report.span() == [0.3, 6.1]);
+    for scheme in 0..2 {
+        let measured = orders(&report, scheme);
+        assert!(measured.iter().all(|order| (order - 2.0).abs() < 0.05), "{measured:?}");
+    }
+    for row in report.rows() {
+        assert!(row.result().unwrap().drift(Invariant::Energy).is_none());
+    }
+    let table = report.to_string();
+    assert!(!table.contains("energy") && table.contains("K − work"), "{table}");
 }
 
 /// What no run could do anything with is refused before any run.

@@ -8,8 +8,8 @@ use super::report::StudyReport;
 use crate::invariant::Invariant;
 
 impl StudyReport {
-    /// Writes a row of names, then a row for each run: scheme, order, dt, steps, evaluations, iterations, seconds, error,
-    /// the largest drift of each invariant (empty where there is none), and the cause where the run failed.
+    /// Writes a row of names, then a row for each run: scheme, order, dt, steps, evaluations, iterations, seconds,
+    /// error, the largest drift of each invariant (empty where there is none), and the cause where the run failed.
     ///
     /// # Errors
     /// Those of the writer.

@@ -17,7 +17,8 @@ impl Cost {
     }
 }
 
-/// The cost at which an error is reached, from positive (error, cost) in the order of falling steps: linear in the logarithms.
+/// The cost at which an error is reached, from positive (error, cost) in the order of falling steps: linear in the
+/// logarithms.
 ///
 /// Of several pairs of neighbours that enclose the error the one with the smallest steps is taken, as a single small
 /// error among large ones is chance. Where the error is reached with the largest step already, the cost of that is an

@@ -100,9 +100,9 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
 
     /// The time steps, in any order.
     ///
-    /// Without a ladder each scheme has its own. From the shortest of the times |q|/|v|, √(|q|/|a|) and 1/√‖∂a/∂q‖ of the
-    /// start the step is doubled while the error is below |q|/100, and halved until the error does not fall any more, or
-    /// 2²¹ forces were evaluated.
+    /// Without a ladder each scheme has its own. From the shortest of the times |q|/|v|, √(|q|/|a|) and 1/√‖∂a/∂q‖ of
+    /// the start the step is doubled while the error is below |q|/100, and halved until the error does not fall any
+    /// more, or 2²¹ forces were evaluated.
     pub fn ladder(mut self, steps: impl IntoIterator<Item = f64>) -> Self {
         self.ladder = Some(steps.into_iter().collect());
         self
@@ -123,8 +123,8 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
     /// Runs everything.
     ///
     /// # Errors
-    /// [`Error`] for what no run could do anything with: no scheme, an end that does not lie after the start, a step, mass
-    /// or state that is refused, an exact solution that is not finite, a reference that cannot be computed.
+    /// [`Error`] for what no run could do anything with: no scheme, an end that does not lie after the start, a step,
+    /// mass or state that is refused, an exact solution that is not finite, a reference that cannot be computed.
     pub fn run(self) -> Result<StudyReport, Error> {
         let Study { case, runners, ladder, exact, repetitions } = self;
         case.check()?;

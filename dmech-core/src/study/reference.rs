@@ -30,8 +30,8 @@ impl Reference {
         self.dt
     }
 
-    /// |q_h − q_2h| at the end, and the rounding of q. Where the order shows, the error of q_h is 255 times less; at the
-    /// level of rounding it is about this.
+    /// |q_h − q_2h| at the end, and the rounding of q. Where the order shows, the error of q_h is 255 times less; at
+    /// the level of rounding it is about this.
     pub fn error(&self) -> f64 {
         self.error
     }

@@ -64,8 +64,8 @@ impl StudyReport {
         self.resolution
     }
 
-    /// The time that each scheme needs for an error, in the order of [`schemes`](StudyReport::schemes); `None` where its
-    /// ladder does not reach it.
+    /// The time that each scheme needs for an error, in the order of [`schemes`](StudyReport::schemes); `None` where
+    /// its ladder does not reach it.
     pub fn time_at(&self, error: f64) -> Vec<(&'static str, Option<Duration>)> {
         self.times_at(error).map(|(name, cost)| (name, cost.map(|cost| seconds(cost.value())))).collect()
     }

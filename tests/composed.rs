@@ -112,7 +112,7 @@ macro_rules! for_each_composition {
 const SPAN: f64 = 4.0;
 
 /// How often the motions are compared on the way: at a single time the leading error may happen to vanish.
-const LOOKS: u64 = 8;
+const LOOKS: u64 = 2;
 
 /// The states at equal distances up to `SPAN`, after so many steps each; `None` where so large a step has no solution.
 fn path<L: Law<D>, S: Scheme<L, D>, const D: usize>(
@@ -143,7 +143,7 @@ where
         )
     };
     // Thirds of an octave.
-    let ladder = (3..36).map(|i| (f64::from(i) / 3.0).exp2().round() as u64);
+    let ladder = (4..36).map(|i| (f64::from(i) / 3.0).exp2().round() as u64);
     let errors = ladder.filter_map(|steps| Some((steps as f64, error(steps)?)));
     let clear: Vec<(f64, f64)> = errors.take_while(|&(steps, error)| error > rounding(steps)).collect();
     let [.., (many, coarse), (more, fine)] = clear[..] else { panic!("no error is clear of rounding") };
@@ -152,13 +152,15 @@ where
 
 #[test]
 fn every_composition_has_its_order() {
-    let mut measured = 0;
+    let (mut measured, mut wrong) = (0, Vec::new());
     macro_rules! one {
         ($set:ident, $base:ident, $law:expr, $start:expr, $exact:expr) => {{
             let order = measured_order($law, Composed::new($base, $set), $start, &$exact);
             println!("{:<16} {:<22} {:<20} {order:.3}", stringify!($base), stringify!($set), stringify!($law));
             let declared = f64::from(<Composed<$base, $set, _> as Method>::ORDER);
-            assert!((order - declared).abs() < 0.1, "{} of {}: {order}", stringify!($set), stringify!($base));
+            if (order - declared).abs() >= 0.1 {
+                wrong.push(format!("{} of {} on {}: {order}", stringify!($set), stringify!($base), stringify!($law)));
+            }
             measured += 1;
         }};
     }
@@ -170,13 +172,17 @@ fn every_composition_has_its_order() {
     }
     law!(HenonHeiles::new(), State::new([0.2, -0.1], [0.25, 0.3]));
     law!(BOWL, State::new([1.1, 0.3], [-0.2, 0.5]));
-    law!(SHAKEN, State::<1>::new([0.9], [0.4]));
-    // Leap-frog refuses the wind.
+    // Leap-frog refuses the wind, and is shaken.
+    let start = State::<1>::new([0.9], [0.4]);
+    let exact = path(SHAKEN, Composed::order8(DiscreteGradient), start, 200).expect("small steps");
+    for_each_set!(one, Leapfrog, SHAKEN, start, exact);
+    for_each_set!(one, DiscreteGradient, SHAKEN, start, exact);
     let start = State::new([0.7, -0.4], [0.3, 0.8]);
     let exact = path(WIND, Composed::order8(DiscreteGradient), start, 200).expect("small steps");
     for_each_set!(one, DiscreteGradient, WIND, start, exact);
     for_each_set!(one, Implicit, WIND, start, exact);
-    assert_eq!(measured, 14 * (3 * 3 + 2));
+    assert_eq!(measured, 14 * (3 + 3 + 2 + 2));
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 #[test]

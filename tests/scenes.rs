@@ -198,7 +198,7 @@ fn moves_as_it_should<L: Term<2, ()> + Clone, S: SceneScheme<2, L::Ready>>(scene
         let simulation = Simulation::scene(scene.clone()).scheme(scheme).dt(end / n as f64).record_every(16);
         simulation.run(n).unwrap()
     };
-    let finest = [16384, 2048, 512, 128, 64][S::ORDER as usize / 2];
+    let finest = [16384, 2048, 512][S::ORDER as usize / 2];
     let [coarse, middle, fine] = [finest / 4, finest / 2, finest].map(run);
     let order = (apart(coarse.last(), middle.last()) / apart(middle.last(), fine.last())).log2();
     println!("{:<48} order {order:.3}", S::NAME);
@@ -232,11 +232,7 @@ fn orders_and_work() {
     moves_as_it_should(&potentials, DiscreteGradient);
     moves_as_it_should(&potentials, Kanatani);
     moves_as_it_should(&potentials, Composed::order4(Leapfrog));
-    moves_as_it_should(&potentials, Composed::order6(Leapfrog));
-    moves_as_it_should(&potentials, Composed::order8(Leapfrog));
     moves_as_it_should(&potentials, Composed::order4(DiscreteGradient));
-    moves_as_it_should(&potentials, Composed::order6(DiscreteGradient));
-    moves_as_it_should(&potentials, Composed::order8(DiscreteGradient));
     let rubbed = potentials.chain(Friction { c: 0.7 }).pin(0);
     let still = Scene::clone(&rubbed);
     assert!(
@@ -257,7 +253,6 @@ fn orders_and_work() {
     moves_as_it_should(&rubbed, Implicit);
     moves_as_it_should(&rubbed, DiscreteGradient);
     moves_as_it_should(&rubbed, Composed::order4(DiscreteGradient));
-    moves_as_it_should(&rubbed, Composed::order6(DiscreteGradient));
 }
 
 /// A chain as a chain, as bonds and, for three bodies with the ends unlinked, as pairs less a bond: the same motion.
@@ -365,6 +360,9 @@ fn a_small_scene_is_a_law_too() {
         )*};
     }
     same!(Explicit, Leapfrog, Implicit, DiscreteGradient, Kanatani);
+    // The orders of these are measured on laws.
+    same!(Composed::order4(Leapfrog), Composed::order6(Leapfrog), Composed::order8(Leapfrog));
+    same!(Composed::order4(DiscreteGradient), Composed::order6(DiscreteGradient), Composed::order8(DiscreteGradient));
 }
 
 /// Everything that is refused before the first step, by its words.

@@ -2,11 +2,11 @@
 
 use super::discrete_gradient::DiscreteGradientScene;
 use super::{SceneScheme, Start};
-use crate::law::VelocityIndependent;
 use crate::newton::NotConverged;
 use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::Acts;
+use crate::scene::terms::WithoutVelocities;
 use crate::scene::vectors::Vectors;
 use crate::scheme::{Coefficients, Composed, DiscreteGradient, Effort, Leapfrog};
 
@@ -40,7 +40,7 @@ impl<const D: usize> ComposedLeapfrogScene<D> {
     }
 }
 
-impl<C: Coefficients<N>, const N: usize, const D: usize, A: Acts<D> + VelocityIndependent> SceneScheme<D, A>
+impl<C: Coefficients<N>, const N: usize, const D: usize, A: Acts<D> + WithoutVelocities> SceneScheme<D, A>
     for Composed<Leapfrog, C, N>
 {
     type Memory = ComposedLeapfrogScene<D>;

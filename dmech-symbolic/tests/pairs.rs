@@ -36,10 +36,10 @@ struct Law {
     kernels: PairKernels,
 }
 
-type Potential<'a> = &'a dyn Fn(&Place) -> E;
-type Force<'a> = &'a dyn Fn(&Place) -> Vec<E>;
+type AnyPotential<'a> = &'a dyn Fn(&Place) -> E;
+type AnyForce<'a> = &'a dyn Fn(&Place) -> Vec<E>;
 
-fn law(dimension: usize, potential: Option<Potential>, force: Option<Force>) -> Law {
+fn law(dimension: usize, potential: Option<AnyPotential<'_>>, force: Option<AnyForce<'_>>) -> Law {
     let mut graph = Graph::new();
     let variables = Variables::new(&mut graph, dimension);
     let pair = PairVariables::new(&mut graph, dimension);

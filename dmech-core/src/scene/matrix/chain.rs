@@ -1,10 +1,7 @@
 //! Consecutive bodies: block-tridiagonal.
 
-use crate::newton::elimination;
+use super::block::{Block, add, invert, plus, product, scaled, subtract, times};
 use crate::scene::vectors::Vectors;
-
-/// A block of the matrix.
-type Block<const D: usize> = [[f64; D]; D];
 
 /// J with blocks on the diagonal and beside it, and the factors of 1 + g J by block elimination without exchange of rows
 /// between bodies; within a block rows are exchanged.
@@ -131,61 +128,4 @@ impl<const D: usize> ChainMatrix<D> {
             x.set(i, after);
         }
     }
-}
-
-/// X += Y.
-#[inline(always)]
-fn add<const D: usize>(x: &mut Block<D>, y: Block<D>) {
-    for k in 0..D {
-        for l in 0..D {
-            x[k][l] += y[k][l];
-        }
-    }
-}
-
-/// X −= Y.
-#[inline(always)]
-fn subtract<const D: usize>(x: &mut Block<D>, y: Block<D>) {
-    for k in 0..D {
-        for l in 0..D {
-            x[k][l] -= y[k][l];
-        }
-    }
-}
-
-/// Row k times g_k.
-#[inline(always)]
-fn scaled<const D: usize>(g: [f64; D], x: &Block<D>) -> Block<D> {
-    core::array::from_fn(|k| core::array::from_fn(|l| g[k] * x[k][l]))
-}
-
-#[inline(always)]
-fn times<const D: usize>(block: &Block<D>, x: [f64; D]) -> [f64; D] {
-    core::array::from_fn(|k| (0..D).map(|l| block[k][l] * x[l]).sum())
-}
-
-#[inline(always)]
-fn plus<const D: usize>(x: [f64; D], y: [f64; D]) -> [f64; D] {
-    core::array::from_fn(|k| x[k] + y[k])
-}
-
-#[inline(always)]
-fn product<const D: usize>(x: &Block<D>, y: &Block<D>) -> Block<D> {
-    core::array::from_fn(|k| core::array::from_fn(|l| (0..D).map(|m| x[k][m] * y[m][l]).sum()))
-}
-
-/// X⁻¹, column by column.
-#[inline(always)]
-fn invert<const D: usize>(x: &Block<D>) -> Block<D> {
-    if D == 1 {
-        return x.map(|row| row.map(f64::recip));
-    }
-    let mut inverse = [[0.0; D]; D];
-    for l in 0..D {
-        let column = elimination::solve(*x, core::array::from_fn(|k| f64::from(u8::from(k == l))));
-        for k in 0..D {
-            inverse[k][l] = column[k];
-        }
-    }
-    inverse
 }

@@ -1,5 +1,6 @@
 //! The Newton matrix of a scene: its pattern follows from what links the bodies.
 
+pub(super) mod block;
 mod chain;
 mod dense;
 mod series;

@@ -1,12 +1,13 @@
 //! The energy-exact scheme on scenes.
 
-use super::{SceneScheme, Start, guess, shift};
+use super::{SceneScheme, Start, shift};
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
 use crate::scene::newton::{Equation, Solver, Unknown};
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::Acts;
+use crate::scene::terms::stencil::Stencil;
 use crate::scene::vectors::Vectors;
 use crate::scheme::{DiscreteGradient, Effort, Newton};
 
@@ -54,6 +55,11 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     fn jacobian(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>) {
         self.acts.add_discrete_jacobian(self.a, b, self.middle, out);
         self.acts.subtract_force_jacobian(0.5, b, v, self.end, rate, out);
+    }
+
+    #[inline(always)]
+    fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>) {
+        self.acts.add_discrete_stencil(self.a, b, self.middle, first, out);
     }
 }
 
@@ -134,9 +140,6 @@ impl<const D: usize> Moving<'_, D> {
             half_force.clear();
             acts.subtract_force(0.5, &q.hi, &v.hi, t, half_force);
         }
-        // These forces are whole: there is no known part beside them.
-        guess(newton, (h, v), None, g, forces, &mut solver.delta);
-        let max_iterations = newton.limit();
         let equation = Equation {
             q: &q.hi,
             q_low: &q.lo,
@@ -146,7 +149,9 @@ impl<const D: usize> Moving<'_, D> {
             v: &v.hi,
             v_low: &v.lo,
             rate: 2.0 / h,
-            max_iterations,
+            last: forces,
+            last_are_whole: true,
+            newton,
         };
         let unknown = Exact { acts, a: &q.hi, middle: t + 0.5 * h, end: t + h };
         let effort = solver.solve(&equation, &unknown)?;

@@ -1,12 +1,13 @@
 //! The implicit scheme on scenes.
 
-use super::{SceneScheme, Start, guess, shift};
+use super::{SceneScheme, Start, shift};
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
 use crate::scene::newton::{Equation, Solver, Unknown};
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::Acts;
+use crate::scene::terms::stencil::Stencil;
 use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Implicit};
 
@@ -51,6 +52,11 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
         self.acts.add_hessian(1.0, b, self.t, out);
         self.acts.subtract_force_jacobian(1.0, b, v, self.t, rate, out);
     }
+
+    #[inline(always)]
+    fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>) {
+        self.acts.add_stencil(b, self.t, first, out);
+    }
 }
 
 impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
@@ -83,8 +89,6 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         let ImplicitScene { q, v, gradients, g } = memory;
         let h = system.setting.dt;
         let [gradient, before, earlier] = &*gradients;
-        guess(&self.newton, (h, v), Some(gradient), g, [gradient, before, earlier], &mut solver.delta);
-        let max_iterations = self.newton.limit();
         let equation = Equation {
             q: &q.hi,
             q_low: &q.lo,
@@ -94,7 +98,9 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
             v: &v.hi,
             v_low: &v.lo,
             rate: 2.0 / h,
-            max_iterations,
+            last: [gradient, before, earlier],
+            last_are_whole: false,
+            newton: &self.newton,
         };
         let effort = solver.solve(&equation, &AtEnd { acts: &system.acts, t: t + h })?;
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());

@@ -1,11 +1,12 @@
 //! Kanatani's scheme on scenes.
 
-use super::{SceneScheme, Start, discrete_gradient, guess, shift};
+use super::{SceneScheme, Start, discrete_gradient, shift};
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
 use crate::scene::newton::{Equation, Solver, Unknown};
 use crate::scene::setting::{Setting, System};
+use crate::scene::terms::stencil::Stencil;
 use crate::scene::terms::{Acts, WithoutVelocities};
 use crate::scene::vectors::Vectors;
 use crate::scheme::{Effort, Kanatani, Start as Beginning};
@@ -73,6 +74,11 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
             self.acts.add_discrete_jacobian(&self.behind(theta), b, self.t, out);
         }
     }
+
+    #[inline(always)]
+    fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>) {
+        self.acts.add_discrete_stencil(self.before, b, self.t, first, out);
+    }
 }
 
 impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> for Kanatani {
@@ -129,8 +135,6 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
             force.clear();
             system.acts.subtract_force(1.0, &q.hi, &z.hi, t, force);
         }
-        guess(&self.newton, (h, z), None, g, [gradient, before, earlier], &mut solver.delta);
-        let max_iterations = self.newton.limit();
         let equation = Equation {
             q: &q.hi,
             q_low: &q.lo,
@@ -140,7 +144,9 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
             v: &z.hi,
             v_low: &z.lo,
             rate: 0.0,
-            max_iterations,
+            last: [gradient, before, earlier],
+            last_are_whole: true,
+            newton: &self.newton,
         };
         let unknown = Exact { acts: &system.acts, before: q_before, q: &q.hi, t };
         let effort = solver.solve(&equation, &unknown)?;

@@ -23,13 +23,12 @@ mod implicit;
 mod kanatani;
 mod leapfrog;
 
-use super::compensated::CompensatedVectors;
 use super::newton::Solver;
 use super::setting::{Setting, System};
 use super::terms::Acts;
 use super::vectors::Vectors;
 use crate::newton::NotConverged;
-use crate::scheme::{Effort, Guess, Method, Newton};
+use crate::scheme::{Effort, Method};
 
 /// The state that a scheme starts from.
 #[derive(Clone, Copy, Debug)]
@@ -92,26 +91,6 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
     /// The scheme's own energy where it differs from Σ m v²/2 + Φ(q).
     fn discrete_energy(&self, _system: &System<D, A>, _t: f64, _memory: &Self::Memory) -> Option<f64> {
         None
-    }
-}
-
-/// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
-fn guess<const D: usize>(
-    newton: &Newton,
-    (h, v): (f64, &CompensatedVectors<D>),
-    known: Option<&Vectors<D>>,
-    g: &Vectors<D>,
-    [last, before, earlier]: [&Vectors<D>; 3],
-    delta: &mut Vectors<D>,
-) {
-    if newton.start() == Guess::Previous {
-        delta.clear();
-        return;
-    }
-    for (i, delta) in delta.flat_mut().iter_mut().enumerate() {
-        let next = 3.0 * (last.flat()[i] - before.flat()[i]) + earlier.flat()[i];
-        let all = known.map_or(next, |known| known.flat()[i] + next);
-        *delta = h * v.hi.flat()[i] + h * v.lo.flat()[i] - g.flat()[i] * all;
     }
 }
 

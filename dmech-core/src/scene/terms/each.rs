@@ -1,5 +1,6 @@
 //! A law on each body.
 
+use super::stencil::{Stencil, block};
 use super::{Acts, Fault, Term, Topology, WithoutVelocities};
 use crate::error::Error;
 use crate::law::{Field, Law, Potential, VelocityIndependent};
@@ -92,6 +93,22 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
                 let block = |k: usize, l: usize| -c * rate.mul_add(by_v[k][l], by_q[k][l]);
                 out.add_block(i, i, core::array::from_fn(|k| core::array::from_fn(|l| block(k, l))));
             }
+        }
+    }
+
+    #[inline(always)]
+    fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        for i in block(first, q.bodies()) {
+            let (field, q) = (self.law.field(self.masses[i], t), q.get(i));
+            out.add_own(i - first, field.gradient(q), field.hessian(q));
+        }
+    }
+
+    #[inline(always)]
+    fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        for i in block(first, b.bodies()) {
+            let (field, a, b) = (self.law.field(self.masses[i], t), a.get(i), b.get(i));
+            out.add_own(i - first, field.discrete_gradient(a, b), field.discrete_gradient_jacobian(a, b));
         }
     }
 

@@ -5,7 +5,8 @@ use core::marker::PhantomData;
 use super::links::Links;
 use super::numbers::NumberColumns;
 use super::packed::Packed;
-use super::sweep::Kernel;
+use super::stencil::Stencil;
+use super::sweep::{self, Kernel};
 use super::{Acts, Fault, Term, Topology, WithoutVelocities};
 use crate::error::Error;
 use crate::law::{Potential, VelocityIndependent};
@@ -60,6 +61,16 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers,
     ) -> [R; D] {
         self.law.between(a, b, R::from_f64(self.t)).gradient(d)
     }
+
+    #[inline(always)]
+    fn jacobian(
+        &self,
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        [d]: [[R; D]; 1],
+    ) -> [[R; D]; D] {
+        self.law.between(a, b, R::from_f64(self.t)).hessian(d)
+    }
 }
 
 /// (d, d′) ↦ ∇̄Φ(d, d′).
@@ -74,6 +85,16 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers,
         [from, to]: [[R; D]; 2],
     ) -> [R; D] {
         self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient(from, to)
+    }
+
+    #[inline(always)]
+    fn jacobian(
+        &self,
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        [from, to]: [[R; D]; 2],
+    ) -> [[R; D]; D] {
+        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient_jacobian(from, to)
     }
 }
 
@@ -196,6 +217,20 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
             row(a, b);
             row(b, a);
         });
+    }
+
+    #[inline(always)]
+    fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            sweep::stencil(&self.slope(t), [q], &self.numbers, first, out);
+        }
+    }
+
+    #[inline(always)]
+    fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            sweep::stencil(&Secant(self.slope(t)), [a, b], &self.numbers, first, out);
+        }
     }
 
     fn links(&self, _: usize) -> Topology {

@@ -6,12 +6,15 @@ mod links;
 mod numbers;
 mod packed;
 mod pairs;
+pub(super) mod stencil;
 mod sweep;
 
 pub use each::Each;
 pub use linked::Linked;
 pub use links::{Bonds, Chain};
 pub use pairs::Pairs;
+
+use stencil::Stencil;
 
 use super::builder::Bodies;
 use super::matrix::Matrix;
@@ -79,6 +82,10 @@ pub trait Acts<const D: usize> {
     fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>);
     /// −c (∂F/∂q + rate ∂F/∂v).
     fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>);
+    /// ∇Φ(q) and ∂²Φ/∂q∂q for the bodies of a chain from `first` on. Not asked where bonds or pairs act.
+    fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
+    /// ∇̄Φ(a, b) and ∂∇̄Φ(a, b)/∂b for the same.
+    fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
     /// Every pair of bodies that the Jacobian links; how far apart in the order of bodies says which solver fits.
     fn links(&self, bodies: usize) -> Topology;
     /// The first link or body on which what acts is not finite.
@@ -166,6 +173,8 @@ impl<const D: usize> Acts<D> for () {
     fn add_hessian(&self, _: f64, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
     fn add_discrete_jacobian(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
     fn subtract_force_jacobian(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: f64, _: &mut Matrix<D>) {}
+    fn add_stencil(&self, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
+    fn add_discrete_stencil(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
     fn links(&self, _: usize) -> Topology {
         Topology::Chain
     }
@@ -237,6 +246,16 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>) {
         self.0.subtract_force_jacobian(c, q, v, t, rate, out);
         self.1.subtract_force_jacobian(c, q, v, t, rate, out);
+    }
+    #[inline(always)]
+    fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        self.0.add_stencil(q, t, first, out);
+        self.1.add_stencil(q, t, first, out);
+    }
+    #[inline(always)]
+    fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        self.0.add_discrete_stencil(a, b, t, first, out);
+        self.1.add_discrete_stencil(a, b, t, first, out);
     }
     fn links(&self, bodies: usize) -> Topology {
         self.0.links(bodies).and(self.1.links(bodies))

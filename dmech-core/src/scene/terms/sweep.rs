@@ -6,6 +6,7 @@ use dmech_scalar::Lanes;
 
 use super::numbers::NumberColumns;
 use super::packed::Packed;
+use super::stencil::Stencil;
 use crate::pair::Numbers;
 use crate::scene::vectors::Vectors;
 
@@ -13,6 +14,8 @@ use crate::scene::vectors::Vectors;
 pub trait Kernel<const D: usize, const S: usize, N: Numbers, R: Packed>: Sync {
     /// With respect to d = q_a − q_b, for the numbers of a and b.
     fn gradient(&self, a: N::Of<R>, b: N::Of<R>, d: [[R; D]; S]) -> [R; D];
+    /// Its derivative with respect to the last d.
+    fn jacobian(&self, a: N::Of<R>, b: N::Of<R>, d: [[R; D]; S]) -> [[R; D]; D];
 }
 
 /// One at a time and eight at a time.
@@ -139,6 +142,28 @@ pub(super) fn chain<const SET: bool, const D: usize, const S: usize, N: Numbers>
     }
 }
 
+/// The gradients and Jacobians of the links of a chain from body `first` on.
+#[inline(always)]
+pub(super) fn stencil<const D: usize, const S: usize, N: Numbers>(
+    kernel: &impl Kernels<D, S, N>,
+    q: [&Vectors<D>; S],
+    numbers: &NumberColumns<N>,
+    first: usize,
+    out: &mut Stencil<D>,
+) {
+    let links = numbers.bodies().saturating_sub(1);
+    let q = q.map(|q| q.columns());
+    if first + Lanes::COUNT <= links {
+        let (a, b, d) = along::<D, S, N, Lanes>(&q, numbers, first);
+        out.add_links(kernel.gradient(a, b, d), kernel.jacobian(a, b, d));
+    } else {
+        for j in first..links {
+            let (a, b, d) = along::<D, S, N, f64>(&q, numbers, j);
+            out.add_link(j - first, kernel.gradient(a, b, d), kernel.jacobian(a, b, d));
+        }
+    }
+}
+
 /// The links from body j to j + 1, and the following ones in further lanes.
 #[inline(always)]
 fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
@@ -147,6 +172,18 @@ fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
     numbers: &NumberColumns<N>,
     j: usize,
 ) -> [R; D] {
+    let (a, b, d) = along(q, numbers, j);
+    kernel.gradient(a, b, d)
+}
+
+/// The numbers of both bodies and q_j − q_{j+1} at each moment.
+#[expect(clippy::type_complexity, reason = "what a kernel takes, in its order")]
+#[inline(always)]
+fn along<const D: usize, const S: usize, N: Numbers, R: Packed>(
+    q: &Moments<'_, D, S>,
+    numbers: &NumberColumns<N>,
+    j: usize,
+) -> (N::Of<R>, N::Of<R>, [[R; D]; S]) {
     let d = each(|moment, k| R::load(q[moment][k], j) - R::load(q[moment][k], j + 1));
-    kernel.gradient(numbers.load(j), numbers.load(j + 1), d)
+    (numbers.load(j), numbers.load(j + 1), d)
 }

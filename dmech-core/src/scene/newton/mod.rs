@@ -1,10 +1,20 @@
 //! Solving the implicit steps of a scene.
 
+mod chain;
+mod progress;
+
+use core::ops::Range;
+
+use dmech_scalar::{Lanes, Real};
+
+use self::chain::Chain;
+use self::progress::{Progress, Verdict};
 use super::matrix::Matrix;
 use super::terms::Topology;
+use super::terms::stencil::{Stencil, block, load, store};
 use super::vectors::Vectors;
 use crate::newton::NotConverged;
-use crate::scheme::Effort;
+use crate::scheme::{Effort, Guess, Newton};
 
 /// Corrections with one factorisation before the Jacobian is taken anew.
 const CHORD: u32 = 6;
@@ -29,7 +39,11 @@ pub(super) struct Equation<'a, const D: usize> {
     pub(super) v: &'a Vectors<D>,
     pub(super) v_low: &'a Vectors<D>,
     pub(super) rate: f64,
-    pub(super) max_iterations: u32,
+    /// The forces of the last three steps, the newest first, which the guess continues by a parabola.
+    pub(super) last: [&'a Vectors<D>; 3],
+    /// The known part is among them.
+    pub(super) last_are_whole: bool,
+    pub(super) newton: &'a Newton,
 }
 
 impl<const D: usize> Equation<'_, D> {
@@ -37,6 +51,33 @@ impl<const D: usize> Equation<'_, D> {
     #[inline(always)]
     fn drift(&self, i: usize) -> f64 {
         self.h * self.v.flat()[i] + self.h * self.v_low.flat()[i]
+    }
+
+    /// The same for some components, eight at most.
+    #[inline(always)]
+    fn drifts(&self, range: Range<usize>) -> Lanes {
+        let h = Lanes::splat(self.h);
+        h * load(self.v.flat(), range.clone()) + h * load(self.v_low.flat(), range)
+    }
+
+    /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), for some components, eight at most.
+    #[inline(always)]
+    fn guess(&self, range: Range<usize>) -> Lanes {
+        if self.newton.start() == Guess::Previous {
+            return Lanes::ZERO;
+        }
+        let of = |x: &Vectors<D>| load(x.flat(), range.clone());
+        let [last, before, earlier] = self.last.map(of);
+        let mut force = Lanes::splat(3.0) * (last - before) + earlier;
+        if let Some(known) = self.known.filter(|_| !self.last_are_whole) {
+            force += of(known);
+        }
+        self.drifts(range.clone()) - of(self.g) * force
+    }
+
+    /// Corrections before a starting point is given up.
+    fn limit(&self) -> u32 {
+        PATIENCE.min(self.newton.limit())
     }
 }
 
@@ -51,13 +92,17 @@ pub(super) trait Unknown<const D: usize> {
     fn gradient(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>);
     /// out += ∂G/∂b + rate ∂G/∂v.
     fn jacobian(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>);
+    /// Both for the bodies of a chain from `first` on, for the whole step and a G that does not depend on the velocity.
+    fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>);
 }
 
 /// The Newton matrix and the vectors of an iteration, allocated once.
 #[derive(Clone, Debug)]
 pub struct Solver<const D: usize> {
     matrix: Matrix<D>,
-    /// Δ; the guess before a solution.
+    /// In place of the matrix, where consecutive bodies are linked and forces do not depend on velocities.
+    chain: Option<Chain<D>>,
+    /// Δ.
     pub(super) delta: Vectors<D>,
     /// G at the solution, G + J δ of the last correction.
     pub(super) gradient: Vectors<D>,
@@ -76,6 +121,7 @@ impl<const D: usize> Solver<D> {
         let zeros = Vectors::zeros(bodies);
         Solver {
             matrix: Matrix::new(bodies, topology),
+            chain: (*topology == Topology::Chain).then(|| Chain::new(bodies)),
             delta: zeros.clone(),
             gradient: zeros.clone(),
             place: zeros.clone(),
@@ -86,33 +132,40 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    /// Solves from the guess in `delta`; the gradient at the solution is then in `gradient`.
+    /// The gradient at the solution is then in `gradient`.
     pub(super) fn solve<U: Unknown<D>>(
         &mut self,
         equation: &Equation<'_, D>,
         unknown: &U,
     ) -> Result<Effort, NotConverged> {
-        match self.settle(equation, unknown, 1.0) {
+        let settled = match self.chain.take() {
+            Some(mut chain) if !U::FORCED => {
+                let settled = self.settle_chain(&mut chain, equation, unknown);
+                self.chain = Some(chain);
+                settled
+            }
+            chain => {
+                self.chain = chain;
+                self.guess(equation);
+                self.settle(equation, unknown, 1.0)
+            }
+        };
+        match settled {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
             Err(astray) => self.lengthen(equation, unknown, astray.iterations as u32),
         }
     }
 
     /// Newton with one factorisation for several corrections, for a part θ of the step.
-    ///
-    /// What must be right is the force: after the correction δₖ that of G + J δₖ is off by about r |δₖ|/g, where r is the
-    /// rate at which corrections shrink. Of the first, r is |δ|/|Δ|: the force is taken to vary over lengths no shorter than
-    /// the step. Below rounding by a margin, as neglected terms keep their sign and add up.
     fn settle<U: Unknown<D>>(
         &mut self,
         equation: &Equation<'_, D>,
         unknown: &U,
         theta: f64,
     ) -> Result<u32, NotConverged> {
-        const MARGIN: f64 = f64::EPSILON / 64.0;
-        let mut last = f64::NAN;
+        let mut progress = Progress::default();
         let mut since_factors = 0;
-        for iteration in 1..=PATIENCE.min(equation.max_iterations) {
+        for iteration in 1..=equation.limit() {
             self.place::<U>(equation);
             unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
             if iteration == 1 || since_factors == CHORD {
@@ -128,27 +181,14 @@ impl<const D: usize> Solver<D> {
             self.solve_linear(equation, theta);
             self.matrix.multiply_add(&self.place, &mut self.gradient);
             let [size, step] = self.correct();
-            if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step) {
-                return Err(NotConverged { iterations: iteration.into(), residual: size });
+            match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
+                Verdict::Settled => return Ok(iteration),
+                Verdict::GoesOn => {}
+                Verdict::Slow if since_factors > 1 => since_factors = CHORD,
+                Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),
             }
-            let rate = if iteration == 1 { size / step } else { size / last };
-            let settled = size == 0.0 || U::LINEAR || rate * size <= MARGIN * force;
-            // Corrections that no longer shrink and that a position can no longer show: forces that cancel, as in an
-            // equilibrium, are not known better.
-            let at_rounding =
-                iteration > 2 && rate > 0.25 && size <= 4.0 * f64::EPSILON * equation.q.largest().max(step);
-            if settled || at_rounding {
-                return Ok(iteration);
-            }
-            if iteration > 1 && rate > 0.5 {
-                if since_factors <= 1 {
-                    return Err(NotConverged { iterations: iteration.into(), residual: size });
-                }
-                since_factors = CHORD;
-            }
-            last = size;
         }
-        Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations).into(), residual: last })
+        Err(progress.exhausted(equation))
     }
 
     /// Follows the root from a step of length 0 to the whole step.
@@ -165,7 +205,7 @@ impl<const D: usize> Solver<D> {
         unknown.gradient(0.0, &self.place, &self.velocity, &mut self.first);
         self.slope.clear();
         let (mut theta, mut advance, mut residual) = (0.0, 0.25, f64::NAN);
-        while evaluations < equation.max_iterations && advance >= SHORTEST {
+        while evaluations < equation.newton.limit() && advance >= SHORTEST {
             let next = f64::min(theta + advance, 1.0);
             let ahead = next - theta;
             for i in 0..self.delta.flat().len() {
@@ -194,6 +234,14 @@ impl<const D: usize> Solver<D> {
             }
         }
         Err(NotConverged { iterations: evaluations.into(), residual })
+    }
+
+    /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
+    fn guess(&mut self, equation: &Equation<'_, D>) {
+        for first in (0..self.delta.flat().len()).step_by(Lanes::COUNT) {
+            let range = block(first, self.delta.flat().len());
+            store(equation.guess(range.clone()), self.delta.flat_mut(), range);
+        }
     }
 
     /// b = q + Δ and, where it is needed, v at the end of the step.

@@ -1,0 +1,70 @@
+//! Whether corrections have become small enough.
+
+use super::{Equation, Unknown};
+use crate::newton::NotConverged;
+
+/// Of the force, what may be neglected. Below rounding by a margin, as neglected terms keep their sign and add up.
+const MARGIN: f64 = f64::EPSILON / 64.0;
+
+/// The size of the correction before.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Progress {
+    last: f64,
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        Progress { last: f64::NAN }
+    }
+}
+
+/// What follows from a correction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Verdict {
+    /// The force is known to rounding.
+    Settled,
+    /// Another correction will do better.
+    GoesOn,
+    /// Another correction with the same Jacobian will hardly do better.
+    Slow,
+}
+
+impl Progress {
+    /// After the correction δ of Δ, with the largest |δ|, |Δ| and |g G|.
+    ///
+    /// What must be right is the force: after the correction δₖ that of G + J δₖ is off by about r |δₖ|/g, where r is the
+    /// rate at which corrections shrink. Of the first, r is |δ|/|Δ|: the force is taken to vary over lengths no shorter than
+    /// the step.
+    ///
+    /// # Errors
+    /// The corrections are not finite, or lead away from the guess.
+    pub(super) fn judge<U: Unknown<D>, const D: usize>(
+        &mut self,
+        equation: &Equation<'_, D>,
+        iteration: u32,
+        [size, step, force]: [f64; 3],
+    ) -> Result<Verdict, NotConverged> {
+        if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step) {
+            return Err(NotConverged { iterations: iteration.into(), residual: size });
+        }
+        let rate = if iteration == 1 { size / step } else { size / self.last };
+        self.last = size;
+        let settled = size == 0.0 || U::LINEAR || rate * size <= MARGIN * force;
+        // Corrections that no longer shrink and that a position can no longer show: forces that cancel, as in an
+        // equilibrium, are not known better.
+        let at_rounding =
+            || iteration > 2 && rate > 0.25 && size <= 4.0 * f64::EPSILON * equation.q.largest().max(step);
+        Ok(if settled || at_rounding() {
+            Verdict::Settled
+        } else if iteration > 1 && rate > 0.5 {
+            Verdict::Slow
+        } else {
+            Verdict::GoesOn
+        })
+    }
+
+    /// There are no corrections left.
+    pub(super) fn exhausted<const D: usize>(&self, equation: &Equation<'_, D>) -> NotConverged {
+        NotConverged { iterations: equation.limit().into(), residual: self.last }
+    }
+}

@@ -61,6 +61,23 @@ fn energy_is_exact_over_a_million_steps() {
     keeps_its_energy(CROSSED, IN_THE_PLANE, 0.01, "crossed fields");
 }
 
+#[test]
+fn energy_is_exact_at_every_order() {
+    fn keeps<L: Law<D> + Copy, S: Scheme<L, D>, const D: usize>(law: L, start: State<D>, scheme: S, h: f64) {
+        let run = simulate(law, start, scheme, (h, 100_000));
+        let drift = run.drift(Invariant::Energy).expect("an invariant");
+        println!("h = {h:<5} {:<50} {:.1e}", S::NAME, drift.max_relative());
+        assert!(drift.max_relative() < 1e-13 && drift.max_abs() > 0.0, "{}: {:e}", S::NAME, drift.max_relative());
+    }
+    let bowl = Bowl { b: 2.1, length: 4.0, k: 0.7, c: 0.3 };
+    keeps(UNIFORM, IN_SPACE, Composed::order4(DiscreteGradient), 0.1);
+    keeps(UNIFORM, IN_SPACE, Composed::order8(DiscreteGradient), 0.3);
+    keeps(CROSSED, IN_THE_PLANE, Composed::order6(DiscreteGradient), 0.3);
+    keeps(bowl, IN_THE_PLANE, Composed::order4(DiscreteGradient), 0.1);
+    keeps(bowl, IN_THE_PLANE, Composed::order6(DiscreteGradient), 0.1);
+    keeps(bowl, IN_THE_PLANE, Composed::order8(DiscreteGradient), 0.3);
+}
+
 /// Up to half a radian of gyration in a step: a rounding that has a mean would show as h² times the number of steps.
 #[test]
 fn energy_is_exact_with_large_steps() {

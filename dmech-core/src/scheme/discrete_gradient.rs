@@ -90,6 +90,26 @@ impl Method for DiscreteGradient {
     }
 }
 
+/// One step of position and velocity from time t on; `expected` is the force that the guess is made with.
+#[inline(always)]
+pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
+    law: &L,
+    stride: &Stride<R>,
+    t: R,
+    q: &mut CompensatedVector<D, R>,
+    v: &mut CompensatedVector<D, R>,
+    expected: [R; D],
+    newton: &Newton,
+) -> Result<Increment<D, R>, NotConverged> {
+    if <L::Field<'_> as Field<D, R>>::FORCED && <L::Field<'_> as Field<D, R>>::CONSERVES_ENERGY {
+        return workless::step(law, stride, t, q, v, expected, newton);
+    }
+    let found = increment(law, stride, t, q.value(), v, expected, newton)?;
+    q.add(found.delta);
+    stride.kick_compensated(v, found.gradient);
+    Ok(found)
+}
+
 /// Δq and the mean slope ∇̄Φ − (F + F′)/2 of one step from q with velocity v, from the slope that is expected.
 #[inline(always)]
 pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
@@ -132,14 +152,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
         let DiscreteGradientMemory { mut q, mut v, gradients } = *memory;
-        let found = if <L::Field<'_> as Field<D, R>>::FORCED && <L::Field<'_> as Field<D, R>>::CONSERVES_ENERGY {
-            workless::step(law, stride, t, &mut q, &mut v, gradients, &self.newton)?
-        } else {
-            let found = increment(law, stride, t, q.value(), &v, continued(gradients), &self.newton)?;
-            q.add(found.delta);
-            stride.kick_compensated(&mut v, found.gradient);
-            found
-        };
+        let found = advance(law, stride, t, &mut q, &mut v, continued(gradients), &self.newton)?;
         *memory = DiscreteGradientMemory { q, v, gradients: [found.gradient, gradients[0], gradients[1]] };
         Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
     }

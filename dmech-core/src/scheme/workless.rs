@@ -5,7 +5,6 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
-use super::guess::continued;
 use super::{Newton, Stride, exact_product};
 use crate::law::{Field, Law};
 use crate::newton::{Equation, Increment, NotConverged};
@@ -18,7 +17,7 @@ pub(super) fn step<L: Law<D, R>, const D: usize, R: Real>(
     t: R,
     q: &mut CompensatedVector<D, R>,
     v: &mut CompensatedVector<D, R>,
-    gradients: [[R; D]; 3],
+    expected: [R; D],
     newton: &Newton,
 ) -> Result<Increment<D, R>, NotConverged> {
     let half = R::from_f64(0.5);
@@ -30,7 +29,7 @@ pub(super) fn step<L: Law<D, R>, const D: usize, R: Real>(
         v: v.hi,
         rate: stride.rate,
         t_end: t + stride.dt,
-        guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, continued(gradients)),
+        guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, expected),
         max_iterations: newton.limit(),
         ..Equation::new(start, drift, g)
     };

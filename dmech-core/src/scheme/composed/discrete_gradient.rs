@@ -9,7 +9,7 @@ use super::{Coefficients, Composed};
 use crate::State;
 use crate::law::{Field, Law};
 use crate::newton::NotConverged;
-use crate::scheme::discrete_gradient::increment;
+use crate::scheme::discrete_gradient::advance;
 use crate::scheme::{DiscreteGradient, Effort, Scheme, Stride};
 use crate::vector::{finite, weighted};
 
@@ -67,9 +67,7 @@ where
         for k in 0..N {
             let now = R::from_f64(Self::begins(k)).mul_add(stride.dt, t);
             let next = expected(&Self::WEIGHTS[k], &gradients);
-            let found = increment(law, &strides[k], now, q.value(), &v, next, &self.scheme.newton)?;
-            q.add(found.delta);
-            strides[k].kick_compensated(&mut v, found.gradient);
+            let found = advance(law, &strides[k], now, &mut q, &mut v, next, &self.scheme.newton)?;
             gradients[k] = found.gradient;
             work -= weighted(law.mass_ratios(), found.gradient, found.delta);
             effort.evaluations += found.evaluations;

@@ -1,0 +1,146 @@
+//! How the error of a conserved quantity grows with the number of steps.
+#![allow(dead_code, reason = "the example and the tests use their parts")]
+
+use std::f64::consts::TAU;
+
+use dmech::models::{HenonHeiles, Kepler};
+use dmech::prelude::*;
+use dmech::scene::{Chain, Linked, SceneScheme, Term};
+use dmech::scheme::{Method, Scheme};
+
+/// Starts of one motion, whose errors are averaged.
+const STARTS: u32 = 8;
+/// At how many states of a run the quantity is looked at.
+const LOOKS: u64 = 50;
+
+/// Φ(d) = k d²/2 + β d⁴/4 along each link.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fput {
+    k: f64,
+    beta: f64,
+}
+
+#[dmech::law]
+impl Fput {
+    #[pair]
+    fn energy(&self, d: [f64; 1]) -> f64 {
+        0.5 * self.k * d[0] * d[0] + 0.25 * self.beta * d[0].powi(4)
+    }
+}
+
+type FputChain = <((), Linked<Fput, Chain>) as Term<1, ()>>::Ready;
+
+/// A scheme that every motion here can be stepped by.
+pub(crate) trait Any: Scheme<Kepler, 2> + Scheme<HenonHeiles, 2> + SceneScheme<1, FputChain> {}
+impl<S: Scheme<Kepler, 2> + Scheme<HenonHeiles, 2> + SceneScheme<1, FputChain>> Any for S {}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Motion {
+    /// Ellipses of eccentricity 0.3 to 0.65, 200 steps to a period.
+    Kepler,
+    /// Energies about 1/12, h = 0.1.
+    HenonHeiles,
+    /// Eight bodies between walls, h = 0.1.
+    Chain,
+}
+
+impl Motion {
+    pub(crate) const ALL: [Motion; 3] = [Motion::Kepler, Motion::HenonHeiles, Motion::Chain];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Motion::Kepler => "Kepler",
+            Motion::HenonHeiles => "Hénon–Heiles",
+            Motion::Chain => "FPUT chain",
+        }
+    }
+
+    /// The largest error in `steps` steps from one of the starts, relative.
+    fn drift<S: Any>(self, scheme: S, invariant: Invariant, start: u32, steps: u64) -> Result<f64, String> {
+        let every = (steps / LOOKS).max(1);
+        let x = f64::from(start);
+        let drift = match self {
+            Motion::Kepler => {
+                // From the apocentre at distance 1.3, turned by an angle that is no simple part of a turn.
+                let (gm, e, angle) = (1.1, 0.3 + 0.05 * x, 0.7 + 1.9 * x);
+                let (r, half_axis) = (1.3, 1.3 / (1.0 + e));
+                let speed = (gm * (1.0 - e) / r).sqrt();
+                let (sin, cos) = angle.sin_cos();
+                let period = TAU * (half_axis.powi(3) / gm).sqrt();
+                let state = State::new([r * cos, r * sin], [-speed * sin, speed * cos]);
+                let simulation = Simulation::new(Kepler { gm }, state).scheme(scheme).dt(period / 200.0);
+                simulation.record_every(every).run(steps).map(|run| run.drift(invariant)).map_err(|e| e.to_string())
+            }
+            Motion::HenonHeiles => {
+                let state = State::new([0.05 * (x + 1.0).sin(), -0.1 + 0.03 * x], [0.3 + 0.01 * x, 0.21 - 0.02 * x]);
+                let simulation = Simulation::new(HenonHeiles { lambda: 1.0 }, state).scheme(scheme).dt(0.1);
+                simulation.record_every(every).run(steps).map(|run| run.drift(invariant)).map_err(|e| e.to_string())
+            }
+            Motion::Chain => {
+                let mut scene = Scene::new();
+                for i in 0..10 {
+                    let along = std::f64::consts::PI * f64::from(i) / 9.0;
+                    let q = if i % 9 == 0 { 0.0 } else { 0.7 * along.sin() + (0.3 - 0.07 * x) * (2.0 * along).sin() };
+                    scene = scene.body(1.0, [q], [0.0]);
+                }
+                let scene = scene.chain(Fput { k: 1.1, beta: 0.3 }).pin(0).pin(9);
+                let simulation = Simulation::scene(scene).scheme(scheme).dt(0.1);
+                simulation.record_every(every).run(steps).map(|run| run.drift(invariant)).map_err(|e| e.to_string())
+            }
+        }?;
+        drift.map(|drift| drift.max_relative()).ok_or_else(|| format!("{} has no such invariant", self.name()))
+    }
+
+    /// Root mean squares over the starts, for numbers of steps from 10² to 10^decades.
+    pub(crate) fn growth<S: Any + Send>(
+        self,
+        scheme: S,
+        invariant: Invariant,
+        decades: u32,
+    ) -> Result<Growth, Box<dyn std::error::Error>> {
+        let mut points = Vec::new();
+        for half_decade in 4..=2 * decades {
+            let steps = 10_f64.powf(0.5 * f64::from(half_decade)).round() as u64;
+            let drifts = std::thread::scope(|scope| {
+                let one = |start| scope.spawn(move || self.drift(scheme, invariant, start, steps));
+                let threads: Vec<_> = (0..STARTS).map(one).collect();
+                threads.into_iter().map(|thread| thread.join().expect("a run")).collect::<Result<Vec<_>, _>>()
+            })?;
+            let squares: f64 = drifts.iter().map(|drift| drift * drift).sum();
+            points.push((steps as f64, (squares / f64::from(STARTS)).sqrt()));
+        }
+        Ok(Growth { scheme: <S as Method>::NAME, points })
+    }
+}
+
+/// The error after numbers of steps.
+#[derive(Clone, Debug)]
+pub(crate) struct Growth {
+    pub(crate) scheme: &'static str,
+    /// Steps, and the root mean square of the largest errors until then.
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+impl Growth {
+    /// The points that stand clear of the rounding of a single value, with which the first agrees.
+    pub(crate) fn clear(&self) -> &[(f64, f64)] {
+        let floor = self.points.first().map_or(0.0, |first| first.1);
+        let clear = self.points.iter().rposition(|point| point.1 < 3.0 * floor).map_or(0, |last| last + 1);
+        &self.points[clear..]
+    }
+
+    /// p of the fit a nᵖ to these points; `None` for less than a decade of them.
+    pub(crate) fn exponent(&self) -> Option<f64> {
+        let clear = self.clear();
+        let (first, last) = (clear.first()?, clear.last()?);
+        if last.0 < 9.0 * first.0 {
+            return None;
+        }
+        let logs: Vec<_> = clear.iter().map(|(n, error)| (n.ln(), error.ln())).collect();
+        let count = logs.len() as f64;
+        let (x, y) = (logs.iter().map(|p| p.0).sum::<f64>() / count, logs.iter().map(|p| p.1).sum::<f64>() / count);
+        let over: f64 = logs.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+        let under: f64 = logs.iter().map(|p| (p.0 - x).powi(2)).sum();
+        Some(over / under)
+    }
+}

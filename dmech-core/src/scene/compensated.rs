@@ -55,15 +55,18 @@ impl<const D: usize> CompensatedVectors<D> {
         (self.hi.flat()[i] - before.hi.flat()[i]) + (self.lo.flat()[i] - before.lo.flat()[i])
     }
 
-    /// v += (i ↦ change) and q += h v + share·change, with v as it was, in one pass.
+    /// v += (i ↦ change) and q += h (v + share·change), with v as it was, in one pass.
+    ///
+    /// The change is rounded once, and the sum formed before it is multiplied: rounding errors then do work of one sense and
+    /// of the other alike, as those of one body do.
     #[inline]
     pub(super) fn kick_and_drift(q: &mut Self, v: &mut Self, h: f64, share: f64, change: impl Fn(usize) -> f64) {
         let places = q.hi.flat_mut().iter_mut().zip(q.lo.flat_mut());
         let speeds = v.hi.flat_mut().iter_mut().zip(v.lo.flat_mut());
         for (i, ((q, q_low), (v, v_low))) in places.zip(speeds).enumerate() {
             let change = change(i);
-            let drift = h * *v + h * *v_low;
-            (*q, *q_low) = two_sum(*q, *q_low + (drift + share * change));
+            let moved = h * (*v + (share * change + *v_low));
+            (*q, *q_low) = two_sum(*q, *q_low + moved);
             (*v, *v_low) = two_sum(*v, *v_low + change);
         }
     }

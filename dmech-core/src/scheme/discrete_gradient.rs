@@ -105,9 +105,9 @@ pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
         return workless::step(law, stride, t, q, v, expected, newton);
     }
     let found = increment(law, stride, t, q.value(), v, expected, newton)?;
-    q.add(found.delta);
-    stride.kick_compensated(v, found.gradient);
-    Ok(found)
+    let delta = stride.kick_and_drift(R::from_f64(0.5), v, found.gradient);
+    q.add(delta);
+    Ok(Increment { delta, ..found })
 }
 
 /// Δq and the mean slope ∇̄Φ − (F + F′)/2 of one step from q with velocity v, from the slope that is expected.

@@ -177,8 +177,7 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
             field.discrete_increment(&equation)?
         };
         let (mut q_next, mut z_next) = (q, z);
-        q_next.add(found.delta);
-        stride.kick_compensated(&mut z_next, found.gradient);
+        q_next.add(stride.kick_and_drift(R::ONE, &mut z_next, found.gradient));
         *memory = KanataniMemory {
             q_before: q.value(),
             q: q_next,

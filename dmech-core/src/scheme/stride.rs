@@ -57,6 +57,31 @@ impl<R: Real> Stride<R> {
         (drift, left)
     }
 
+    /// v −= `kick` G, and what the position moves in the meantime: h (v + share·change), with v as it was.
+    ///
+    /// For the mean velocity (v + v′)/2 the share is ½, for v′ it is 1. Both updates use one rounded change c, and the sum is
+    /// formed before it is multiplied: the work G·Δq and the kinetic energy that c brings then differ by relative rounding
+    /// errors of c and of h (v + c/2), which a motion and its reversal make alike and with opposite work. Rounding g G and
+    /// h v by themselves leaves a mean, and the energy drifts in proportion to the number of steps (1.5·10⁻¹³ in 10⁶ steps of
+    /// Hénon–Heiles at h = 0.1 without fused instructions).
+    #[inline(always)]
+    pub(super) fn kick_and_drift<const D: usize>(
+        &self,
+        share: R,
+        v: &mut CompensatedVector<D, R>,
+        gradient: [R; D],
+    ) -> [R; D] {
+        let mut moved = [R::ZERO; D];
+        for i in 0..D {
+            let change = -self.kick * gradient[i];
+            moved[i] = self.dt * (v.hi[i] + share.mul_add(change, v.lo[i]));
+            let (change, rest) = two_sum(change, v.lo[i]);
+            let (high, low) = two_sum(v.hi[i], change);
+            (v.hi[i], v.lo[i]) = (high, low + rest);
+        }
+        moved
+    }
+
     /// v −= (`fall`/`dt`) G, to more digits than that quotient has.
     ///
     /// The position moves by multiples of `fall`. Were the velocity to move by a coefficient that is only nearly fall/dt,

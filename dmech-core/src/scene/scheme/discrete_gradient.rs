@@ -162,7 +162,7 @@ impl<const D: usize> Moving<'_, D> {
         }
         let (kick, found) = (setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
-        CompensatedVectors::kick_and_drift(q, v, h, 0.5 * h, change);
+        CompensatedVectors::kick_and_drift(q, v, h, 0.5, change);
         Ok(effort)
     }
 }

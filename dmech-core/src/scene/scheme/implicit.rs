@@ -105,7 +105,7 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         let effort = solver.solve(&equation, &AtEnd { acts: &system.acts, t: t + h })?;
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -0.5 * kick[i] * (gradient.flat()[i] + found[i]);
-        CompensatedVectors::kick_and_drift(q, v, h, 0.5 * h, change);
+        CompensatedVectors::kick_and_drift(q, v, h, 0.5, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

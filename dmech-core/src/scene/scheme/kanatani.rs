@@ -158,7 +158,7 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
         let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
         let change = |i: usize| -kick[i] * found[i];
         q_before.clone_from(&q.hi);
-        CompensatedVectors::kick_and_drift(q, z, h, h, change);
+        CompensatedVectors::kick_and_drift(q, z, h, 1.0, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --example round_off          10⁵ steps of each scheme, some seconds
-//! cargo run --release --example round_off -- 7     10⁷ steps, half an hour
+//! cargo run --release --example round_off -- 7     10⁷ steps, a quarter of an hour
 //! ```
 //!
 //! An energy-exact scheme keeps the energy but for rounding. If the rounding errors of steps are independent of each other

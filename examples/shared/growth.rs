@@ -10,6 +10,8 @@ use dmech::scheme::{Method, Scheme};
 
 /// Starts of one motion, whose errors are averaged.
 const STARTS: u32 = 8;
+/// Steps to a period: no simple fraction, or a planet would come back to where it was, with the same rounding errors.
+const STEPS: f64 = 200.618034;
 /// At how many states of a run the quantity is looked at.
 const LOOKS: u64 = 50;
 
@@ -36,7 +38,7 @@ impl<S: Scheme<Kepler, 2> + Scheme<HenonHeiles, 2> + SceneScheme<1, FputChain>> 
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Motion {
-    /// Ellipses of eccentricity 0.3 to 0.65, 200 steps to a period.
+    /// Ellipses of eccentricity 0.3 to 0.65, [`STEPS`] steps to a period.
     Kepler,
     /// Energies about 1/12, h = 0.1.
     HenonHeiles,
@@ -68,7 +70,7 @@ impl Motion {
                 let (sin, cos) = angle.sin_cos();
                 let period = TAU * (half_axis.powi(3) / gm).sqrt();
                 let state = State::new([r * cos, r * sin], [-speed * sin, speed * cos]);
-                let simulation = Simulation::new(Kepler { gm }, state).scheme(scheme).dt(period / 200.0);
+                let simulation = Simulation::new(Kepler { gm }, state).scheme(scheme).dt(period / STEPS);
                 simulation.record_every(every).run(steps).map(|run| run.drift(invariant)).map_err(|e| e.to_string())
             }
             Motion::HenonHeiles => {

@@ -5,10 +5,10 @@ use dmech_scalar::Real;
 use crate::error::{Error, Interrupted};
 use crate::law::{Law, MassIndependent};
 use crate::masses::Masses;
-use crate::motion::{record, steps_until};
+use crate::motion::{UNCOUNTED, record, steps_until};
 use crate::progress::Shown;
 use crate::run::Run;
-use crate::scheme::Scheme;
+use crate::scheme::{Adaptable, Adaptive, Scheme};
 use crate::state::State;
 use crate::stepper::Stepper;
 
@@ -73,6 +73,16 @@ impl<L, X, S> Simulation<L, X, S> {
         Simulation { dt: Some(dt), ..self }
     }
 
+    /// Steps that follow the time scale of the motion.
+    pub fn adaptive(self, tolerance: f64) -> Simulation<L, X, Adaptive<S>>
+    where
+        S: Adaptable,
+    {
+        let Simulation { law, start, scheme, mass, dt, record_every, shown } = self;
+        let scheme = Adaptive::new(scheme, tolerance);
+        Simulation { law, start, scheme, mass, dt, record_every, shown }
+    }
+
     /// Records the state after every n-th step (default 1). The first state is always recorded.
     pub fn record_every(self, n: u64) -> Self {
         Simulation { record_every: n, ..self }
@@ -135,7 +145,7 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         L: Law<D, R>,
         S: Scheme<L, D, R>,
     {
-        let dt = self.dt.ok_or(Error::MissingTimeStep)?;
+        let dt = self.dt.or(self.scheme.tolerance().map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
         Stepper::new(self.law, self.scheme, self.start, dt, self.mass)
     }
 
@@ -162,7 +172,12 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         L: Law<D, R>,
         S: Scheme<L, D, R>,
     {
-        self.record(|start, dt| steps_until(start, end, dt))
+        if self.scheme.tolerance().is_none() {
+            return self.record(|start, dt| steps_until(start, end, dt));
+        }
+        let scheme = self.scheme.until(end);
+        let finite = if end.is_finite() { Ok(UNCOUNTED) } else { Err(Error::EndTime { end, dt: self.dt.unwrap_or(f64::INFINITY) }) };
+        Simulation { scheme, ..self }.record(|_, _| finite)
     }
 
     fn record(
@@ -175,7 +190,7 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
     {
         let (start, record_every, mass, dt) = (self.start, self.record_every, self.mass, self.dt);
         let shown = self.shown.clone();
-        let run = Run::empty::<S>(start, dt.unwrap_or(f64::NAN), mass);
+        let run = Run::empty(start, &self.scheme, dt.unwrap_or(f64::NAN), mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
         let prepared = prepared.and_then(|stepper| Ok((count(start.t, dt.unwrap_or(f64::NAN))?, stepper)));
         match prepared {

@@ -75,6 +75,11 @@ where
     }
 
     #[inline]
+    fn stretch(&self, stride: &Stride<R>, memory: &mut Self::Memory) {
+        memory.strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
+    }
+
+    #[inline]
     fn position(&self, memory: &Self::Memory) -> [R; D] {
         memory.q
     }

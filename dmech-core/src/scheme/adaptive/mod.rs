@@ -1,0 +1,200 @@
+//! Steps that follow the time scale of the motion, reversibly.
+
+mod adaptable;
+mod monitor;
+
+pub use adaptable::Adaptable;
+
+use dmech_scalar::Compensated;
+
+use self::monitor::{Look, Place};
+use super::name::Name;
+use super::{Effort, Method, Scheme, Stride};
+use crate::State;
+use crate::error::Error;
+use crate::invariant::{Invariant, Kept};
+use crate::law::Law;
+use crate::newton::NotConverged;
+
+/// Steps as long as the motion allows: short at a pericentre, long at an apocentre, by a rule that can be run backward.
+/// [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Adaptive<S> {
+    scheme: S,
+    tolerance: f64,
+    /// Where the last step lands.
+    end: f64,
+}
+
+/// What [`Adaptive`] carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AdaptiveMemory<M> {
+    /// What the scheme itself carries.
+    pub inner: M,
+    /// ρ, the density of the steps: it is h = ε/ρ.
+    density: f64,
+    /// The next step.
+    dt: f64,
+    /// Whether that ends at the end.
+    landing: bool,
+    time: Compensated<f64>,
+    /// The shortest and the longest step so far.
+    range: [f64; 2],
+}
+
+#[cfg(feature = "serde")]
+impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemory<M> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let mut all = self.inner.carried();
+        let Compensated { hi, lo } = &mut self.time;
+        all.extend([core::slice::from_mut(&mut self.density), core::slice::from_mut(&mut self.dt)]);
+        all.extend([core::slice::from_mut(hi), core::slice::from_mut(lo), &mut self.range]);
+        all
+    }
+}
+
+/// The density stays within this factor of 1/Q.
+const BAND: f64 = 3.0;
+
+/// The angle ω s that the neighbourhoods have at most: beyond, the parabola is not the motion.
+const WIDEST: f64 = 0.25;
+
+impl<S: Adaptable> Adaptive<S> {
+    const JOINED: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
+
+    pub(crate) const fn new(scheme: S, tolerance: f64) -> Self {
+        Adaptive { scheme, tolerance, end: f64::INFINITY }
+    }
+
+    /// ε: the angle by which the linearised motion turns in a step.
+    fn angle(&self) -> f64 {
+        self.scheme.angle(self.tolerance)
+    }
+
+    fn look<L: Law<D>, const D: usize>(
+        &self,
+        law: &L,
+        stride: &Stride<f64>,
+        t: f64,
+        [q, v]: [[f64; D]; 2],
+    ) -> Look {
+        let angle = self.angle();
+        Place { t, q, v, mass: stride.mass, angle: angle.min(WIDEST), least: angle / stride.dt }.look(law)
+    }
+
+    /// Chooses the next step.
+    fn plan<M>(&self, longest: f64, memory: &mut AdaptiveMemory<M>) {
+        let dt = (self.angle() / memory.density).min(longest);
+        let left = (self.end - memory.time.hi) - memory.time.lo;
+        memory.landing = dt * (1.0 + 1e-9) >= left;
+        memory.dt = if memory.landing { left } else { dt };
+    }
+}
+
+impl<S: Adaptable> Method for Adaptive<S> {
+    const NAME: &'static str = Self::JOINED.text();
+    const ORDER: u32 = S::ORDER;
+    const SYMMETRIC: bool = true;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        S::keeps(invariant)
+    }
+
+    fn tolerance(&self) -> Option<f64> {
+        Some(self.tolerance)
+    }
+
+    fn until(self, end: f64) -> Self {
+        Adaptive { end, ..self }
+    }
+}
+
+impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Adaptive<S> {
+    type Memory = AdaptiveMemory<S::Memory>;
+
+    /// `stride` has the longest step, which may be infinite.
+    fn begin(&self, law: &L, stride: &Stride<f64>, start: &State<D>) -> Result<Self::Memory, NotConverged> {
+        let Look { rate, growth } = self.look(law, stride, start.t, [start.q, start.v]);
+        let density = (0.5 * self.angle()).mul_add(growth, rate).clamp(rate / BAND, rate * BAND);
+        // What the motion meets later no look at the start can tell.
+        let density = if !L::AUTONOMOUS && stride.dt.is_infinite() { 0.0 } else { density };
+        let first = Stride::new((self.angle() / density).min(stride.dt), stride.mass);
+        let inner = self.scheme.begin(law, &first, start)?;
+        let (time, range) = (Compensated::new(start.t), [f64::INFINITY, 0.0]);
+        let mut memory = AdaptiveMemory { inner, density, dt: first.dt, landing: false, time, range };
+        self.plan(stride.dt, &mut memory);
+        Ok(memory)
+    }
+
+    #[inline(always)]
+    fn step(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
+        let now = Stride::new(memory.dt, stride.mass);
+        self.scheme.stretch(&now, &mut memory.inner);
+        let mut effort = self.scheme.step(law, &now, t, &mut memory.inner)?;
+        memory.time.add(now.dt);
+        if memory.landing {
+            memory.time = Compensated::new(self.end);
+        }
+        memory.range = [memory.range[0].min(now.dt), memory.range[1].max(now.dt)];
+        let end = memory.time.value();
+        let q = self.scheme.position(&memory.inner);
+        let v = self.scheme.velocity(law, &now, end, &memory.inner);
+        let Look { rate, growth } = self.look(law, stride, end, [q, v]);
+        effort.evaluations += 3;
+        // ρ₊ = ρ₋ + ε dρ/dτ with dρ/dτ = (dρ/dt)/ρ = d ln ω/dt.
+        memory.density = self.angle().mul_add(growth, memory.density).clamp(rate / BAND, rate * BAND);
+        self.plan(stride.dt, memory);
+        Ok(effort)
+    }
+
+    #[inline]
+    fn position(&self, memory: &Self::Memory) -> [f64; D] {
+        self.scheme.position(&memory.inner)
+    }
+
+    #[inline]
+    fn velocity(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &Self::Memory) -> [f64; D] {
+        self.scheme.velocity(law, stride, t, &memory.inner)
+    }
+
+    #[inline]
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        self.scheme.finite(&memory.inner)
+    }
+
+    fn kinetic_energy(&self, law: &L, stride: &Stride<f64>, memory: &Self::Memory) -> f64 {
+        self.scheme.kinetic_energy(law, stride, &memory.inner)
+    }
+
+    fn work(&self, law: &L, stride: &Stride<f64>, before: &Self::Memory, after: &Self::Memory) -> f64 {
+        self.scheme.work(law, stride, &before.inner, &after.inner)
+    }
+
+    #[inline]
+    fn time(&self, _: f64, _: u64, _: f64, memory: &Self::Memory) -> f64 {
+        memory.time.value()
+    }
+
+    #[inline]
+    fn next_dt(&self, _: f64, memory: &Self::Memory) -> f64 {
+        memory.dt
+    }
+
+    #[inline]
+    fn arrived(&self, memory: &Self::Memory) -> bool {
+        memory.time.value() >= self.end
+    }
+
+    #[inline]
+    fn ready(&self, step: u64, memory: &Self::Memory) -> Result<(), Error> {
+        let (time, dt) = (memory.time.value(), memory.dt);
+        if dt > time.abs() * f64::EPSILON && dt.is_finite() || self.arrived(memory) || memory.landing {
+            return Ok(());
+        }
+        Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
+    }
+
+    fn range(&self, memory: &Self::Memory) -> Option<[f64; 2]> {
+        Some(memory.range)
+    }
+}

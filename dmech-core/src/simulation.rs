@@ -176,7 +176,11 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
             return self.record(|start, dt| steps_until(start, end, dt));
         }
         let scheme = self.scheme.until(end);
-        let finite = if end.is_finite() { Ok(UNCOUNTED) } else { Err(Error::EndTime { end, dt: self.dt.unwrap_or(f64::INFINITY) }) };
+        let finite = if end.is_finite() {
+            Ok(UNCOUNTED)
+        } else {
+            Err(Error::EndTime { end, dt: self.dt.unwrap_or(f64::INFINITY) })
+        };
         Simulation { scheme, ..self }.record(|_, _| finite)
     }
 

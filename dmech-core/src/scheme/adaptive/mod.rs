@@ -3,6 +3,9 @@
 mod adaptable;
 mod monitor;
 
+#[cfg(test)]
+mod tests;
+
 pub use adaptable::Adaptable;
 
 use dmech_scalar::Compensated;
@@ -16,12 +19,38 @@ use crate::invariant::{Invariant, Kept};
 use crate::law::Law;
 use crate::newton::NotConverged;
 
-/// Steps as long as the motion allows: short at a pericentre, long at an apocentre, by a rule that can be run backward.
-/// [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
+/// Steps as long as the motion allows, short at a pericentre and long at an apocentre, by a rule that runs backward as it
+/// runs forward; [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
+///
+/// ```text
+/// ρ_{n+1/2} = ρ_{n−1/2} + ε (d ln ω/dt)(qₙ, vₙ),   h_{n+1/2} = ε/ρ_{n+1/2},   ρ_{1/2} = ω(q₀) + (ε/2)(d ln ω/dt)(q₀, v₀)
+/// ```
+///
+/// The density ρ of the steps follows the frequency ω of the linearised motion, so that a step turns that by the angle ε:
+/// in the time τ that counts steps, dτ = ρ dt, ρ = ω has dρ/dτ = d ln ω/dt. The law gives ω. With K = ∂a/∂q, and K̇ and K̈
+/// its derivatives along the motion,
+///
+/// ```text
+/// ω¹² = ‖K‖⁶ + ‖K̇‖⁴/4 + ‖K̈‖³/100   (Frobenius norms; ‖∂a/∂v‖² beside the elements of K where there is damping)
+/// ```
+///
+/// A harmonic oscillator has equal steps, a Kepler orbit steps in proportion to r^(3/2); K̇ and K̈ stand in where K passes
+/// through zero, as for a pendulum at a right angle. As ω is even under v → −v, the sequence of steps is that of the
+/// motion backward, and a reversible scheme stays reversible: what it keeps does not begin to drift because steps differ.
+///
+/// An explicit reversible rule cannot pull ρ back to ω, or it would push it away on the way back. On smooth motions they
+/// stay together to O(ε²). Where they come apart by more than [2/3, 3/2], in a collision with a wall or in steps too long
+/// to see ω change, ρ is set to the end of that range: there the rule is not reversible.
+///
+/// # Reference
+/// E. Hairer and G. Söderlind, SIAM J. Sci. Comput. 26 (2005) 1838–1851: the rule for ρ. E. Hairer, C. Lubich and
+/// G. Wanner, Geometric Numerical Integration (2nd ed., 2006), VIII.3.2. The choice of ω is this project's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<S> {
     scheme: S,
     tolerance: f64,
+    /// ε.
+    angle: f64,
     /// Where the last step lands.
     end: f64,
 }
@@ -53,38 +82,37 @@ impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemor
     }
 }
 
-/// The density stays within this factor of 1/Q.
-const BAND: f64 = 3.0;
+/// ρ/ω stays between these, at the ends of steps.
+const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
 
-/// The angle ω s that the neighbourhoods have at most: beyond, the parabola is not the motion.
-const WIDEST: f64 = 0.25;
+/// The same in the middle of steps, where ω of their end differs: no step is negative.
+const MIDDLE: [f64; 2] = [0.25, 4.0];
+
+/// ρ half a step later.
+fn half_step(density: f64, change: f64, rate: f64, [least, most]: [f64; 2]) -> f64 {
+    (density + 0.5 * change).clamp(least * rate, most * rate)
+}
 
 impl<S: Adaptable> Adaptive<S> {
     const JOINED: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
 
-    pub(crate) const fn new(scheme: S, tolerance: f64) -> Self {
-        Adaptive { scheme, tolerance, end: f64::INFINITY }
+    pub(crate) fn new(scheme: S, tolerance: f64) -> Self {
+        Adaptive { scheme, tolerance, angle: scheme.angle(tolerance), end: f64::INFINITY }
     }
 
-    /// ε: the angle by which the linearised motion turns in a step.
-    fn angle(&self) -> f64 {
-        self.scheme.angle(self.tolerance)
+    fn look<L: Law<D>, const D: usize>(&self, law: &L, stride: &Stride<f64>, t: f64, [q, v]: [[f64; D]; 2]) -> Look {
+        Place { t, q, v, mass: stride.mass, least: self.angle / stride.dt }.look(law)
     }
 
-    fn look<L: Law<D>, const D: usize>(
-        &self,
-        law: &L,
-        stride: &Stride<f64>,
-        t: f64,
-        [q, v]: [[f64; D]; 2],
-    ) -> Look {
-        let angle = self.angle();
-        Place { t, q, v, mass: stride.mass, angle: angle.min(WIDEST), least: angle / stride.dt }.look(law)
+    /// ρ in the next step from that in the last.
+    fn follow(&self, density: f64, Look { rate, growth }: Look) -> f64 {
+        let change = self.angle * growth;
+        half_step(half_step(density, change, rate, BAND), change, rate, MIDDLE)
     }
 
     /// Chooses the next step.
     fn plan<M>(&self, longest: f64, memory: &mut AdaptiveMemory<M>) {
-        let dt = (self.angle() / memory.density).min(longest);
+        let dt = (self.angle / memory.density).min(longest);
         let left = (self.end - memory.time.hi) - memory.time.lo;
         memory.landing = dt * (1.0 + 1e-9) >= left;
         memory.dt = if memory.landing { left } else { dt };
@@ -115,10 +143,10 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
     /// `stride` has the longest step, which may be infinite.
     fn begin(&self, law: &L, stride: &Stride<f64>, start: &State<D>) -> Result<Self::Memory, NotConverged> {
         let Look { rate, growth } = self.look(law, stride, start.t, [start.q, start.v]);
-        let density = (0.5 * self.angle()).mul_add(growth, rate).clamp(rate / BAND, rate * BAND);
+        let density = half_step(rate, self.angle * growth, rate, MIDDLE);
         // What the motion meets later no look at the start can tell.
         let density = if !L::AUTONOMOUS && stride.dt.is_infinite() { 0.0 } else { density };
-        let first = Stride::new((self.angle() / density).min(stride.dt), stride.mass);
+        let first = Stride::new((self.angle / density).min(stride.dt), stride.mass);
         let inner = self.scheme.begin(law, &first, start)?;
         let (time, range) = (Compensated::new(start.t), [f64::INFINITY, 0.0]);
         let mut memory = AdaptiveMemory { inner, density, dt: first.dt, landing: false, time, range };
@@ -139,10 +167,9 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
         let end = memory.time.value();
         let q = self.scheme.position(&memory.inner);
         let v = self.scheme.velocity(law, &now, end, &memory.inner);
-        let Look { rate, growth } = self.look(law, stride, end, [q, v]);
-        effort.evaluations += 3;
-        // ρ₊ = ρ₋ + ε dρ/dτ with dρ/dτ = (dρ/dt)/ρ = d ln ω/dt.
-        memory.density = self.angle().mul_add(growth, memory.density).clamp(rate / BAND, rate * BAND);
+        let look = self.look(law, stride, end, [q, v]);
+        effort.evaluations += monitor::EVALUATIONS;
+        memory.density = self.follow(memory.density, look);
         self.plan(stride.dt, memory);
         Ok(effort)
     }
@@ -188,7 +215,7 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
     #[inline]
     fn ready(&self, step: u64, memory: &Self::Memory) -> Result<(), Error> {
         let (time, dt) = (memory.time.value(), memory.dt);
-        if dt > time.abs() * f64::EPSILON && dt.is_finite() || self.arrived(memory) || memory.landing {
+        if (dt > time.abs() * f64::EPSILON && dt.is_finite()) || self.arrived(memory) || memory.landing {
             return Ok(());
         }
         Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })

@@ -50,8 +50,9 @@ fn energy_and_angular_momentum_are_exact_over_many_steps() {
         // At the pericentre K and Φ are 1/(1 − e) times as large as the energy, and so is the rounding of their sum.
         assert!(energy.max_relative() < 1e-13 * (0.1 / (1.0 - e)).max(1.0), "{:e}", energy.max_relative());
         assert!(turning.max_relative() < 1e-13, "{:e}", turning.max_relative());
-        let walked = (energy.slope() * TAU * revolutions / energy.start()).abs();
-        assert!(walked < 5e-15, "a trend of {walked:e}");
+        // Not more than roundings of K at the pericentre that go to and fro: an error with a sign would be √steps as large.
+        let rounding = f64::EPSILON * (1.0 + e) / (1.0 - e) * (run.steps() as f64).sqrt();
+        assert!(energy.max_relative() < 0.3 * rounding, "{:e} for {rounding:e}", energy.max_relative());
     }
     check(DiscreteGradient, 0.9, 1e-3, 250.0, 100_000);
     check(DiscreteGradient, 0.99, 1e-3, 180.0, 100_000);
@@ -95,9 +96,8 @@ fn steps_follow_the_distance_from_the_centre() {
             .states()
             .windows(2)
             .map(|pair| {
-                let middle = 0.5 * (pair[0].t + pair[1].t);
-                let q = exact(e, middle);
-                (pair[1].t - pair[0].t) / q[0].hypot(q[1]).powf(1.5)
+                let [before, after] = [0, 1].map(|i| pair[i].q[0].hypot(pair[i].q[1]));
+                (pair[1].t - pair[0].t) / (before * after).powf(0.75)
             })
             .collect();
         // The last step is shortened to land.
@@ -282,9 +282,10 @@ fn what_cannot_be_done_is_told() {
     assert!(ended.run().steps() > 100 && ended.run().steps() < 100_000, "{ended}");
     assert!((ended.run().last().t - 0.25 * TAU / 2.0_f64.sqrt()).abs() < 1e-3, "{ended}");
 
-    // Newton may do nothing: the error has the step that was tried.
-    let stuck = simulation().scheme(DiscreteGradient.with(Newton::from_previous().max_iterations(1)));
-    let Error::NotConverged { dt, step, .. } = stuck.adaptive(1e-1).run_until(10.0).unwrap_err().cause() else {
+    // Newton may hardly do anything: the error has the step that was tried.
+    let stuck = Simulation::new(Pendulum { k: 1.7 }, State::new([2.5], [0.3]));
+    let stuck = stuck.scheme(DiscreteGradient.with(Newton::from_previous().max_iterations(1))).adaptive(1e-1);
+    let Error::NotConverged { dt, step, .. } = stuck.run_until(10.0).unwrap_err().cause() else {
         panic!("one iteration is not enough");
     };
     assert!(step == 1 && dt.is_finite() && dt > 0.01, "{step} {dt}");

@@ -52,7 +52,8 @@ impl Report {
         self.tolerance
     }
 
-    /// The shortest and the longest step; `None` before the first of an adaptive run.
+    /// The shortest and the longest step, but for the last one of `run_until` that is shortened to land; `None` in an
+    /// adaptive run without any other.
     pub fn dt_range(&self) -> Option<[f64; 2]> {
         if self.tolerance.is_none() {
             return Some([self.dt; 2]);

@@ -40,7 +40,7 @@ where
             options: Checkpoint::options(scheme),
             dimension: D,
             bodies: 1,
-            times: Numbers(vec![start.t, self.dt()]),
+            times: Numbers(vec![start.t, self.dt(), self.t()]),
             masses: Numbers(vec![stride.mass]),
             pins: Vec::new(),
             laws: self.fingerprint(),

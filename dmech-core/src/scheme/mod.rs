@@ -100,9 +100,9 @@ pub trait Scheme<L, const D: usize, R: Real = f64>: Method {
         None
     }
 
-    /// Takes steps of another length from here on.
+    /// Takes steps of another length from here on, `ratio` times those before.
     #[inline(always)]
-    fn stretch(&self, _stride: &Stride<R>, _memory: &mut Self::Memory) {}
+    fn stretch(&self, _stride: &Stride<R>, _ratio: R, _memory: &mut Self::Memory) {}
 
     /// The time after so many steps from `start`: t₀ + k h, unless the scheme chooses its steps.
     #[inline(always)]
@@ -131,7 +131,7 @@ pub trait Scheme<L, const D: usize, R: Real = f64>: Method {
         Ok(())
     }
 
-    /// The shortest and the longest step so far; `None` where all are equal.
+    /// The shortest and the longest step so far, but for one that was shortened to land; `None` where all are equal.
     fn range(&self, _memory: &Self::Memory) -> Option<[f64; 2]> {
         None
     }

@@ -62,12 +62,14 @@ pub struct AdaptiveMemory<M> {
     pub inner: M,
     /// ρ, the density of the steps: it is h = ε/ρ.
     density: f64,
+    /// The last step, at the start the next.
+    last: f64,
     /// The next step.
     dt: f64,
     /// Whether that ends at the end.
     landing: bool,
     time: Compensated<f64>,
-    /// The shortest and the longest step so far.
+    /// The shortest and the longest step so far, but for the one that was shortened to land.
     range: [f64; 2],
 }
 
@@ -76,7 +78,7 @@ impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemor
     fn carried(&mut self) -> Vec<&mut [f64]> {
         let mut all = self.inner.carried();
         let Compensated { hi, lo } = &mut self.time;
-        all.extend([core::slice::from_mut(&mut self.density), core::slice::from_mut(&mut self.dt)]);
+        all.extend([&mut self.density, &mut self.last, &mut self.dt].map(core::slice::from_mut));
         all.extend([core::slice::from_mut(hi), core::slice::from_mut(lo), &mut self.range]);
         all
     }
@@ -114,7 +116,8 @@ impl<S: Adaptable> Adaptive<S> {
     fn plan<M>(&self, longest: f64, memory: &mut AdaptiveMemory<M>) {
         let dt = (self.angle / memory.density).min(longest);
         let left = (self.end - memory.time.hi) - memory.time.lo;
-        memory.landing = dt * (1.0 + 1e-9) >= left;
+        // A little longer rather than another step that is nothing but rounding.
+        memory.landing = dt.is_finite() && dt * (1.0 + 1e-9) >= left;
         memory.dt = if memory.landing { left } else { dt };
     }
 }
@@ -149,7 +152,7 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
         let first = Stride::new((self.angle / density).min(stride.dt), stride.mass);
         let inner = self.scheme.begin(law, &first, start)?;
         let (time, range) = (Compensated::new(start.t), [f64::INFINITY, 0.0]);
-        let mut memory = AdaptiveMemory { inner, density, dt: first.dt, landing: false, time, range };
+        let mut memory = AdaptiveMemory { inner, density, last: first.dt, dt: first.dt, landing: false, time, range };
         self.plan(stride.dt, &mut memory);
         Ok(memory)
     }
@@ -157,13 +160,15 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
         let now = Stride::new(memory.dt, stride.mass);
-        self.scheme.stretch(&now, &mut memory.inner);
+        self.scheme.stretch(&now, now.dt / memory.last, &mut memory.inner);
         let mut effort = self.scheme.step(law, &now, t, &mut memory.inner)?;
+        memory.last = now.dt;
         memory.time.add(now.dt);
         if memory.landing {
             memory.time = Compensated::new(self.end);
+        } else {
+            memory.range = [memory.range[0].min(now.dt), memory.range[1].max(now.dt)];
         }
-        memory.range = [memory.range[0].min(now.dt), memory.range[1].max(now.dt)];
         let end = memory.time.value();
         let q = self.scheme.position(&memory.inner);
         let v = self.scheme.velocity(law, &now, end, &memory.inner);

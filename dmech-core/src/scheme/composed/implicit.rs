@@ -76,8 +76,7 @@ where
     }
 
     #[inline]
-    fn stretch(&self, stride: &Stride<R>, memory: &mut Self::Memory) {
-        let ratio = stride.dt * R::from_f64(C::GAMMA[0]) / memory.strides[0].dt;
+    fn stretch(&self, stride: &Stride<R>, ratio: R, memory: &mut Self::Memory) {
         Self::RESAMPLE.apply(ratio, &mut memory.gradients);
         memory.strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
     }

@@ -178,6 +178,7 @@ fn single_laws_go_on_bit_for_bit() {
         S::Memory: Carried,
     {
         let mut whole = simulation().stepper().unwrap();
+        assert_eq!(through_json(&whole.checkpoint()), whole.checkpoint());
         whole.advance(1000).unwrap();
         let mut first = simulation().stepper().unwrap();
         (0..400).for_each(|_| first.step().unwrap());

@@ -151,7 +151,7 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
         let density = if !L::AUTONOMOUS && stride.dt.is_infinite() { 0.0 } else { density };
         let first = Stride::new((self.angle / density).min(stride.dt), stride.mass);
         let inner = self.scheme.begin(law, &first, start)?;
-        let (time, range) = (Compensated::new(start.t), [f64::INFINITY, 0.0]);
+        let (time, range) = (Compensated::new(start.t), [f64::MAX, 0.0]);
         let mut memory = AdaptiveMemory { inner, density, last: first.dt, dt: first.dt, landing: false, time, range };
         self.plan(stride.dt, &mut memory);
         Ok(memory)

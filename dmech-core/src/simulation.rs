@@ -90,7 +90,7 @@ impl<L, X, S> Simulation<L, X, S> {
     /// | `Composed::order6(DiscreteGradient)` | 0.04 | 0.55 | 1.2 |
     /// | `Composed::order8(DiscreteGradient)` | 0.04 | 1.3 | 3.4 |
     ///
-    /// Other sets of stages are within 0.07 to 1.5 at e = 0.9, but for `SuzukiUmeno8` (3) and `Yoshida8` (10). Steps are
+    /// Other sets of its stages are within 0.07 to 1.5 at e = 0.9, but for `SuzukiUmeno8` (3) and `Yoshida8` (10). Steps are
     /// never longer than a radian of the local motion, so that very large tolerances give smaller errors than that. On
     /// other laws the errors relate to one another as the tolerances do; how large they are depends on the motion.
     ///

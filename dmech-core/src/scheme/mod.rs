@@ -3,10 +3,13 @@
 mod composed;
 mod discrete_gradient;
 mod explicit;
+mod force_gradient;
 mod guess;
 mod implicit;
 mod kanatani;
 mod leapfrog;
+mod nystrom;
+mod splitting;
 mod stride;
 mod workless;
 
@@ -16,10 +19,13 @@ pub use composed::{
 };
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
+pub use force_gradient::ForceGradient;
 pub use guess::{Guess, Newton};
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
+pub use nystrom::Nystrom;
+pub use splitting::{First, SplittingMemory};
 pub use stride::Stride;
 pub(crate) use stride::exact_product;
 

@@ -15,9 +15,9 @@ pub use coefficients::Coefficients;
 pub use discrete_gradient::ComposedDiscreteGradientMemory;
 pub use implicit::ComposedImplicitMemory;
 pub use leapfrog::ComposedLeapfrogMemory;
+pub(super) use name::Name;
 
 use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
-use self::name::Name;
 use super::{DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
 

@@ -65,10 +65,9 @@ fn kicks<S: Splitting<N>, const N: usize>() -> Vec<Kick> {
     all
 }
 
-/// g of a tree at each kick; what the gradient term makes of it; its second integral; K.
+/// g of a tree at each kick, its second integral, K.
 struct Values {
     g: Vec<f64>,
-    derived: Vec<f64>,
     integral: Vec<f64>,
     k: f64,
 }
@@ -83,9 +82,9 @@ fn sums(kicks: &[Kick], trees: &[Tree]) -> Vec<(f64, f64)> {
             kicks[i].c.powi(tree.leaves as i32) * branches.map(|(_, &s)| known[s].integral[i]).product::<f64>()
         };
         let g: Vec<f64> = (0..kicks.len()).map(|i| product(i, None)).collect();
-        let derived = |i| {
+        let derived = |i: usize| -> f64 {
             let branches = tree.subtrees.iter().enumerate();
-            branches.map(|(branch, &s)| known[s].g[i] * product(i, Some(branch))).sum::<f64>()
+            branches.map(|(branch, &s)| known[s].g[i] * product(i, Some(branch))).sum()
         };
         let derived: Vec<f64> = (0..kicks.len()).map(derived).collect();
         let k = tree.subtrees.iter().map(|&s| known[s].k / (trees[s].order * (trees[s].order + 1)) as f64).product();
@@ -93,7 +92,7 @@ fn sums(kicks: &[Kick], trees: &[Tree]) -> Vec<(f64, f64)> {
         let integral = |i: usize| (0..i).map(|j| jump(j) * (kicks[i].c - kicks[j].c)).sum();
         let integral = (0..kicks.len()).map(integral).collect();
         all.push(((0..kicks.len()).map(jump).sum(), k / tree.order as f64));
-        known.push(Values { g, derived, integral, k });
+        known.push(Values { g, integral, k });
     }
     all
 }

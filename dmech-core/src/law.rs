@@ -88,7 +88,7 @@ pub trait Conservative {}
 #[diagnostic::on_unimplemented(
     message = "the force of `{Self}` depends on the velocity, and this scheme has no velocity where it needs the force",
     label = "this scheme cannot step a velocity-dependent force",
-    note = "leap-frog and Kanatani's scheme place velocities half a step away from positions",
+    note = "leap-frog, Kanatani's scheme, `Nystrom` and `ForceGradient` kick at a position, where they have no velocity of that time",
     note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"
 )]
 pub trait VelocityIndependent {}

@@ -118,6 +118,24 @@ where
     simulation.dt(SPAN / (LOOKS * steps) as f64).run(LOOKS * steps).ok().map(|run| run.states().to_vec())
 }
 
+/// [m; D] is `.mass(m)`, and with masses of their own the work balances too.
+#[test]
+fn equal_masses_are_one_mass() {
+    macro_rules! one {
+        ($scheme:ident, $set:ident, $law:expr, $start:expr) => {{
+            let motion = || Simulation::new($law, $start).scheme($scheme::new($set)).dt(0.05);
+            let one_mass = motion().mass(MASS).run(200).expect("small steps").last().q;
+            let masses = motion().masses([MASS; 2]).run(200).expect("small steps").last().q;
+            assert!(distance(masses, one_mass) < 1e-12, "{}", stringify!($set));
+            let different = motion().masses([MASS, 0.7]).run(200).expect("small steps");
+            assert!(distance(different.last().q, one_mass) > 1e-2, "{}: masses make no difference", stringify!($set));
+            work_balances(&different, [MASS, 0.7], stringify!($law));
+        }};
+    }
+    for_each_set!(one, BOWL, State::new([1.1, 0.3], [-0.2, 0.5]));
+    for_each_set!(one, STIRRED, STIRRED_START);
+}
+
 #[test]
 fn energy_is_bounded_and_angular_momentum_stays_exact() {
     let (law, start) = (Kepler::new(), State::new([0.9, 0.2], [-0.1, 1.1]));
@@ -234,5 +252,5 @@ fn reports_name_the_scheme_the_set_and_the_order() {
     let run = simulation.clone().scheme(Nystrom::order6()).run(10).unwrap();
     assert_eq!((run.report().scheme(), run.report().order()), ("Nystrom(BlanesMoan6S14)", 6));
     let run = simulation.scheme(ForceGradient::order4()).run(10).unwrap();
-    assert!(run.to_string().contains("ForceGradient(Omelyan4S4), order 4, dt = 0.01"), "{run}");
+    assert!(run.to_string().contains("ForceGradient(Omelyan4S5), order 4, dt = 0.01"), "{run}");
 }

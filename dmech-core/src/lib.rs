@@ -1,4 +1,4 @@
-//! What runs in dmech: laws, the five schemes, Newton, simulations, invariants, reports.
+//! What runs in dmech: laws, schemes, Newton, simulations, invariants, reports.
 //!
 //! A law is a [`Potential`]; the macros of `dmech` write one from its declaration, and one can be written by hand. A
 //! [`Simulation`] moves a [`State`] under it by a scheme, and the [`Run`] that comes back has the states, the invariants

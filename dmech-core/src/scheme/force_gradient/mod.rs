@@ -4,7 +4,7 @@ pub(crate) mod coefficients;
 
 use dmech_scalar::Real;
 
-use self::coefficients::{ForceGradientCoefficients, Omelyan4S4, Omelyan8S11};
+use self::coefficients::{ForceGradientCoefficients, Omelyan4S5, Omelyan6S5, Omelyan8S11};
 use super::composed::Name;
 use super::splitting::{First, Splitting, SplittingMemory, splitting_scheme};
 use super::{Effort, Leapfrog, Method, Scheme, Stride};
@@ -23,13 +23,14 @@ use crate::newton::NotConverged;
 /// |---|---|---|---|---|---|
 /// | 4, 6, 8 | bounded, O(h^order) | exact | yes | yes | N forces, some of them with a′a |
 ///
-/// A kick with a′a is the motion in the potential Φ − (e/2b) (h/m)² |∇Φ|²·m, so it is exact, symplectic and as cheap to
-/// make as a kick: the term is of the law's own expression ([`Potential::gradient_kick`](crate::Potential::gradient_kick)).
-/// It takes the place of the commutator that forces splittings above order 2 to step backward: sets of order 4 go
-/// forward only, and leave the step at no moment.
+/// A kick with a′a is the motion in the potential Φ − (e/b) (h²/m) |∇Φ|²/2 alone, hence symplectic. The term is made of the
+/// law's own expression and shares its roots and divisions ([`Potential::gradient_kick`](crate::Potential::gradient_kick)):
+/// for Kepler's problem it costs two multiplications. Where splittings above order 2 must step backward, sets of order 4
+/// with it go forward only and leave the step at no moment.
 ///
-/// [`order4`](ForceGradient::order4) and [`order8`](ForceGradient::order8) take the sets that were measured to be the best;
-/// [`new`](ForceGradient::new) takes any of [`coefficients`](crate::coefficients), or one of your own.
+/// [`order4`](ForceGradient::order4), [`order6`](ForceGradient::order6) and [`order8`](ForceGradient::order8) take the sets that
+/// were measured to be the best; [`new`](ForceGradient::new) takes any of [`coefficients`](crate::coefficients), or one of
+/// your own.
 ///
 /// ```
 /// use dmech_core::prelude::*;
@@ -77,10 +78,17 @@ impl<C: ForceGradientCoefficients<KICKS>, const KICKS: usize> ForceGradient<C, K
     const JOINED_NAME: Name = Name::of(&["ForceGradient(", C::NAME, ")"]);
 }
 
-impl ForceGradient<Omelyan4S4, 4> {
-    /// Order 4, in the four kicks of [`Omelyan4S4`].
+impl ForceGradient<Omelyan4S5, 5> {
+    /// Order 4, in the five kicks of [`Omelyan4S5`].
     pub const fn order4() -> Self {
-        ForceGradient::new(Omelyan4S4)
+        ForceGradient::new(Omelyan4S5)
+    }
+}
+
+impl ForceGradient<Omelyan6S5, 5> {
+    /// Order 6, in the five kicks of [`Omelyan6S5`].
+    pub const fn order6() -> Self {
+        ForceGradient::new(Omelyan6S5)
     }
 }
 

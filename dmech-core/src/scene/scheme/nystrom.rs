@@ -17,14 +17,16 @@ pub struct NystromScene<const D: usize> {
     v: Vectors<D>,
     /// ∇Φ − F of the last kick.
     gradient: Vectors<D>,
-    /// Work of the last step.
-    work: f64,
+    /// Work of the last step on each coordinate, summed up only when it is asked for.
+    works: Vectors<D>,
+    /// Work of the kick that was made already and belongs to the step to come.
+    ahead: Vectors<D>,
 }
 
 #[cfg(feature = "serde")]
 impl<const D: usize> crate::checkpoint::Carried for NystromScene<D> {
     fn carried(&mut self) -> Vec<&mut [f64]> {
-        vec![self.q.flat_mut(), self.v.flat_mut(), self.gradient.flat_mut()]
+        vec![self.q.flat_mut(), self.v.flat_mut(), self.gradient.flat_mut(), self.ahead.flat_mut()]
     }
 }
 
@@ -38,26 +40,27 @@ impl<const D: usize> NystromScene<D> {
         v
     }
 
-    /// The work of the last kick, F·(mean velocity) in its time.
-    fn of_kick(&self, setting: &Setting<D>, c: f64) -> f64 {
-        let (v, kick, gradient) = (self.v.flat(), setting.kick.flat(), self.gradient.flat());
-        setting.work(&self.gradient, |i| c * setting.dt * (v[i] + 0.5 * c * kick[i] * gradient[i]))
-    }
-
-    fn drift(&mut self, h: f64) {
-        for (q, v) in self.q.flat_mut().iter_mut().zip(self.v.flat()) {
-            *q += h * v;
-        }
-    }
-
-    /// Takes the force at time t and kicks with it.
-    fn kick<A: Acts<D>>(&mut self, system: &System<D, A>, t: f64, c: f64) {
-        let Self { q, v, gradient, .. } = self;
+    /// Takes the force at time t, kicks by c of a step and drifts by a, in one pass over the coordinates. The work of the
+    /// kick, F·(mean velocity) in its time, is added to that of the step.
+    fn kick_and_drift<A: Acts<D>>(&mut self, system: &System<D, A>, t: f64, c: f64, a: f64) {
+        let Self { q, v, gradient, works, .. } = self;
         system.slope(q, v, t, gradient);
-        for (v, (kick, gradient)) in v.flat_mut().iter_mut().zip(system.setting.kick.flat().iter().zip(gradient.flat()))
-        {
-            *v -= c * kick * gradient;
-        }
+        let kick = system.setting.kick.flat();
+        let lengths = [c, c * system.setting.dt, a * system.setting.dt];
+        sweep(q.flat_mut(), v.flat_mut(), works.flat_mut(), kick, gradient.flat(), lengths);
+    }
+}
+
+/// The pass itself, as a function: its arguments are known not to overlap, so that the compiler makes registers of it.
+#[inline(never)]
+fn sweep(q: &mut [f64], v: &mut [f64], works: &mut [f64], kick: &[f64], gradient: &[f64], [c, time, drift]: [f64; 3]) {
+    let n = q.len();
+    let (v, works, kick, gradient) = (&mut v[..n], &mut works[..n], &kick[..n], &gradient[..n]);
+    for i in 0..n {
+        let change = c * kick[i] * gradient[i];
+        works[i] -= time * gradient[i] * (v[i] - 0.5 * change);
+        v[i] -= change;
+        q[i] += drift * v[i];
     }
 }
 
@@ -77,9 +80,15 @@ impl<C: NystromCoefficients<N>, const N: usize, const D: usize, A: Acts<D> + Wit
         start: Start<'_, D>,
         _: &mut Solver<D>,
     ) -> Result<Self::Memory, NotConverged> {
-        let gradient = Vectors::zeros(start.q.bodies());
-        let mut memory = NystromScene { q: start.q.clone(), v: start.v.clone(), gradient, work: 0.0 };
-        memory.kick(system, start.t, Self::AHEAD);
+        let zeros = || Vectors::zeros(start.q.bodies());
+        let (q, v) = (start.q.clone(), start.v.clone());
+        let mut memory = NystromScene { q, v, gradient: zeros(), works: zeros(), ahead: zeros() };
+        memory.kick_and_drift(system, start.t, Self::AHEAD, 0.0);
+        // The whole kick has the mean velocity of the start.
+        let kicked = memory.gradient.flat().iter().zip(start.v.flat());
+        for (work, (gradient, v)) in memory.ahead.flat_mut().iter_mut().zip(kicked) {
+            *work = -2.0 * Self::AHEAD * system.setting.dt * gradient * v;
+        }
         Ok(memory)
     }
 
@@ -90,20 +99,24 @@ impl<C: NystromCoefficients<N>, const N: usize, const D: usize, A: Acts<D> + Wit
         memory: &mut Self::Memory,
         _: &mut Solver<D>,
     ) -> Result<Effort, NotConverged> {
-        let (setting, h) = (&system.setting, system.setting.dt);
-        let mut work = 0.0;
-        for k in 0..N {
-            if k > 0 || matches!(C::FIRST, First::Kick) {
-                work += memory.of_kick(setting, Self::JOINED[(k + N - 1) % N]);
-            }
-            memory.drift(Self::DRIFTS[k] * h);
-            memory.kick(system, t + Self::ENDS[k] * h, Self::JOINED[k]);
+        let h = system.setting.dt;
+        core::mem::swap(&mut memory.works, &mut memory.ahead);
+        let first = Self::DRIFTS[0] * h;
+        for (q, v) in memory.q.flat_mut().iter_mut().zip(memory.v.flat()) {
+            *q += first * v;
         }
+        for k in 0..N - 1 {
+            memory.kick_and_drift(system, t + Self::ENDS[k] * h, Self::JOINED[k], Self::DRIFTS[k + 1]);
+        }
+        memory.ahead.clear();
+        let (t, last) = (t + Self::ENDS[N - 1] * h, Self::JOINED[N - 1]);
         if matches!(C::FIRST, First::Drift) {
-            work += memory.of_kick(setting, Self::JOINED[N - 1]);
-            memory.drift(Self::DRIFTS[0] * h);
+            memory.kick_and_drift(system, t, last, Self::DRIFTS[0]);
+        } else {
+            core::mem::swap(&mut memory.works, &mut memory.ahead);
+            memory.kick_and_drift(system, t, last, 0.0);
+            core::mem::swap(&mut memory.works, &mut memory.ahead);
         }
-        memory.work = work;
         Ok(Effort { evaluations: N as u32, iterations: 0 })
     }
 
@@ -126,6 +139,6 @@ impl<C: NystromCoefficients<N>, const N: usize, const D: usize, A: Acts<D> + Wit
 
     /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after.
     fn work(&self, _: &Setting<D>, _: &Self::Memory, after: &Self::Memory) -> f64 {
-        after.work
+        after.works.flat().iter().sum()
     }
 }

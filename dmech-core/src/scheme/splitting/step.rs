@@ -54,9 +54,8 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
         // A kick does the work F·(mean velocity) in its time.
         let of_kick = |before, after| weighted(law.mass_ratios(), difference(after, before), sum(after, before));
         for k in 0..N {
-            if k > 0 || matches!(S::FIRST, First::Kick) {
-                work += of_kick(v_before, v_after);
-            }
+            // Of the kick before this drift; before the first drift of a step that begins with one both are the same.
+            work += of_kick(v_before, v_after);
             q = add_scaled(q, R::from_f64(S::DRIFTS[k]) * stride.dt, v_after);
             let now = R::from_f64(S::ENDS[k]).mul_add(stride.dt, t);
             v_before = v_after;

@@ -86,7 +86,7 @@ impl ForcedKernels {
         let kick = super::kick(graph, &slope, variables);
         let gradient_kick = (!depends_on_velocity).then(|| {
             let jacobian = calculus::jacobian(graph, &slope, q);
-            super::gradient_kick(graph, &slope, &jacobian, variables)
+            super::jacobian_kick(graph, &slope, &jacobian, variables)
         });
         let share = if workless { 0.0 } else { 0.5 };
         let half_force: Vec<_> = force.iter().map(|&f| graph.scale(share, f)).collect();

@@ -135,7 +135,7 @@ impl Kernels {
         let kick = kick(graph, &formulas.gradient, variables);
         let gradient_kick = match structure.central {
             Some(central) => central_gradient_kick(graph, central, variables),
-            None => gradient_kick(graph, &formulas.gradient, &formulas.hessian, variables),
+            None => gradient_kick(graph, &formulas, variables),
         };
         let exchange = exchange(graph, variables);
         Self {
@@ -178,19 +178,49 @@ fn kick(graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> Program 
     Program::schedule(graph, &kicked)
 }
 
-/// v − c s + e J s, with the slope s = ∇Φ − F and its Jacobian J.
-fn gradient_kick(graph: &mut Graph, slope: &[Expr], jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
+/// v − c ∇Φ + e H ∇Φ.
+///
+/// H u is the gradient of u·∇Φ with u held fixed, which costs a few gradients; row by row H costs one for each coordinate.
+/// In few coordinates rows may still be shorter, as H is symmetric.
+fn gradient_kick(graph: &mut Graph, formulas: &Formulas, variables: &Variables) -> Program {
+    let gradient = &formulas.gradient;
+    let along: Vec<_> = (0..gradient.len()).map(|i| graph.coordinate(&format!("u{i}"))).collect();
+    let directions: Vec<_> = along.iter().map(|&u| graph.symbol(u)).collect();
+    let change = dot(graph, &directions, gradient);
+    let turned = calculus::gradient(graph, change, &variables.q);
+    let mut itself = Substitution::new(graph, along.into_iter().zip(gradient.iter().copied()));
+    let turned: Vec<_> = turned.into_iter().map(|e| itself.apply(graph, e)).collect();
+    let whole = kick_and_turn(graph, gradient, &turned, variables);
+    if gradient.len() > 3 {
+        return whole;
+    }
+    let by_rows = jacobian_kick(graph, gradient, &formulas.hessian, variables);
+    if whole.operations.len() < by_rows.operations.len() { whole } else { by_rows }
+}
+
+/// v − c s + e J s, with a slope s and its Jacobian J, which need not be symmetric.
+fn jacobian_kick(graph: &mut Graph, slope: &[Expr], jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
+    let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, slope)).collect();
+    kick_and_turn(graph, slope, &turned, variables)
+}
+
+/// x·y.
+fn dot(graph: &mut Graph, x: &[Expr], y: &[Expr]) -> Expr {
+    let terms: Vec<_> = x.iter().zip(y).map(|(&x, &y)| graph.mul(&[x, y])).collect();
+    graph.add(&terms)
+}
+
+/// v − c s + e w.
+fn kick_and_turn(graph: &mut Graph, slope: &[Expr], turned: &[Expr], variables: &Variables) -> Program {
     let [c, e] = [variables.c, variables.e].map(|s| graph.symbol(s));
     let kicked: Vec<_> = variables
         .v
         .iter()
-        .zip(slope.iter().zip(jacobian))
-        .map(|(&v, (&slope_i, row))| {
-            let terms: Vec<_> = row.iter().zip(slope).map(|(&j, &s)| graph.mul(&[j, s])).collect();
-            let turned = graph.add(&terms);
-            let (v, kick, turned) = (graph.symbol(v), graph.mul(&[c, slope_i]), graph.mul(&[e, turned]));
+        .zip(slope.iter().zip(turned))
+        .map(|(&v, (&s, &w))| {
+            let (v, kick, turn) = (graph.symbol(v), graph.mul(&[c, s]), graph.mul(&[e, w]));
             let kicked = graph.sub(v, kick);
-            graph.add(&[kicked, turned])
+            graph.add(&[kicked, turn])
         })
         .collect();
     Program::schedule(graph, &kicked)

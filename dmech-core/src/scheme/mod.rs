@@ -25,6 +25,7 @@ pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
 pub use nystrom::Nystrom;
+#[cfg(feature = "scene")]
 pub(crate) use splitting::Splitting;
 pub use splitting::{First, SplittingMemory};
 pub use stride::Stride;

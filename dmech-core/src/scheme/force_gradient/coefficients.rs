@@ -95,7 +95,7 @@ impl ForceGradientCoefficients<4> for Omelyan4S4 {
     const DRIFTS: [f64; 4] = palindrome([0.1921125277429464, 0.5 - 0.1921125277429464]);
     const KICKS: [f64; 4] =
         opening([0.05851872613455621, 0.2852162240687091, 1.0 - 2.0 * (0.05851872613455621 + 0.2852162240687091)]);
-    const GRADIENTS: [f64; 4] = opening([2.0 * 0.0004339598806816256, 0.0, 2.0 * 0.002427475259663050]);
+    const GRADIENTS: [f64; 4] = opening([2.0 * 0.0004339598806816256, 0.0, 2.0 * 0.00242747525966305]);
 }
 
 /// Order 4 in 5 kicks, two of them with a gradient.

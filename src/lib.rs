@@ -111,6 +111,7 @@
 //! |---|---|---|---|
 //! | [`Explicit`] | 1 | work | one force |
 //! | [`Leapfrog`] | 2 | angular momentum; energy bounded | one force |
+//! | [`CompensatedLeapfrog`] | 2 | the same, with sums that lose nothing: for very long runs or very short steps | one force |
 //! | [`Implicit`](struct@Implicit) | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |

@@ -195,6 +195,7 @@ fn single_laws_go_on_bit_for_bit() {
     let bowl = Bowl { k: 0.7, omega: 1.9 };
     check(bowl, Explicit);
     check(bowl, Leapfrog);
+    check(bowl, CompensatedLeapfrog);
     check(bowl, Implicit);
     check(bowl, DiscreteGradient);
     check(bowl, Kanatani);

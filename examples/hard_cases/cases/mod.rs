@@ -38,8 +38,11 @@ impl Length {
     }
 }
 
+/// Runs a case.
+pub(crate) type Runs = fn(Length) -> Case;
+
 /// All cases, in the order in which they are shown.
-pub(crate) const CASES: &[(&str, fn(Length) -> Case)] = &[
+pub(crate) const CASES: &[(&str, Runs)] = &[
     ("kepler", kepler::case),
     ("collision", collision::case),
     ("stiff", stiff::case),

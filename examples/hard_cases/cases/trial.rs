@@ -108,21 +108,19 @@ impl<X: Recorded> Trial<X> {
         if let Some(state) = self.states().find(|state| !state.is_finite()) {
             return wrong(format!("the state recorded at t = {} is not finite", state.t()));
         }
-        match self.cause {
-            None if run.steps() != self.asked => return wrong(format!("{} of {} steps", run.steps(), self.asked)),
-            None => {}
+        // The step after the last, from where the last ended.
+        let next = |step: u64, time: f64| step == run.steps() + 1 && time == run.last().t();
+        let told = match self.cause {
+            None => run.steps() == self.asked,
             Some(Error::NotConverged { step, time, dt, .. } | Error::NotFinite { step, time, dt }) => {
-                if step != run.steps() + 1 || dt != self.dt || time != run.last().t() {
-                    return wrong(format!("after {} steps the cause is said to be: {:?}", run.steps(), self.cause));
-                }
+                next(step, time) && dt == self.dt
             }
-            Some(Error::Link { step, time, .. } | Error::Body { step, time, .. }) => {
-                if step != run.steps() + 1 || time != run.last().t() {
-                    return wrong(format!("after {} steps the cause is said to be: {:?}", run.steps(), self.cause));
-                }
-            }
+            Some(Error::Link { step, time, .. } | Error::Body { step, time, .. }) => next(step, time),
             Some(Error::Law { .. } | Error::Underflow { .. }) if recorded.is_empty() => return Ok(()),
-            Some(cause) => return wrong(format!("{cause}")),
+            Some(_) => false,
+        };
+        if !told {
+            return wrong(format!("{} of {} steps, and the cause is {:?}", run.steps(), self.asked, self.cause));
         }
         if recorded.len() as u64 != 1 + run.steps() / self.record_every {
             return wrong(format!("{} states for {} steps", recorded.len(), run.steps()));

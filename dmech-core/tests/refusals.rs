@@ -56,6 +56,18 @@ fn a_force_below_the_smallest_number_is_refused() {
     assert!((coordinate, time) == (1, 0.0) && (slope / 5.2e-150 - 1.0).abs() < 0.01, "{error}");
 }
 
+/// The velocity of leap-frog is the mean of two that are finite, and finite.
+#[test]
+fn speeds_near_the_largest_number_are_recorded() {
+    fn check<S: Scheme<Kepler<true>, 2>>(scheme: S) {
+        let start = State::new([1e200, 2.0], [1.2e308, 0.0]);
+        let run = Simulation::new(Kepler::<true> { k: 1e-3 }, start).scheme(scheme).dt(1e-100).run(3).unwrap();
+        assert!(run.states().iter().all(|s| s.q[0].is_finite() && s.v == [1.2e308, 0.0]), "{:?}", run.last());
+    }
+    check(Leapfrog);
+    check(Composed::order4(Leapfrog));
+}
+
 /// Straight into the centre: each scheme either passes or stops, and what it did until then is there.
 #[test]
 fn a_run_that_fails_keeps_what_it_has() {

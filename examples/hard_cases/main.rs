@@ -62,7 +62,13 @@ fn table(case: &Case) -> String {
         last = row.dt;
         let energy = if row.energy.is_nan() { "–".to_owned() } else { format!("{:.0e}", row.energy) };
         let cells: String = row.cells.iter().map(|cell| wide(cell)).collect();
-        let step = if row.dt < 0.001 || row.dt > 1e3 { format!("{:.1e}", row.dt) } else { format!("{:.4}", row.dt) };
+        let step = if row.dt.is_nan() {
+            "varies".to_owned()
+        } else if row.dt < 0.001 || row.dt > 1e3 {
+            format!("{:.1e}", row.dt)
+        } else {
+            format!("{:.4}", row.dt)
+        };
         lines.push(format!("  {:<27} {step:>8} {energy:>8}{cells}  {}", label(row.scheme), row.ended));
     }
     lines.join("\n")

@@ -31,7 +31,7 @@ pub(crate) fn case(length: Length) -> Case {
         "long_chain",
         "Eight masses of Fermi, Pasta, Ulam and Tsingou for ten million steps (compositions: half a million)",
         "Nothing is hard in a step; but an error that always has the same sign, however small, is ten million times as large at the end.",
-        "The energy of DiscreteGradient, its compositions and Kanatani (its own) wanders as rounding does, as the root of the number of steps, and that of leap-frog and the trapezoid stays within its bound; `Explicit` ends with an error.",
+        "The energy of DiscreteGradient, its compositions and Kanatani (its own) is kept to what n steps may lose by rounding, (64 + 4√n) ulps, and that of leap-frog and the trapezoid stays within its bound; `Explicit` ends with an error.",
         &["drift", "ns/step"],
     );
     let mut scene = Scene::new();

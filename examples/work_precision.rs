@@ -115,11 +115,9 @@ fn henon_heiles() -> Result<StudyReport, Error> {
 }
 
 fn morse() -> Result<StudyReport, Error> {
-    let law = Morse::default();
-    let v: f64 = 0.9;
-    let start = law.exact(0.5 * v * v, 0.0);
-    let speed = (2.0 * (0.5 * v * v - law.energy(start))).max(0.0).sqrt();
-    all_schemes(Study::new(law, State::new([start], [speed]), 100.0)).run()
+    let (law, energy) = (Morse::default(), 0.5);
+    let study = Study::new(law, State::new([law.exact(energy, 0.0)], [0.0]), 100.0);
+    all_schemes(study).exact(|t| [law.exact(energy, t)]).run()
 }
 
 fn anharmonic() -> Result<StudyReport, Error> {

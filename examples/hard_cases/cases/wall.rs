@@ -22,9 +22,16 @@ pub(crate) fn case(length: Length) -> Case {
         for trial in &trials {
             let high = trial.states().map(|s| s.q[0]).fold(f64::MIN, f64::max);
             let low = trial.states().map(|s| s.q[0]).fold(f64::MAX, f64::min);
-            case.row(trial, vec![short(high), short(low)]);
-            if trial.run.kept(Invariant::Energy) == Kept::Exact {
-                case.check(format!("{} at k = {k}: highest", trial.scheme), high - 1.0, rounding(trial.asked));
+            // A position is rounded where the body comes from, up to h v above the wall, and the force where it goes to is up
+            // to √(2kE) = √(2k): the energy of a contact is not defined more closely. A fall from 1 and back takes 2√2.
+            let speed = 2.0_f64.sqrt();
+            let contacts = end / (2.0 * speed) + 1.0;
+            let blurred = f64::EPSILON * 0.01 * speed * (2.0 * k).sqrt() * contacts.sqrt();
+            let keeps = trial.run.kept(Invariant::Energy) == Kept::Exact;
+            let most = if keeps { rounding(trial.asked) + blurred } else { f64::INFINITY };
+            case.row_within(trial, vec![short(high), short(low)], most);
+            if keeps {
+                case.check(format!("{} at k = {k}: highest", trial.scheme), high - 1.0, most);
                 case.check(format!("{} at k = {k}: deepest", trial.scheme), -low, 1.01 * (2.0 / k).sqrt());
                 case.check(format!("{} at k = {k}: last", trial.scheme), trial.asked as f64, trial.run.steps() as f64);
             }

@@ -29,4 +29,5 @@ mod sinhc;
 pub use compensated::{Compensated, CompensatedVector, two_sum};
 #[cfg(feature = "lanes")]
 pub use lanes::{Lanes, LanesMask};
+pub use primitive::FUSED;
 pub use real::{Mask, Real};

@@ -2,8 +2,9 @@
 
 use crate::{Mask, Real, atanc, atanhc, sinc, sinhc};
 
-/// Whether a fused multiply-add is one instruction: always on these architectures, by target feature on x86.
-pub(crate) const FUSED: bool = cfg!(any(
+/// Whether a fused multiply-add is one instruction, and [`Real::mul_add`] rounds once: always on AArch64, POWER, z and RISC-V
+/// with doubles, by target feature on x86.
+pub const FUSED: bool = cfg!(any(
     target_feature = "fma",
     target_arch = "aarch64",
     target_arch = "powerpc64",

@@ -1,6 +1,6 @@
 //! The length of a step and the mass that it moves.
 
-use dmech_scalar::{CompensatedVector, Real, two_sum};
+use dmech_scalar::{CompensatedVector, FUSED, Real, two_sum};
 
 use crate::vector::weighted;
 
@@ -99,12 +99,16 @@ impl<R: Real> Stride<R> {
     }
 }
 
-/// x y rounded, and the error of that rounding, by splitting both factors in halves.
+/// x y rounded, and the error of that rounding: by a fused instruction, or by splitting both factors in halves.
 ///
 /// # Reference
 /// T. J. Dekker, Numer. Math. 18 (1971) 224–242; the splitting is Veltkamp's.
 #[inline(always)]
 pub(crate) fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
+    if FUSED {
+        let product = x * y;
+        return (product, x.mul_add(y, -product));
+    }
     let digits = 1.0 - R::EPSILON.to_f64().log2();
     let splitter = R::from_f64((0.5 * digits).ceil().exp2() + 1.0);
     let halves = |x: R| {

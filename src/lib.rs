@@ -115,6 +115,28 @@
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
 //!
+//! # Steps that follow the motion
+//!
+//! On an orbit of eccentricity 0.99 equal steps must be as short everywhere as the pericentre asks. `.adaptive(tolerance)` in
+//! place of `.dt(h)` takes steps in proportion to the time scale that the law itself has where the motion is, by a reversible
+//! rule; the schemes that may do so keep what they keep, the energy exactly (see [`Simulation::adaptive`]):
+//!
+//! ```
+//! use dmech::{models::Kepler, prelude::*};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let law = Kepler { gm: 1.0 };
+//! let (comet, end) = (law.pericentre(1.0, 0.99), 10.0 * law.period(1.0));
+//! let scheme = Composed::order6(DiscreteGradient);
+//! let run = Simulation::new(law, comet).scheme(scheme).adaptive(1e-8).run_until(end)?;
+//! assert_eq!(run.last().t, end);
+//! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-12);
+//! let [shortest, longest] = run.report().dt_range().unwrap();
+//! assert!(longest > 1000.0 * shortest);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # Which scheme for which error
 //!
 //! A [`Study`] runs schemes on a law over a ladder of steps, and tells what each needs for an error, in time and in forces:

@@ -17,6 +17,32 @@ pub enum Error {
         /// The refused time step.
         dt: f64,
     },
+    /// The tolerance of [`Simulation::adaptive`](crate::Simulation::adaptive) is zero, negative, infinite or NaN.
+    #[error("the tolerance must be positive and finite, not {tolerance}")]
+    Tolerance {
+        /// The refused tolerance.
+        tolerance: f64,
+    },
+    /// Nothing tells how long a step may be: the force does not vary where the motion is, or the law names the time.
+    #[error(
+        "the law does not tell how long step {step} from t = {time} may be (its force is uniform there, or it names the time): give the longest step with .dt(h)"
+    )]
+    NoTimeScale {
+        /// The number of the step, counted from 1.
+        step: u64,
+        /// The time at which the step begins.
+        time: f64,
+    },
+    /// The step that the motion asks for is lost in the rounding of the time, as in a collision.
+    #[error("step {step} from t = {time} would have to be as short as {dt:e}")]
+    StepVanished {
+        /// The number of the step, counted from 1.
+        step: u64,
+        /// The time at which the step begins.
+        time: f64,
+        /// The time step.
+        dt: f64,
+    },
     /// The mass is zero, negative, infinite or NaN.
     #[error("the mass must be positive and finite, not {mass}")]
     Mass {

@@ -49,7 +49,8 @@ pub use run::Run;
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
 pub use scheme::{
-    Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start, coefficients,
+    Adaptable, Adaptive, Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start,
+    coefficients,
 };
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
@@ -65,8 +66,8 @@ pub mod prelude {
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
-        Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme, Start,
-        coefficients,
+        Adaptable, Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme,
+        Start, coefficients,
     };
     pub use crate::verify::verify;
     pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper, Study};

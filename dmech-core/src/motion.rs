@@ -28,9 +28,18 @@ pub(crate) trait Motion {
     fn drifts(watch: &Self::Watch) -> Drifts;
     /// Steps, evaluations of the force, Newton corrections.
     fn effort(&self) -> [u64; 3];
+    /// Whether the end is reached, where the steps are not counted.
+    #[inline(always)]
+    fn arrived(&self) -> bool {
+        false
+    }
+    /// The shortest and the longest step, where they differ.
+    fn range(&self) -> Option<[f64; 2]> {
+        None
+    }
 }
 
-/// Makes `steps` steps and records the state after every n-th.
+/// Makes `steps` steps, or fewer if the motion arrives before, and records the state after every n-th.
 pub(crate) fn record<M: Motion>(
     motion: M,
     run: Run<M::State>,
@@ -56,11 +65,14 @@ fn record_seen<M: Motion, F: Follow>(
 ) -> Result<Run<M::State>, Interrupted<M::State>> {
     let clock = Instant::now();
     let mut watch = motion.watch();
-    run.expect(steps / record_every);
+    run.expect(if steps == UNCOUNTED { 0 } else { steps / record_every });
     run.record(motion.state());
     let mut until_record = record_every;
     let mut failure = None;
     for _ in 0..steps {
+        if motion.arrived() {
+            break;
+        }
         if let Err(error) = motion.step_watched(&mut watch) {
             failure = Some(error);
             break;
@@ -80,13 +92,16 @@ fn record_seen<M: Motion, F: Follow>(
         motion.observe(&mut watch, &last);
     }
     let [steps, evaluations, iterations] = motion.effort();
-    let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed() };
+    let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range: motion.range() };
     run.finish(last, M::drifts(&watch), work);
     match failure {
         None => Ok(run),
         Some(cause) => Err(Interrupted::new(run, cause)),
     }
 }
+
+/// As many steps as it takes to arrive.
+pub(crate) const UNCOUNTED: u64 = u64::MAX;
 
 /// The steps from `start` to `end`: ⌈n − 10⁻⁹ n⌉ with n = (end − start)/dt.
 pub(crate) fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {

@@ -94,7 +94,9 @@ mod bar {
 
     impl Bar {
         pub(crate) fn new(bar: ProgressBar, steps: u64) -> Self {
-            bar.set_length(steps);
+            if steps != crate::motion::UNCOUNTED {
+                bar.set_length(steps);
+            }
             bar.set_position(0);
             bar.reset_eta();
             Bar { bar, done: 0, next: 1, stride: 1, glanced: Instant::now() }

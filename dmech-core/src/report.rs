@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use crate::invariant::{Drift, Invariant, Kept};
 use crate::run::Work;
+use crate::scheme::Method;
 use crate::watch::Drifts;
 
 /// What a run kept and what it cost. `Display` shows it as a table for the terminal.
@@ -12,6 +13,7 @@ use crate::watch::Drifts;
 pub struct Report {
     scheme: &'static str,
     order: u32,
+    tolerance: Option<f64>,
     dt: f64,
     mass: f64,
     kept: [Kept; Invariant::ALL.len()],
@@ -20,14 +22,9 @@ pub struct Report {
 }
 
 impl Report {
-    pub(crate) fn new(
-        scheme: &'static str,
-        order: u32,
-        dt: f64,
-        mass: f64,
-        kept: [Kept; Invariant::ALL.len()],
-    ) -> Self {
-        Report { scheme, order, dt, mass, kept, drifts: Default::default(), work: Work::default() }
+    pub(crate) fn new<M: Method>(scheme: &M, dt: f64, mass: f64, kept: [Kept; Invariant::ALL.len()]) -> Self {
+        let (tolerance, scheme, order) = (scheme.tolerance(), M::NAME, M::ORDER);
+        Report { scheme, order, tolerance, dt, mass, kept, drifts: Default::default(), work: Work::default() }
     }
 
     pub(crate) fn finish(&mut self, drifts: Drifts, work: Work) {
@@ -45,9 +42,23 @@ impl Report {
         self.order
     }
 
-    /// The time step; NaN if it was missing.
+    /// The time step, with a tolerance the longest that was allowed; NaN if it was missing.
     pub fn dt(&self) -> f64 {
         self.dt
+    }
+
+    /// The tolerance, where the steps follow the motion.
+    pub fn tolerance(&self) -> Option<f64> {
+        self.tolerance
+    }
+
+    /// The shortest and the longest step, but for the last one of `run_until` that is shortened to land; `None` in an
+    /// adaptive run without any other.
+    pub fn dt_range(&self) -> Option<[f64; 2]> {
+        if self.tolerance.is_none() {
+            return Some([self.dt; 2]);
+        }
+        self.work.range.filter(|[shortest, longest]| shortest <= longest)
     }
 
     /// The mass; with masses per coordinate the unit that they are in.
@@ -88,9 +99,17 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Work { steps, evaluations, iterations, elapsed } = self.work;
+        let Work { steps, evaluations, iterations, elapsed, .. } = self.work;
         let per_step = |total: f64| if steps == 0 { 0.0 } else { total / steps as f64 };
-        writeln!(f, "{}, order {}, dt = {}, {steps} steps", self.scheme, self.order, self.dt)?;
+        write!(f, "{}, order {}, ", self.scheme, self.order)?;
+        match (self.tolerance, self.dt_range()) {
+            (None, _) => write!(f, "dt = {}", self.dt)?,
+            (Some(tolerance), None) => write!(f, "tolerance {tolerance:e}")?,
+            (Some(tolerance), Some([shortest, longest])) => {
+                write!(f, "tolerance {tolerance:e}, dt from {shortest:.3e} to {longest:.3e}")?;
+            }
+        }
+        writeln!(f, ", {steps} steps")?;
         writeln!(
             f,
             "  {:<22} {:>22} {:>12} {:>12} {:>12}  must be",

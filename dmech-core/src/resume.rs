@@ -34,13 +34,15 @@ where
     pub fn checkpoint(&self) -> Checkpoint {
         let (_, scheme, stride) = self.parts();
         let start = self.start();
+        // No longest step is no number that a checkpoint can hold.
+        let dt = if self.dt().is_finite() { self.dt() } else { 0.0 };
         Checkpoint {
             format: FORMAT,
             scheme: S::NAME.to_owned(),
             options: Checkpoint::options(scheme),
             dimension: D,
             bodies: 1,
-            times: Numbers(vec![start.t, self.dt()]),
+            times: Numbers(vec![start.t, dt, self.t()]),
             masses: Numbers(vec![stride.mass]),
             pins: Vec::new(),
             laws: self.fingerprint(),

@@ -24,15 +24,17 @@ pub(crate) struct Work {
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
     pub(crate) elapsed: Duration,
+    /// The shortest and the longest step, where they differ.
+    pub(crate) range: Option<[f64; 2]>,
 }
 
 /// States to make room for in advance; a longer run grows as it goes.
 const ROOM: u64 = 1 << 16;
 
 impl<X> Run<X> {
-    pub(crate) fn empty<M: Method>(start: X, dt: f64, mass: f64) -> Self {
+    pub(crate) fn empty<M: Method>(start: X, scheme: &M, dt: f64, mass: f64) -> Self {
         let kept = Invariant::ALL.map(M::keeps);
-        Run { states: Vec::new(), last: start, report: Report::new(M::NAME, M::ORDER, dt, mass, kept) }
+        Run { states: Vec::new(), last: start, report: Report::new(scheme, dt, mass, kept) }
     }
 
     pub(crate) fn expect(&mut self, states: u64) {

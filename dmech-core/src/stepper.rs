@@ -12,7 +12,7 @@ use crate::watch::{Drifts, Watch};
 
 /// A simulation advanced by hand: it records nothing and allocates nothing.
 ///
-/// Time is t₀ + k h after k steps, never a running sum.
+/// Time is t₀ + k h after k equal steps, never a running sum.
 #[derive(Clone, Debug)]
 pub struct Stepper<L, S: Scheme<L, D, R>, const D: usize, R: Real = f64> {
     law: L,
@@ -28,7 +28,7 @@ pub struct Stepper<L, S: Scheme<L, D, R>, const D: usize, R: Real = f64> {
 
 impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D, R> {
     pub(crate) fn new(law: L, scheme: S, start: State<D, R>, dt: f64, mass: f64) -> Result<Self, Error> {
-        check(dt, mass, law.mass_ratios(), &start)?;
+        check(scheme.tolerance(), dt, mass, law.mass_ratios(), &start)?;
         let stride = Stride::new(R::from_f64(dt), R::from_f64(mass));
         let field = law.field(stride.mass, R::from_f64(start.t));
         let potential = field.potential(start.q);
@@ -51,6 +51,7 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
                 });
             }
         };
+        scheme.ready(1, &memory)?;
         Ok(Stepper { law, scheme, stride, dt, start, memory, steps: 0, evaluations: 0, iterations: 0 })
     }
 
@@ -60,6 +61,7 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
     /// [`Error::NotConverged`] or [`Error::NotFinite`]; the stepper then stays where it was.
     #[inline(always)]
     pub fn step(&mut self) -> Result<(), Error> {
+        self.scheme.ready(self.steps + 1, &self.memory)?;
         let t = R::from_f64(self.t());
         let mut memory = self.memory.clone();
         match self.scheme.step(&self.law, &self.stride, t, &mut memory) {
@@ -87,7 +89,10 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         let mut memory = self.memory.clone();
         let (mut evaluations, mut iterations) = (self.evaluations, self.iterations);
         for step in self.steps..self.steps + steps {
-            let t = R::from_f64(self.start.t + step as f64 * self.dt);
+            if self.scheme.ready(step + 1, &memory).is_err() {
+                return self.one_by_one(steps);
+            }
+            let t = R::from_f64(self.scheme.time(self.start.t, step, self.dt, &memory));
             match self.scheme.step(&self.law, &self.stride, t, &mut memory) {
                 Ok(effort) => {
                     evaluations += u64::from(effort.evaluations);
@@ -120,10 +125,10 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         State { t, q: self.q(), v }
     }
 
-    /// Time now, t₀ + k h.
+    /// Time now: t₀ + k h, or the compensated sum of the steps where those follow the motion.
     #[inline]
     pub fn t(&self) -> f64 {
-        self.start.t + self.steps as f64 * self.dt
+        self.scheme.time(self.start.t, self.steps, self.dt, &self.memory)
     }
 
     /// Position now.
@@ -184,7 +189,7 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         Error::NotConverged {
             step: self.steps + 1,
             time: self.t(),
-            dt: self.dt,
+            dt: self.scheme.next_dt(self.dt, &self.memory),
             iterations: iterations as u32,
             residual,
         }
@@ -192,7 +197,7 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
 
     #[cold]
     fn not_finite(&self) -> Error {
-        Error::NotFinite { step: self.steps + 1, time: self.t(), dt: self.dt }
+        Error::NotFinite { step: self.steps + 1, time: self.t(), dt: self.scheme.next_dt(self.dt, &self.memory) }
     }
 }
 
@@ -227,12 +232,31 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Motion for Stepp
     fn effort(&self) -> [u64; 3] {
         [self.steps, self.evaluations, self.iterations]
     }
+
+    #[inline(always)]
+    fn arrived(&self) -> bool {
+        self.scheme.arrived(&self.memory)
+    }
+
+    fn range(&self) -> Option<[f64; 2]> {
+        self.scheme.range(&self.memory)
+    }
 }
 
-fn check<const D: usize, R: Real>(dt: f64, mass: f64, mass_ratios: [f64; D], start: &State<D, R>) -> Result<(), Error> {
+fn check<const D: usize, R: Real>(
+    tolerance: Option<f64>,
+    dt: f64,
+    mass: f64,
+    mass_ratios: [f64; D],
+    start: &State<D, R>,
+) -> Result<(), Error> {
     let positive = |x: f64| x > 0.0 && x.is_finite();
+    if let Some(tolerance) = tolerance.filter(|&x| !positive(x)) {
+        return Err(Error::Tolerance { tolerance });
+    }
+    let unlimited = tolerance.is_some() && dt == f64::INFINITY;
     // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
-    if !positive(dt) || !positive(R::from_f64(dt).to_f64()) {
+    if !unlimited && (!positive(dt) || !positive(R::from_f64(dt).to_f64())) {
         return Err(Error::TimeStep { dt });
     }
     if !positive(mass) || !positive(R::from_f64(mass).to_f64()) {

@@ -274,3 +274,40 @@ fn refusals() {
     let at_centre = Study::new(Kepler::<true> { k: 1.0 }, State::new([0.0, 0.0], [0.0, 0.0]), 1.0).scheme(Leapfrog);
     assert!(matches!(at_centre.run(), Err(Error::Law { .. })));
 }
+
+/// Tolerances take the place of the ladder for schemes that follow the motion, and rows tell what came of them.
+#[test]
+fn adaptive_schemes_have_tolerances() {
+    let end = 20.0;
+    let report = Study::new(SUN, greenspan_orbit(), end)
+        .scheme(Composed::order6(DiscreteGradient))
+        .adaptive(Composed::order6(DiscreteGradient), [1e-3, 1e-5, 1e-7])
+        .ladder([0.2, 0.1, 0.05, 0.025, 0.0125])
+        .exact(kepler_position)
+        .repetitions(1)
+        .run()
+        .unwrap();
+    println!("{report}");
+    let rows: Vec<_> = report.rows_of(1).collect();
+    assert_eq!(report.schemes()[1], ("Adaptive(Composed(DiscreteGradient, SofroniouSpaletta6))", 6));
+    assert_eq!(rows.iter().map(|row| row.tolerance()).collect::<Vec<_>>(), [Some(1e-3), Some(1e-5), Some(1e-7)]);
+    assert!(report.rows_of(0).all(|row| row.tolerance().is_none()));
+    for row in &rows {
+        let figures = row.result().unwrap();
+        assert!((row.dt() * row.steps() as f64 / end - 1.0).abs() < 1e-12);
+        assert!(figures.error() < row.tolerance().unwrap() * end, "{:e}", figures.error());
+        assert!(figures.time() < Duration::from_secs(60) && figures.evaluations() > 13 * row.steps());
+        let energy = figures.drift(Invariant::Energy).unwrap();
+        assert!(energy.samples() > row.steps().min(4096) / 2 && energy.max_relative() < 1e-13);
+    }
+    let forces = report.evaluations_at(1e-5);
+    assert!(forces[1].1.unwrap() < forces[0].1.unwrap(), "{forces:?}");
+
+    // What a run refuses is its row.
+    let refused = Study::new(SUN, greenspan_orbit(), end)
+        .adaptive(DiscreteGradient, [-1.0])
+        .exact(kepler_position)
+        .run()
+        .unwrap();
+    assert_eq!(refused.rows()[0].result().err(), Some(Error::Tolerance { tolerance: -1.0 }));
+}

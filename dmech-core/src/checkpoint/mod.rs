@@ -65,7 +65,7 @@ pub struct Checkpoint {
     pub(crate) options: String,
     pub(crate) dimension: usize,
     pub(crate) bodies: usize,
-    /// t₀ and dt.
+    /// t₀, dt and the time now.
     pub(crate) times: Numbers,
     pub(crate) masses: Numbers,
     pub(crate) pins: Vec<usize>,
@@ -87,10 +87,10 @@ impl Checkpoint {
         self.steps
     }
 
-    /// The time, t₀ + k h.
+    /// The time: t₀ + k h where the steps are equal.
     pub fn t(&self) -> f64 {
         let [t0, dt] = self.times();
-        t0 + self.steps as f64 * dt
+        self.times.0.get(2).copied().unwrap_or(t0 + self.steps as f64 * dt)
     }
 
     /// The number of bodies; 1 for a law without a scene.

@@ -78,7 +78,7 @@ impl<const D: usize, P, L, S> Simulation<(), Scene<D, P, L>, S> {
         let bodies = &self.start.bodies;
         let start = SceneState { t: bodies.t, q: bodies.q.clone(), v: bodies.v.clone() };
         let (t, mass) = (start.t, bodies.masses.iter().sum());
-        let run = Run::empty::<S>(start, dt, mass);
+        let run = Run::empty(start, &self.scheme, dt, mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
         match prepared.and_then(|stepper| Ok((count(t, dt)?, stepper))) {
             Ok((steps, stepper)) => record(stepper, run, steps, record_every, shown),

@@ -1,5 +1,6 @@
 //! The schemes, and what a simulation needs to know of one.
 
+mod adaptive;
 mod composed;
 mod discrete_gradient;
 mod explicit;
@@ -7,9 +8,11 @@ mod guess;
 mod implicit;
 mod kanatani;
 mod leapfrog;
+mod name;
 mod stride;
 mod workless;
 
+pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
 pub use composed::{
     Coefficients, Composable, Composed, ComposedDiscreteGradientMemory, ComposedImplicitMemory, ComposedLeapfrogMemory,
     coefficients,
@@ -26,6 +29,7 @@ pub(crate) use stride::exact_product;
 use dmech_scalar::Real;
 
 use crate::State;
+use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 
@@ -40,6 +44,16 @@ pub trait Method: Copy + core::fmt::Debug {
 
     /// How well the scheme keeps an invariant of the law.
     fn keeps(invariant: Invariant) -> Kept;
+
+    /// The tolerance of an [`Adaptive`] scheme; `None` where all steps are equal.
+    fn tolerance(&self) -> Option<f64> {
+        None
+    }
+
+    /// The same scheme with its last step ending at the time `end`, where it chooses its steps.
+    fn until(self, _end: f64) -> Self {
+        self
+    }
 }
 
 /// A scheme for laws of the type L in D coordinates.
@@ -83,6 +97,42 @@ pub trait Scheme<L, const D: usize, R: Real = f64>: Method {
 
     /// The scheme's own energy where it differs from m v²/2 + Φ(q).
     fn discrete_energy(&self, _law: &L, _stride: &Stride<R>, _t: R, _memory: &Self::Memory) -> Option<R> {
+        None
+    }
+
+    /// Takes steps of another length from here on, `ratio` times those before.
+    #[inline(always)]
+    fn stretch(&self, _stride: &Stride<R>, _ratio: R, _memory: &mut Self::Memory) {}
+
+    /// The time after so many steps from `start`: t₀ + k h, unless the scheme chooses its steps.
+    #[inline(always)]
+    fn time(&self, start: f64, steps: u64, dt: f64, _memory: &Self::Memory) -> f64 {
+        start + steps as f64 * dt
+    }
+
+    /// The length of the next step: dt, unless the scheme chooses its steps.
+    #[inline(always)]
+    fn next_dt(&self, dt: f64, _memory: &Self::Memory) -> f64 {
+        dt
+    }
+
+    /// Whether the end of [`Method::until`] is reached.
+    #[inline(always)]
+    fn arrived(&self, _memory: &Self::Memory) -> bool {
+        false
+    }
+
+    /// Whether there is a next step, `step` by number.
+    ///
+    /// # Errors
+    /// [`Error::NoTimeScale`], [`Error::StepVanished`] where the scheme chooses its steps and cannot.
+    #[inline(always)]
+    fn ready(&self, _step: u64, _memory: &Self::Memory) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// The shortest and the longest step so far, but for one that was shortened to land; `None` where all are equal.
+    fn range(&self, _memory: &Self::Memory) -> Option<[f64; 2]> {
         None
     }
 }

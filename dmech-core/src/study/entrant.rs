@@ -7,7 +7,7 @@ use super::case::Case;
 use crate::error::Error;
 use crate::law::Law;
 use crate::motion::Motion;
-use crate::scheme::Scheme;
+use crate::scheme::{Adaptable, Adaptive, Method, Scheme};
 use crate::stepper::Stepper;
 use crate::watch::Drifts;
 
@@ -20,6 +20,10 @@ pub(super) trait Runner<L, const D: usize> {
     fn name(&self) -> &'static str;
     /// The order that the scheme declares.
     fn order(&self) -> u32;
+    /// The tolerances of a scheme that follows the motion: they take the place of time steps.
+    fn tolerances(&self) -> Option<&[f64]> {
+        None
+    }
     /// Runs and watches the invariants.
     fn watch(&self, case: &Case<L, D>, dt: f64, steps: u64) -> Result<Watched<D>, Error>;
     /// The time of a run, from as many in a row; `None` if the run fails.
@@ -29,6 +33,7 @@ pub(super) trait Runner<L, const D: usize> {
 /// Where a run ended, what it kept and what it cost.
 pub(super) struct Watched<const D: usize> {
     pub(super) q: [f64; D],
+    pub(super) steps: u64,
     pub(super) drifts: Drifts,
     pub(super) evaluations: u64,
     pub(super) iterations: u64,
@@ -58,7 +63,7 @@ impl<L: Law<D> + Clone, S: Scheme<L, D>, const D: usize> Runner<L, D> for Entran
             }
         }
         let (evaluations, iterations) = (stepper.evaluations(), stepper.iterations());
-        Ok(Watched { q: stepper.q(), drifts: watch.drifts(), evaluations, iterations })
+        Ok(Watched { q: stepper.q(), steps, drifts: watch.drifts(), evaluations, iterations })
     }
 
     fn time(&self, case: &Case<L, D>, dt: f64, steps: u64, runs: u32) -> Option<Duration> {
@@ -66,6 +71,72 @@ impl<L: Law<D> + Clone, S: Scheme<L, D>, const D: usize> Runner<L, D> for Entran
         for _ in 0..runs {
             let mut stepper = Stepper::new(case.law.clone(), self.0, black_box(case.start), dt, case.mass).ok()?;
             stepper.advance(black_box(steps)).ok()?;
+            black_box(stepper.q());
+        }
+        Some(clock.elapsed() / runs)
+    }
+}
+
+/// A scheme that follows the motion, with its tolerances.
+pub(super) struct Adapting<S> {
+    pub(super) scheme: S,
+    pub(super) tolerances: Vec<f64>,
+}
+
+impl<S: Adaptable> Adapting<S> {
+    fn stepper<L: Law<D> + Clone, const D: usize>(
+        &self,
+        case: &Case<L, D>,
+        tolerance: f64,
+    ) -> Result<Stepper<L, Adaptive<S>, D>, Error>
+    where
+        S: Scheme<L, D>,
+    {
+        let scheme = Adaptive::new(self.scheme, tolerance).until(case.end);
+        Stepper::new(case.law.clone(), scheme, black_box(case.start), f64::INFINITY, case.mass)
+    }
+}
+
+impl<L: Law<D> + Clone, S: Adaptable + Scheme<L, D>, const D: usize> Runner<L, D> for Adapting<S> {
+    fn name(&self) -> &'static str {
+        Adaptive::<S>::NAME
+    }
+
+    fn order(&self) -> u32 {
+        S::ORDER
+    }
+
+    fn tolerances(&self) -> Option<&[f64]> {
+        Some(&self.tolerances)
+    }
+
+    fn watch(&self, case: &Case<L, D>, tolerance: f64, _: u64) -> Result<Watched<D>, Error> {
+        let mut stepper = self.stepper(case, tolerance)?;
+        let mut watch = stepper.watch();
+        // How many steps there will be is not known: every one up to SAMPLES, every second up to twice that, and so on.
+        let (mut every, mut next) = (1, 1);
+        while !Motion::arrived(&stepper) {
+            stepper.step_watched(&mut watch)?;
+            if stepper.steps() == next || Motion::arrived(&stepper) {
+                let state = stepper.state();
+                stepper.observe(&mut watch, &state);
+                if stepper.steps() >= SAMPLES * every {
+                    every *= 2;
+                }
+                next = stepper.steps() + every;
+            }
+        }
+        let (steps, evaluations, iterations) = (stepper.steps(), stepper.evaluations(), stepper.iterations());
+        Ok(Watched { q: stepper.q(), steps, drifts: watch.drifts(), evaluations, iterations })
+    }
+
+    fn time(&self, case: &Case<L, D>, tolerance: f64, _: u64, runs: u32) -> Option<Duration> {
+        let clock = Instant::now();
+        for _ in 0..runs {
+            let mut stepper = self.stepper(case, tolerance).ok()?;
+            while !Motion::arrived(&stepper) {
+                stepper.step().ok()?;
+            }
             black_box(stepper.q());
         }
         Some(clock.elapsed() / runs)

@@ -21,11 +21,11 @@ use core::fmt;
 
 use crate::error::Error;
 use crate::law::Law;
-use crate::scheme::Scheme;
+use crate::scheme::{Adaptable, Scheme};
 use crate::state::State;
 
 use case::{Case, rounding};
-use entrant::{Entrant, Runner};
+use entrant::{Adapting, Entrant, Runner};
 
 /// How much time, and how many forces, does each scheme need for a given error under this law?
 ///
@@ -92,6 +92,17 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
         self
     }
 
+    /// Adds a scheme whose steps follow the motion, [`Simulation::adaptive`](crate::Simulation::adaptive), with tolerances
+    /// in place of the ladder.
+    pub fn adaptive<S: Adaptable + Scheme<L, D> + 'a>(
+        mut self,
+        scheme: S,
+        tolerances: impl IntoIterator<Item = f64>,
+    ) -> Self {
+        self.runners.push(Box::new(Adapting { scheme, tolerances: tolerances.into_iter().collect() }));
+        self
+    }
+
     /// The mass of the particle (default 1).
     pub fn mass(mut self, mass: f64) -> Self {
         self.case.mass = mass;
@@ -140,9 +151,10 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
         let mut rows = Vec::new();
         for (entrant, runner) in runners.iter().enumerate() {
             let measure = |dt| row::measure(&case, entrant, runner.as_ref(), dt, &truth);
-            match &ladder {
-                Some(steps) => rows.extend(steps.iter().copied().map(measure)),
-                None => rows.extend(ladder::default(&case.scales(), resolution, measure)),
+            match (runner.tolerances(), &ladder) {
+                (Some(tolerances), _) => rows.extend(tolerances.iter().copied().map(measure)),
+                (None, Some(steps)) => rows.extend(steps.iter().copied().map(measure)),
+                (None, None) => rows.extend(ladder::default(&case.scales(), resolution, measure)),
             }
         }
         for _ in 0..repetitions {

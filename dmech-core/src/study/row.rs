@@ -17,6 +17,7 @@ pub struct StudyRow {
     order: u32,
     dt: f64,
     steps: u64,
+    tolerance: Option<f64>,
     result: Result<Figures, Error>,
 }
 
@@ -36,7 +37,7 @@ impl StudyRow {
         (dt, steps): (f64, u64),
         result: Result<Figures, Error>,
     ) -> Self {
-        StudyRow { entrant, scheme, order, dt, steps, result }
+        StudyRow { entrant, scheme, order, dt, steps, tolerance: None, result }
     }
 
     /// The name of the scheme.
@@ -49,9 +50,15 @@ impl StudyRow {
         self.order
     }
 
-    /// The time step of the run, which may be a little less than that of the ladder.
+    /// The time step of the run, which may be a little less than that of the ladder; with a tolerance the mean step, NaN if
+    /// the run did not reach the end.
     pub fn dt(&self) -> f64 {
         self.dt
+    }
+
+    /// The tolerance, where the steps follow the motion.
+    pub fn tolerance(&self) -> Option<f64> {
+        self.tolerance
     }
 
     /// The number of steps from the start to the end.
@@ -75,7 +82,7 @@ impl StudyRow {
     /// Runs once more, against the clock.
     pub(super) fn time_once<L, const D: usize>(&mut self, case: &Case<L, D>, runner: &dyn Runner<L, D>) {
         if let Ok(figures) = &mut self.result
-            && let Some(time) = runner.time(case, self.dt, self.steps, runs(figures.time))
+            && let Some(time) = runner.time(case, self.tolerance.unwrap_or(self.dt), self.steps, runs(figures.time))
         {
             figures.time = figures.time.min(time);
         }
@@ -125,16 +132,37 @@ pub(super) fn measure<L: Law<D> + Clone, const D: usize>(
     truth: &[f64; D],
 ) -> StudyRow {
     let id = (entrant, runner.name(), runner.order());
+    if runner.tolerances().is_some() {
+        return measure_adaptive(case, id, runner, dt, truth);
+    }
     let (steps, dt) = match case.whole_steps(dt) {
         Ok(whole) => whole,
         Err(error) => return StudyRow::new(id, (dt, 0), Err(error)),
     };
-    let figures = |run: Watched<D>| match distance(&run.q, truth) {
-        Some(error) => {
-            let Watched { evaluations, iterations, drifts, .. } = run;
-            Ok(Figures { time: Duration::MAX, evaluations, iterations, error, drifts })
-        }
-        None => Err(Error::NotFinite { step: steps, time: case.end - dt, dt }),
-    };
+    let figures = |run: Watched<D>| figures(run, (case.end, dt), truth);
     StudyRow::new(id, (dt, steps), runner.watch(case, dt, steps).and_then(figures))
+}
+
+/// The same with a tolerance in place of a step.
+fn measure_adaptive<L: Law<D> + Clone, const D: usize>(
+    case: &Case<L, D>,
+    id: (usize, &'static str, u32),
+    runner: &dyn Runner<L, D>,
+    tolerance: f64,
+    truth: &[f64; D],
+) -> StudyRow {
+    let run = runner.watch(case, tolerance, 0);
+    let steps = run.as_ref().map_or(0, |run| run.steps);
+    let dt = if steps == 0 { f64::NAN } else { (case.end - case.start.t) / steps as f64 };
+    let row = StudyRow::new(id, (dt, steps), run.and_then(|run| figures(run, (case.end, dt), truth)));
+    StudyRow { tolerance: Some(tolerance), ..row }
+}
+
+/// What was measured of a run with steps of about dt.
+fn figures<const D: usize>(run: Watched<D>, (end, dt): (f64, f64), truth: &[f64; D]) -> Result<Figures, Error> {
+    let Watched { q, steps, evaluations, iterations, drifts } = run;
+    match distance(&q, truth) {
+        Some(error) => Ok(Figures { time: Duration::MAX, evaluations, iterations, error, drifts }),
+        None => Err(Error::NotFinite { step: steps, time: end - dt, dt }),
+    }
 }

@@ -4,7 +4,7 @@ use core::array::from_fn;
 
 use dmech_scalar::{CompensatedVector, Real};
 
-use super::predictor::{Place, expected, weights};
+use super::predictor::{Place, Resample, expected, weights};
 use super::{Coefficients, Composed};
 use crate::State;
 use crate::law::{Field, Law};
@@ -38,6 +38,7 @@ impl<const D: usize, const N: usize> crate::checkpoint::Carried for ComposedDisc
 
 impl<C: Coefficients<N>, const N: usize> Composed<DiscreteGradient, C, N> {
     pub(crate) const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, Place::Middle);
+    const RESAMPLE: Resample<N> = Resample::new(C::GAMMA, Place::Middle);
 }
 
 impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for Composed<DiscreteGradient, C, N>
@@ -75,6 +76,12 @@ where
         }
         (memory.q, memory.v, memory.gradients, memory.work) = (q, v, gradients, work);
         Ok(effort)
+    }
+
+    #[inline]
+    fn stretch(&self, stride: &Stride<R>, ratio: R, memory: &mut Self::Memory) {
+        Self::RESAMPLE.apply(ratio, &mut memory.gradients);
+        memory.strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
     }
 
     #[inline]

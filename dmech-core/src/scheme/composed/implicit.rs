@@ -4,7 +4,7 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
-use super::predictor::{Place, expected, weights};
+use super::predictor::{Place, Resample, expected, weights};
 use super::{Coefficients, Composed};
 use crate::State;
 use crate::law::{Field, Law};
@@ -37,6 +37,7 @@ impl<const D: usize, const N: usize> crate::checkpoint::Carried for ComposedImpl
 
 impl<C: Coefficients<N>, const N: usize> Composed<Implicit, C, N> {
     const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, Place::End);
+    const RESAMPLE: Resample<N> = Resample::new(C::GAMMA, Place::End);
 }
 
 impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for Composed<Implicit, C, N>
@@ -72,6 +73,12 @@ where
         work *= R::from_f64(0.5);
         (memory.q, memory.v, memory.gradients, memory.work) = (q, v, gradients, work);
         Ok(effort)
+    }
+
+    #[inline]
+    fn stretch(&self, stride: &Stride<R>, ratio: R, memory: &mut Self::Memory) {
+        Self::RESAMPLE.apply(ratio, &mut memory.gradients);
+        memory.strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
     }
 
     #[inline]

@@ -3,7 +3,6 @@
 mod discrete_gradient;
 mod implicit;
 mod leapfrog;
-mod name;
 mod predictor;
 
 pub mod coefficients;
@@ -17,7 +16,7 @@ pub use implicit::ComposedImplicitMemory;
 pub use leapfrog::ComposedLeapfrogMemory;
 
 use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
-use self::name::Name;
+use super::name::Name;
 use super::{DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
 

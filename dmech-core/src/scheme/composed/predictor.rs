@@ -4,6 +4,59 @@ use dmech_scalar::Real;
 
 use crate::vector::add_scaled;
 
+/// What the forces of one step would have been, had the step been longer or shorter: for steps that change.
+#[derive(Clone, Copy)]
+pub(super) struct Resample<const N: usize> {
+    /// The terms at each stage, times from the end of the step.
+    terms: [[f64; N]; TERMS],
+    /// Weights that take the coefficient of each term out of the forces.
+    coefficients: [[f64; N]; TERMS],
+}
+
+/// The powers of h in the terms.
+const POWERS: [i32; TERMS] = [0, 1, 2, 2, 3, 3, 3];
+
+impl<const N: usize> Resample<N> {
+    pub(super) const fn new(gamma: [f64; N], place: Place) -> Self {
+        let stages = stages(gamma, place);
+        let mut terms = [[0.0; N]; TERMS];
+        let mut j = 0;
+        while j < N {
+            let [time, length, error] = stages[j];
+            let column = values(time - 1.0, length, error);
+            let mut i = 0;
+            while i < TERMS {
+                terms[i][j] = column[i];
+                i += 1;
+            }
+            j += 1;
+        }
+        let mut coefficients = [[0.0; N]; TERMS];
+        let mut i = 0;
+        while i < TERMS {
+            let mut one = [0.0; TERMS];
+            one[i] = 1.0;
+            coefficients[i] = smallest(terms, one);
+            i += 1;
+        }
+        Resample { terms, coefficients }
+    }
+
+    /// From a step of length h to one of length `ratio` h.
+    pub(super) fn apply<const D: usize, R: Real>(&self, ratio: R, gradients: &mut [[R; D]; N]) {
+        let mut changes = [[R::ZERO; D]; TERMS];
+        for i in 1..TERMS {
+            let change = ratio.powi(POWERS[i]) - R::ONE;
+            changes[i] = expected(&self.coefficients[i], gradients).map(|x| change * x);
+        }
+        for j in 0..N {
+            for i in 1..TERMS {
+                gradients[j] = add_scaled(gradients[j], R::from_f64(self.terms[i][j]), changes[i]);
+            }
+        }
+    }
+}
+
 /// Where in a stage the force of a scheme belongs.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Place {
@@ -24,21 +77,7 @@ const TERMS: usize = 7;
 /// and d what the local errors O(h³) of the stages before have moved the position by: s is the sum of their γ³.
 /// The weights reproduce these terms exactly, as many as the number of stages allows, and are the smallest that do.
 pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: Place) -> [[f64; N]; N] {
-    let mut time = [0.0; N];
-    let mut length = [0.0; N];
-    let mut error = [0.0; N];
-    let (mut t, mut s) = (0.0, 0.0);
-    let mut k = 0;
-    while k < N {
-        let (x, cube) = (gamma[k], gamma[k] * gamma[k] * gamma[k]);
-        match place {
-            Place::Middle => (time[k], length[k], error[k]) = (t + 0.5 * x, x, s + 0.5 * cube),
-            Place::End => (time[k], error[k]) = (t + x, s + cube),
-        }
-        t += x;
-        s += cube;
-        k += 1;
-    }
+    let stages = stages(gamma, place);
     let mut weights = [[0.0; N]; N];
     let mut k = 0;
     while k < N {
@@ -47,7 +86,8 @@ pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: Place) -> [[
         let mut j = 0;
         while j < N {
             let before = if j < k { 0.0 } else { 1.0 };
-            let column = values(time[j] - before - time[k], length[j], error[j]);
+            let [time, length, error] = stages[j];
+            let column = values(time - before - stages[k][0], length, error);
             let mut i = 0;
             while i < TERMS {
                 terms[i][j] = column[i];
@@ -55,10 +95,28 @@ pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: Place) -> [[
             }
             j += 1;
         }
-        weights[k] = smallest(terms, values(0.0, length[k], error[k]));
+        weights[k] = smallest(terms, values(0.0, stages[k][1], stages[k][2]));
         k += 1;
     }
     weights
+}
+
+/// Time, length and s of each stage.
+const fn stages<const N: usize>(gamma: [f64; N], place: Place) -> [[f64; 3]; N] {
+    let mut stages = [[0.0; 3]; N];
+    let (mut t, mut s) = (0.0, 0.0);
+    let mut k = 0;
+    while k < N {
+        let (x, cube) = (gamma[k], gamma[k] * gamma[k] * gamma[k]);
+        stages[k] = match place {
+            Place::Middle => [t + 0.5 * x, x, s + 0.5 * cube],
+            Place::End => [t + x, 0.0, s + cube],
+        };
+        t += x;
+        s += cube;
+        k += 1;
+    }
+    stages
 }
 
 const fn values(t: f64, length: f64, error: f64) -> [f64; TERMS] {

@@ -1,0 +1,232 @@
+//! Steps that follow the time scale of the motion, reversibly.
+
+mod adaptable;
+mod monitor;
+
+#[cfg(test)]
+mod tests;
+
+pub use adaptable::Adaptable;
+
+use dmech_scalar::Compensated;
+
+use self::monitor::{Look, Place};
+use super::name::Name;
+use super::{Effort, Method, Scheme, Stride};
+use crate::State;
+use crate::error::Error;
+use crate::invariant::{Invariant, Kept};
+use crate::law::Law;
+use crate::newton::NotConverged;
+
+/// Steps as long as the motion allows, short at a pericentre and long at an apocentre, by a rule that runs backward as it
+/// runs forward; [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
+///
+/// ```text
+/// ρ_{n+1/2} = ρ_{n−1/2} + ε (d ln ω/dt)(qₙ, vₙ),   h_{n+1/2} = ε/ρ_{n+1/2},   ρ_{1/2} = ω(q₀) + (ε/2)(d ln ω/dt)(q₀, v₀)
+/// ```
+///
+/// The density ρ of the steps follows the frequency ω of the linearised motion, so that a step turns that by the angle ε:
+/// in the time τ that counts steps, dτ = ρ dt, ρ = ω has dρ/dτ = d ln ω/dt. The law gives ω. With K = ∂a/∂q, and K̇ and K̈
+/// its derivatives along the motion,
+///
+/// ```text
+/// ω¹² = ‖K‖⁶ + ‖K̇‖⁴/4 + ‖K̈‖³/100   (Frobenius norms; ‖∂a/∂v‖² beside the elements of K where there is damping)
+/// ```
+///
+/// A harmonic oscillator has equal steps, a Kepler orbit steps in proportion to r^(3/2); K̇ and K̈ stand in where K passes
+/// through zero, as for a pendulum at a right angle. As ω is even under v → −v, the sequence of steps is that of the
+/// motion backward, and a reversible scheme stays reversible: what it keeps does not begin to drift because steps differ.
+///
+/// An explicit reversible rule cannot pull ρ back to ω, or it would push it away on the way back. On smooth motions they
+/// stay together to O(ε²). Where they come apart by more than [2/3, 3/2], in a collision with a wall or in steps too long
+/// to see ω change, ρ is set to the end of that range: there the rule is not reversible.
+///
+/// # Reference
+/// E. Hairer and G. Söderlind, SIAM J. Sci. Comput. 26 (2005) 1838–1851: the rule for ρ. E. Hairer, C. Lubich and
+/// G. Wanner, Geometric Numerical Integration (2nd ed., 2006), VIII.3.2. The choice of ω is this project's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Adaptive<S> {
+    scheme: S,
+    tolerance: f64,
+    /// ε.
+    angle: f64,
+    /// Where the last step lands.
+    end: f64,
+}
+
+/// What [`Adaptive`] carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AdaptiveMemory<M> {
+    /// What the scheme itself carries.
+    pub inner: M,
+    /// ρ, the density of the steps: it is h = ε/ρ.
+    density: f64,
+    /// The last step, at the start the next.
+    last: f64,
+    /// The next step.
+    dt: f64,
+    /// Whether that ends at the end.
+    landing: bool,
+    time: Compensated<f64>,
+    /// The shortest and the longest step so far, but for the one that was shortened to land.
+    range: [f64; 2],
+}
+
+#[cfg(feature = "serde")]
+impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemory<M> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        let mut all = self.inner.carried();
+        let Compensated { hi, lo } = &mut self.time;
+        all.extend([&mut self.density, &mut self.last, &mut self.dt].map(core::slice::from_mut));
+        all.extend([core::slice::from_mut(hi), core::slice::from_mut(lo), &mut self.range]);
+        all
+    }
+}
+
+/// ρ/ω stays between these, at the ends of steps.
+const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
+
+/// The same in the middle of steps, where ω of their end differs: no step is negative.
+const MIDDLE: [f64; 2] = [0.25, 4.0];
+
+/// ρ half a step later.
+fn half_step(density: f64, change: f64, rate: f64, [least, most]: [f64; 2]) -> f64 {
+    (density + 0.5 * change).clamp(least * rate, most * rate)
+}
+
+impl<S: Adaptable> Adaptive<S> {
+    const JOINED: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
+
+    pub(crate) fn new(scheme: S, tolerance: f64) -> Self {
+        Adaptive { scheme, tolerance, angle: scheme.angle(tolerance), end: f64::INFINITY }
+    }
+
+    fn look<L: Law<D>, const D: usize>(&self, law: &L, stride: &Stride<f64>, t: f64, [q, v]: [[f64; D]; 2]) -> Look {
+        Place { t, q, v, mass: stride.mass, least: self.angle / stride.dt }.look(law)
+    }
+
+    /// ρ in the next step from that in the last.
+    fn follow(&self, density: f64, Look { rate, growth }: Look) -> f64 {
+        let change = self.angle * growth;
+        half_step(half_step(density, change, rate, BAND), change, rate, MIDDLE)
+    }
+
+    /// Chooses the next step.
+    fn plan<M>(&self, longest: f64, memory: &mut AdaptiveMemory<M>) {
+        let dt = (self.angle / memory.density).min(longest);
+        let left = (self.end - memory.time.hi) - memory.time.lo;
+        // A little longer rather than another step that is nothing but rounding.
+        memory.landing = dt.is_finite() && dt * (1.0 + 1e-9) >= left;
+        memory.dt = if memory.landing { left } else { dt };
+    }
+}
+
+impl<S: Adaptable> Method for Adaptive<S> {
+    const NAME: &'static str = Self::JOINED.text();
+    const ORDER: u32 = S::ORDER;
+    const SYMMETRIC: bool = true;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        S::keeps(invariant)
+    }
+
+    fn tolerance(&self) -> Option<f64> {
+        Some(self.tolerance)
+    }
+
+    fn until(self, end: f64) -> Self {
+        Adaptive { end, ..self }
+    }
+}
+
+impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Adaptive<S> {
+    type Memory = AdaptiveMemory<S::Memory>;
+
+    /// `stride` has the longest step, which may be infinite.
+    fn begin(&self, law: &L, stride: &Stride<f64>, start: &State<D>) -> Result<Self::Memory, NotConverged> {
+        let Look { rate, growth } = self.look(law, stride, start.t, [start.q, start.v]);
+        let density = half_step(rate, self.angle * growth, rate, MIDDLE);
+        // What the motion meets later no look at the start can tell.
+        let density = if !L::AUTONOMOUS && stride.dt.is_infinite() { 0.0 } else { density };
+        let first = Stride::new((self.angle / density).min(stride.dt), stride.mass);
+        let inner = self.scheme.begin(law, &first, start)?;
+        let (time, range) = (Compensated::new(start.t), [f64::MAX, 0.0]);
+        let mut memory = AdaptiveMemory { inner, density, last: first.dt, dt: first.dt, landing: false, time, range };
+        self.plan(stride.dt, &mut memory);
+        Ok(memory)
+    }
+
+    #[inline(always)]
+    fn step(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
+        let now = Stride::new(memory.dt, stride.mass);
+        self.scheme.stretch(&now, now.dt / memory.last, &mut memory.inner);
+        let mut effort = self.scheme.step(law, &now, t, &mut memory.inner)?;
+        memory.last = now.dt;
+        memory.time.add(now.dt);
+        if memory.landing {
+            memory.time = Compensated::new(self.end);
+        } else {
+            memory.range = [memory.range[0].min(now.dt), memory.range[1].max(now.dt)];
+        }
+        let end = memory.time.value();
+        let q = self.scheme.position(&memory.inner);
+        let v = self.scheme.velocity(law, &now, end, &memory.inner);
+        let look = self.look(law, stride, end, [q, v]);
+        effort.evaluations += monitor::EVALUATIONS;
+        memory.density = self.follow(memory.density, look);
+        self.plan(stride.dt, memory);
+        Ok(effort)
+    }
+
+    #[inline]
+    fn position(&self, memory: &Self::Memory) -> [f64; D] {
+        self.scheme.position(&memory.inner)
+    }
+
+    #[inline]
+    fn velocity(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &Self::Memory) -> [f64; D] {
+        self.scheme.velocity(law, stride, t, &memory.inner)
+    }
+
+    #[inline]
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        self.scheme.finite(&memory.inner)
+    }
+
+    fn kinetic_energy(&self, law: &L, stride: &Stride<f64>, memory: &Self::Memory) -> f64 {
+        self.scheme.kinetic_energy(law, stride, &memory.inner)
+    }
+
+    fn work(&self, law: &L, stride: &Stride<f64>, before: &Self::Memory, after: &Self::Memory) -> f64 {
+        self.scheme.work(law, stride, &before.inner, &after.inner)
+    }
+
+    #[inline]
+    fn time(&self, _: f64, _: u64, _: f64, memory: &Self::Memory) -> f64 {
+        memory.time.value()
+    }
+
+    #[inline]
+    fn next_dt(&self, _: f64, memory: &Self::Memory) -> f64 {
+        memory.dt
+    }
+
+    #[inline]
+    fn arrived(&self, memory: &Self::Memory) -> bool {
+        memory.time.value() >= self.end
+    }
+
+    #[inline]
+    fn ready(&self, step: u64, memory: &Self::Memory) -> Result<(), Error> {
+        let (time, dt) = (memory.time.value(), memory.dt);
+        if (dt > time.abs() * f64::EPSILON && dt.is_finite()) || self.arrived(memory) || memory.landing {
+            return Ok(());
+        }
+        Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
+    }
+
+    fn range(&self, memory: &Self::Memory) -> Option<[f64; 2]> {
+        Some(memory.range)
+    }
+}

@@ -43,9 +43,9 @@
 //! ```
 //!
 //! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
-//! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog` and
-//! `Kanatani` refuse a force that depends on the velocity when the program is compiled. [`Derivation::derivation`] shows
-//! everything that was derived in readable mathematics.
+//! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog`,
+//! `Nystrom`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the program is compiled.
+//! [`Derivation::derivation`] shows everything that was derived in readable mathematics.
 //!
 //! # Bodies and the laws between them
 //!
@@ -111,9 +111,13 @@
 //! |---|---|---|---|
 //! | [`Explicit`] | 1 | work | one force |
 //! | [`Leapfrog`] | 2 | angular momentum; energy bounded | one force |
+//! | [`CompensatedLeapfrog`] | 2 | the same, with sums that lose nothing: for very long runs or very short steps | one force |
 //! | [`Implicit`](struct@Implicit) | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
+//! | [`Composed`] | 4, 6, 8 | what the scheme keeps that it is composed of | 5, 13, 21 of its steps |
+//! | [`Nystrom`] | 4, 6 | angular momentum; energy bounded | 6, 14 forces |
+//! | [`ForceGradient`] | 4, 6, 8 | the same | 5, 5, 11 forces, and the change of 2, 3, 11 along themselves |
 //!
 //! # Steps that follow the motion
 //!

@@ -68,13 +68,14 @@ fn no_step_allocates() {
         ($($law:tt)*) => {
             one! { Explicit, $($law)* }
             one! { Leapfrog, $($law)* }
+            one! { CompensatedLeapfrog, $($law)* }
             one! { Implicit, $($law)* }
             one! { DiscreteGradient, $($law)* }
             one! { Kanatani, $($law)* }
         };
     }
     for_each_law!(every);
-    assert_eq!(checked, 5 * 12);
+    assert_eq!(checked, 6 * 12);
 }
 
 #[test]

@@ -150,6 +150,8 @@ fn scenes_go_on_bit_for_bit() {
             check(&scene, Implicit, $what);
             check(&scene, DiscreteGradient, $what);
             check(&scene, Kanatani, $what);
+            check(&scene, Nystrom::order4(), $what);
+            check(&scene, Nystrom::order6(), $what);
             check(&scene, Kanatani.start(Start::BackwardStep).with(Newton::from_previous()), $what);
         }};
     }
@@ -193,9 +195,13 @@ fn single_laws_go_on_bit_for_bit() {
     let bowl = Bowl { k: 0.7, omega: 1.9 };
     check(bowl, Explicit);
     check(bowl, Leapfrog);
+    check(bowl, CompensatedLeapfrog);
     check(bowl, Implicit);
     check(bowl, DiscreteGradient);
     check(bowl, Kanatani);
+    check(bowl, Nystrom::order4());
+    check(bowl, Nystrom::order6());
+    check(bowl, ForceGradient::order4());
     check(Drag { c: 0.2 }, Explicit);
     check(Drag { c: 0.2 }, Implicit);
     check(Drag { c: 0.2 }, DiscreteGradient);

@@ -37,7 +37,11 @@ macro_rules! for_each_model {
 macro_rules! for_each_scheme {
     ($run:ident, conservative, $($rest:tt)*) => {
         $run! { Leapfrog, conservative, $($rest)* }
+        $run! { CompensatedLeapfrog, conservative, $($rest)* }
         $run! { Kanatani, conservative, $($rest)* }
+        $run! { NYSTROM_4, conservative, $($rest)* }
+        $run! { NYSTROM_6, conservative, $($rest)* }
+        $run! { FORCE_GRADIENT_4, conservative, $($rest)* }
         for_each_scheme!(@any $run, conservative, $($rest)*);
     };
     ($run:ident, $($rest:tt)*) => { for_each_scheme!(@any $run, $($rest)*); };
@@ -51,7 +55,7 @@ macro_rules! for_each_scheme {
 /// The conservative models, and how many of each kind there are in all.
 const CONSERVATIVE: usize = 9;
 const VELOCITY_DEPENDENT: usize = 5;
-const PAIRINGS: usize = 5 * CONSERVATIVE + 3 * VELOCITY_DEPENDENT;
+const PAIRINGS: usize = 9 * CONSERVATIVE + 3 * VELOCITY_DEPENDENT;
 
 /// x + ε x′ with ε² = 0: a law evaluated at (q, 1) gives its derivative, by rules that know nothing of the engine's.
 #[derive(Clone, Copy, Debug, Default)]
@@ -299,6 +303,10 @@ fn dual_numbers_differentiate() {
 fn orders_are_as_declared() {
     let mut measured = 0;
     macro_rules! one {
+        // Above order 2 the error at t = 1 is rounding; `splittings` measures it on motions where it is not.
+        (NYSTROM_4, $($rest:tt)*) => {};
+        (NYSTROM_6, $($rest:tt)*) => {};
+        (FORCE_GRADIENT_4, $($rest:tt)*) => {};
         // The wall's force has a kink: a step that straddles it has a local error of its own.
         ($scheme:ident, $kind:ident, Wall $($rest:tt)*) => {};
         ($scheme:ident, $kind:ident, $name:ident $p:tt, $d:literal, $q:expr, $v:expr) => {{
@@ -310,7 +318,7 @@ fn orders_are_as_declared() {
         ($($row:tt)*) => { for_each_scheme!(one, $($row)*); };
     }
     for_each_model!(every);
-    assert_eq!(measured, PAIRINGS - 5);
+    assert_eq!(measured, PAIRINGS - 6 - 3 * CONSERVATIVE);
 }
 
 fn capabilities<L: Law<D>, const D: usize>(_: &L) -> (bool, bool) {
@@ -342,8 +350,8 @@ fn what_is_kept_exactly_is_kept_to_round_off_and_what_is_bounded_does_not_drift(
     for_each_model!(every);
     let Tally { exact, bounded, worst_exact } = tally;
     println!("{exact} exact (worst {worst_exact:.1e}), {bounded} bounded, {refused} without energy");
-    // Work for each pairing; the energy of DiscreteGradient and Kanatani; two schemes bound it on conservative laws.
-    assert!(exact > PAIRINGS + 2 * CONSERVATIVE && bounded >= 2 * CONSERVATIVE, "{exact} exact, {bounded} bounded");
+    // Work for each pairing; the energy of DiscreteGradient and Kanatani; five schemes bound it on conservative laws.
+    assert!(exact > PAIRINGS + 2 * CONSERVATIVE && bounded >= 5 * CONSERVATIVE, "{exact} exact, {bounded} bounded");
     assert_eq!(refused, 3 * 4);
 }
 
@@ -365,7 +373,7 @@ fn symmetric_schemes_return_when_the_velocity_is_reversed() {
         ($($row:tt)*) => { for_each_scheme!(one, $($row)*); };
     }
     for_each_model!(every);
-    assert_eq!(returned, 3 * CONSERVATIVE);
+    assert_eq!(returned, 7 * CONSERVATIVE);
     // The field is reversed with the motion, and without that the particle does not come home.
     let law = MagneticField { charge: 1.7, field: [0.3, -0.6, 1.1] };
     let turned = MagneticField { field: law.field.map(|b| -b), ..law };

@@ -233,6 +233,8 @@ fn orders_and_work() {
     moves_as_it_should(&potentials, Kanatani);
     moves_as_it_should(&potentials, Composed::order4(Leapfrog));
     moves_as_it_should(&potentials, Composed::order4(DiscreteGradient));
+    moves_as_it_should(&potentials, Nystrom::order4());
+    moves_as_it_should(&potentials, Nystrom::new(coefficients::McLachlan4S5));
     let rubbed = potentials.chain(Friction { c: 0.7 }).pin(0);
     let still = Scene::clone(&rubbed);
     assert!(
@@ -310,6 +312,8 @@ fn symmetric_schemes_go_back() {
     returns(law, Leapfrog);
     returns(law, Composed::order6(Leapfrog));
     returns(law, Composed::order6(DiscreteGradient));
+    returns(law, Nystrom::order4());
+    returns(law, Nystrom::order6());
     returns(law, Implicit);
     returns(law, DiscreteGradient);
 }
@@ -363,6 +367,7 @@ fn a_small_scene_is_a_law_too() {
     // The orders of these are measured on laws.
     same!(Composed::order4(Leapfrog), Composed::order6(Leapfrog), Composed::order8(Leapfrog));
     same!(Composed::order4(DiscreteGradient), Composed::order6(DiscreteGradient), Composed::order8(DiscreteGradient));
+    same!(Nystrom::order4(), Nystrom::order6(), Nystrom::new(coefficients::BlanesMoan6S11));
 }
 
 /// Everything that is refused before the first step, by its words.

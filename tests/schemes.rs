@@ -12,9 +12,13 @@ macro_rules! for_each_scheme {
     ($run:ident, $($rest:tt)*) => {
         $run! { Explicit, $($rest)* }
         $run! { Leapfrog, $($rest)* }
+        $run! { CompensatedLeapfrog, $($rest)* }
         $run! { Implicit, $($rest)* }
         $run! { DiscreteGradient, $($rest)* }
         $run! { Kanatani, $($rest)* }
+        $run! { NYSTROM_4, $($rest)* }
+        $run! { NYSTROM_6, $($rest)* }
+        $run! { FORCE_GRADIENT_4, $($rest)* }
     };
 }
 
@@ -22,6 +26,10 @@ macro_rules! for_each_scheme {
 fn orders_are_as_declared() {
     let mut measured = 0;
     macro_rules! one {
+        // Above order 2 the error at t = 1 is rounding; `splittings` measures it on motions where it is not.
+        (NYSTROM_4, $($rest:tt)*) => {};
+        (NYSTROM_6, $($rest:tt)*) => {};
+        (FORCE_GRADIENT_4, $($rest:tt)*) => {};
         ($scheme:ident, $law:ident, $d:literal, $q:expr, $v:expr) => {{
             has_its_order::<_, _, $d>($law::new(), $scheme, State::new($q, $v), 0.05, stringify!($law));
             measured += 1;
@@ -33,7 +41,7 @@ fn orders_are_as_declared() {
         ($law:ident, $($rest:tt)*) => { for_each_scheme!(one, $law, $($rest)*); };
     }
     for_each_law!(every);
-    assert_eq!(measured, 5 * 11);
+    assert_eq!(measured, 6 * 11);
 }
 
 #[test]
@@ -54,7 +62,7 @@ fn what_is_kept_exactly_is_kept_to_round_off_and_what_is_bounded_does_not_drift(
         ($law:ident, $($rest:tt)*) => { for_each_scheme!(one, $law, $($rest)*); };
     }
     for_each_law!(every);
-    assert!(tally.exact >= 12 * 7 && tally.bounded >= 12 * 2, "{tally:?}");
+    assert!(tally.exact >= 12 * 10 && tally.bounded >= 12 * 5, "{tally:?}");
 }
 
 #[test]
@@ -74,7 +82,7 @@ fn symmetric_schemes_return_when_the_velocity_is_reversed() {
         ($law:ident, $($rest:tt)*) => { for_each_scheme!(one, $law, $($rest)*); };
     }
     for_each_law!(every);
-    assert_eq!(returned, 3 * 12);
+    assert_eq!(returned, 7 * 12);
 }
 
 #[test]

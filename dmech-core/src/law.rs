@@ -3,6 +3,7 @@
 use dmech_scalar::Real;
 
 use crate::newton::{self, Equation, Increment, NotConverged};
+use crate::vector::dot;
 
 /// A potential energy Φ(q) in D coordinates, with everything that the schemes ask of it.
 ///
@@ -33,6 +34,14 @@ pub trait Potential<const D: usize, R: Real = f64> {
     fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         let gradient = self.gradient(q);
         core::array::from_fn(|i| v[i] - c * gradient[i])
+    }
+
+    /// v − c ∇Φ(q) + e H ∇Φ(q), with H ∇Φ = ∇(|∇Φ|²)/2: the kick of force-gradient schemes, e in units of h³/m².
+    ///
+    /// Asked for only where the force does not depend on the velocity.
+    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
+        let (gradient, hessian) = (self.gradient(q), self.hessian(q));
+        core::array::from_fn(|i| e.mul_add(dot(hessian[i], gradient), v[i] - c * gradient[i]))
     }
 
     /// Solves Δ + g ∇Φ(q + Δ) = c for the increment Δ: the trapezoidal step (Greenspan (2.1)–(2.5)).
@@ -79,7 +88,7 @@ pub trait Conservative {}
 #[diagnostic::on_unimplemented(
     message = "the force of `{Self}` depends on the velocity, and this scheme has no velocity where it needs the force",
     label = "this scheme cannot step a velocity-dependent force",
-    note = "leap-frog and Kanatani's scheme place velocities half a step away from positions",
+    note = "leap-frog, Kanatani's scheme, `Nystrom` and `ForceGradient` kick at a position, where they have no velocity of that time",
     note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"
 )]
 pub trait VelocityIndependent {}
@@ -224,6 +233,10 @@ impl<const D: usize, R: Real, P: Potential<D, R>> Potential<D, R> for &P {
     #[inline(always)]
     fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         (**self).kick(c, q, v)
+    }
+    #[inline(always)]
+    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
+        (**self).gradient_kick(c, e, q, v)
     }
     #[inline(always)]
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {

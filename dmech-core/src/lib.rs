@@ -1,4 +1,4 @@
-//! What runs in dmech: laws, the five schemes, Newton, simulations, invariants, reports.
+//! What runs in dmech: laws, schemes, Newton, simulations, invariants, reports.
 //!
 //! A law is a [`Potential`]; the macros of `dmech` write one from its declaration, and one can be written by hand. A
 //! [`Simulation`] moves a [`State`] under it by a scheme, and the [`Run`] that comes back has the states, the invariants
@@ -49,8 +49,8 @@ pub use run::Run;
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
 pub use scheme::{
-    Adaptable, Adaptive, Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Newton, Start,
-    coefficients,
+    Adaptable, Adaptive, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit,
+    Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
 };
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
@@ -66,8 +66,8 @@ pub mod prelude {
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
-        Adaptable, Composed, DiscreteGradient, Explicit, Guess, Implicit, Kanatani, Leapfrog, Method, Newton, Scheme,
-        Start, coefficients,
+        Adaptable, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit, Kanatani,
+        Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
     pub use crate::verify::verify;
     pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper, Study};

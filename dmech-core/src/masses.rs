@@ -6,6 +6,7 @@ use dmech_scalar::Real;
 
 use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
 use crate::newton::{self, Equation, Increment, NotConverged};
+use crate::vector::dot;
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
 ///
@@ -125,6 +126,17 @@ impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, 
     fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         let slope = self.slope(q, v);
         from_fn(|i| v[i] - c * slope[i])
+    }
+    /// v − c M⁻¹∇Φ + e M⁻¹H M⁻¹∇Φ, with the slope and its Jacobian for ∇Φ and H where a force acts.
+    #[inline(always)]
+    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
+        let slope = self.slope(q, v);
+        let mut jacobian = self.hessian(q);
+        if F::FORCED {
+            let force = self.force_dq(q, v, self.t);
+            jacobian = from_fn(|i| from_fn(|j| jacobian[i][j] - force[i][j]));
+        }
+        from_fn(|i| e.mul_add(dot(jacobian[i], slope), v[i] - c * slope[i]))
     }
 
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {

@@ -30,7 +30,7 @@ fn known(kernels: &Kernels) -> Vec<(&'static str, &Program, Vec<Expr>)> {
 
 fn all(kernels: &Kernels) -> Vec<&Program> {
     let mut programs: Vec<_> = known(kernels).into_iter().map(|(_, program, _)| program).collect();
-    programs.push(&kernels.kick);
+    programs.extend([&kernels.kick, &kernels.gradient_kick]);
     for step in [&kernels.implicit, &kernels.discrete] {
         let (Step::Linear(program) | Step::Newton(program) | Step::Central(program)) = step;
         programs.push(program);
@@ -41,7 +41,7 @@ fn all(kernels: &Kernels) -> Vec<&Program> {
 /// In binary64 within the rounding errors of the expressions (`common::tracked`), evaluated with 77 digits.
 #[test]
 fn programs_compute_their_expressions() {
-    let worst = Worst::new();
+    let (worst, turns) = (Worst::new(), Worst::new());
     for_all(60, &cases(), |case| {
         let mut law = Law::new(&case.tree, case.dimension());
         let kernels = law.kernels();
@@ -60,11 +60,13 @@ fn programs_compute_their_expressions() {
             }
         }
         // A kick is v − c ∇Φ.
-        let (c, v) = (0.013, 0.7);
+        let (c, e, v) = (0.013, 0.0007, 0.7);
         let at = law.at(a, b);
         let at = |s: Symbol| {
             if s == law.variables.c {
                 c
+            } else if s == law.variables.e {
+                e
             } else if law.variables.v.contains(&s) {
                 v
             } else {
@@ -79,7 +81,18 @@ fn programs_compute_their_expressions() {
                 law.graph.display(law.phi)
             );
         }
+        // And with the gradient of the force v − c ∇Φ + e H ∇Φ, also where one factor of q is all there is.
+        let (slope, hessian) = (kernels.gradient.run(at), kernels.hessian.run(at));
+        let d = slope.len();
+        for (i, kicked) in kernels.gradient_kick.run(at).into_iter().enumerate() {
+            let row = hessian[d * i..d * (i + 1)].iter().zip(&slope).map(|(h, s)| h * s);
+            let turned: f64 = row.clone().sum();
+            let size = v + (c * slope[i]).abs() + e * row.map(f64::abs).sum::<f64>();
+            let miss = (kicked - (v - c * slope[i] + e * turned)).abs();
+            turns.see(ratio(miss, U * size), || law.graph.display(law.phi).to_string());
+        }
     });
+    turns.at_most(64.0, "kicks with the gradient of the force, roundings");
     worst.at_most(2.0, "programs against their expressions, roundings");
 }
 

@@ -4,6 +4,11 @@
 use dmech::prelude::*;
 use dmech::{Kept, Potential};
 
+/// The splittings as rows of tables.
+pub(crate) const NYSTROM_4: Nystrom<coefficients::BlanesMoan4S6, 6> = Nystrom::order4();
+pub(crate) const NYSTROM_6: Nystrom<coefficients::BlanesMoan6S14, 14> = Nystrom::order6();
+pub(crate) const FORCE_GRADIENT_4: ForceGradient<coefficients::Omelyan4S5, 5> = ForceGradient::order4();
+
 /// The mass that the suites use: not 1.
 pub(crate) const MASS: f64 = 1.3;
 

@@ -11,7 +11,7 @@ use crate::lower::Source;
 
 /// The paragraphs above each function, in the order of the implementation.
 pub(super) struct Documents {
-    pub(super) texts: [Vec<String>; 8],
+    pub(super) texts: [Vec<String>; 9],
 }
 
 impl Documents {
@@ -35,6 +35,7 @@ impl Documents {
                 ),
                 vec![format!(" ∂∇̄Φ/∂b. Cost: {}.", cost(&kernels.discrete_gradient_jacobian))],
                 vec![" v − c ∇Φ(q).".to_owned()],
+                vec![format!(" v − c ∇Φ(q) + e H ∇Φ(q), H the Hessian. Cost: {}.", cost(&kernels.gradient_kick))],
                 vec![increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit)],
                 vec![increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete)],
             ],

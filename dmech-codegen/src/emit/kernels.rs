@@ -35,15 +35,19 @@ pub(super) struct Printer<'a> {
 impl Printer<'_> {
     /// All functions of `Potential` for a conservative law.
     pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
-        let Documents { texts: [potential, gradient, hessian, discrete, jacobian, kick_doc, implicit_doc, exact_doc] } =
-            Documents::new(self.graph, kernels);
+        let Documents {
+            texts:
+                [potential, gradient, hessian, discrete, jacobian, kick_doc, gradient_kick_doc, implicit_doc, exact_doc],
+        } = Documents::new(self.graph, kernels);
         let pointwise = self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian]);
         let kick = self.kick(&kernels.kick);
+        let gradient_kick = self.gradient_kick(&kernels.gradient_kick);
         let implicit = self.step("implicit_increment", &kernels.implicit, false);
         let exact = self.step("discrete_increment", &kernels.discrete, true);
         quote! {
             #pointwise
             #(#[doc = #kick_doc])* #kick
+            #(#[doc = #gradient_kick_doc])* #gradient_kick
             #(#[doc = #implicit_doc])* #implicit
             #(#[doc = #exact_doc])* #exact
         }
@@ -54,6 +58,14 @@ impl Printer<'_> {
         let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
         let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
         self.function("kick", &arguments, &[variables.c], quote!([#scalar; #d]), Shape::Vector, program)
+    }
+
+    /// v − c times what acts, and e times its change along itself.
+    fn gradient_kick(&self, program: &Program) -> TokenStream {
+        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
+        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
+        let coefficients = [variables.c, variables.e];
+        self.function("gradient_kick", &arguments, &coefficients, quote!([#scalar; #d]), Shape::Vector, program)
     }
 
     /// The functions of `Potential` that are taken at a point, or between two.
@@ -161,10 +173,16 @@ impl Printer<'_> {
         let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
         let (kick, implicit) = (self.kick(&forced.kick), self.step("implicit_increment", &trapezoid, false));
         let kick_doc = format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost());
+        let gradient_kick = forced.gradient_kick.as_ref().map(|program| {
+            let doc = format!(" v − c s + e (∂s/∂q) s, with s = ∇Φ − F. Cost: {}.", program.cost());
+            let function = self.gradient_kick(program);
+            quote!(#[doc = #doc] #function)
+        });
         let implicit_doc =
             increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
         quote! {
             #[doc = #kick_doc] #kick
+            #gradient_kick
             #[doc = #implicit_doc] #implicit
             #exact
         }

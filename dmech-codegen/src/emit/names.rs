@@ -45,8 +45,8 @@ impl Names {
             arguments.extend(OF_TWO_BODIES);
         }
         let mut taken: HashSet<String> = arguments.iter().map(|&name| name.to_owned()).collect();
-        let Variables { q, v, c, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b } = variables;
-        let fixed = [q, v, a, b, delta, rhs, drift].into_iter().flatten().chain([c, g, rate, t_end, s, s_a, s_b]);
+        let Variables { q, v, c, e, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b } = variables;
+        let fixed = [q, v, a, b, delta, rhs, drift].into_iter().flatten().chain([c, e, g, rate, t_end, s, s_a, s_b]);
         let of_two = pair.into_iter().flat_map(|p| p.va.iter().chain(&p.vb).chain([&p.s, &p.s_a, &p.s_b]));
         for &symbol in fixed.chain(of_two) {
             of.insert(symbol, graph.name(symbol).to_owned());

@@ -1,28 +1,38 @@
 //! The schemes, and what a simulation needs to know of one.
 
 mod adaptive;
+mod compensated_leapfrog;
 mod composed;
 mod discrete_gradient;
 mod explicit;
+mod force_gradient;
 mod guess;
 mod implicit;
 mod kanatani;
 mod leapfrog;
 mod name;
+mod nystrom;
+mod splitting;
 mod stride;
 mod workless;
 
 pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
+pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
 pub use composed::{
     Coefficients, Composable, Composed, ComposedDiscreteGradientMemory, ComposedImplicitMemory, ComposedLeapfrogMemory,
     coefficients,
 };
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
+pub use force_gradient::ForceGradient;
 pub use guess::{Guess, Newton};
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
+pub use nystrom::Nystrom;
+#[cfg(feature = "scene")]
+pub(crate) use splitting::Splitting;
+pub use splitting::{First, SplittingMemory};
 pub use stride::Stride;
 pub(crate) use stride::exact_product;
 

@@ -2,14 +2,14 @@
 
 /// Room for a name, and how much of it is used.
 #[derive(Clone, Copy)]
-pub(super) struct Name {
+pub(in crate::scheme) struct Name {
     bytes: [u8; 96],
     length: usize,
 }
 
 impl Name {
     /// The parts one after the other.
-    pub(super) const fn of(parts: &[&str]) -> Self {
+    pub(in crate::scheme) const fn of(parts: &[&str]) -> Self {
         let mut name = Name { bytes: [0; 96], length: 0 };
         let mut p = 0;
         while p < parts.len() {
@@ -26,7 +26,7 @@ impl Name {
     }
 
     /// The name.
-    pub(super) const fn text(&self) -> &str {
+    pub(in crate::scheme) const fn text(&self) -> &str {
         match core::str::from_utf8(self.bytes.split_at(self.length).0) {
             Ok(text) => text,
             Err(_) => "Composed",

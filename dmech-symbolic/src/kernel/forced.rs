@@ -27,6 +27,8 @@ pub struct ForcedKernels {
     pub half_force: Program,
     /// v − c (∇Φ − F).
     pub kick: Program,
+    /// v − c s + e J s, with s = ∇Φ − F and J = ∂s/∂q; none where the force depends on the velocity.
+    pub gradient_kick: Option<Program>,
     /// One Newton correction of the trapezoidal step, with the end velocity eliminated.
     pub implicit: Program,
     /// One Newton correction of the energy-exact step.
@@ -82,6 +84,10 @@ impl ForcedKernels {
         let workless = depends_on_velocity && does_no_work(graph, force, v);
         let slope: Vec<_> = gradient.iter().zip(force).map(|(&g, &f)| graph.sub(g, f)).collect();
         let kick = super::kick(graph, &slope, variables);
+        let gradient_kick = (!depends_on_velocity).then(|| {
+            let jacobian = calculus::jacobian(graph, &slope, q);
+            super::jacobian_kick(graph, &slope, &jacobian, variables)
+        });
         let share = if workless { 0.0 } else { 0.5 };
         let half_force: Vec<_> = force.iter().map(|&f| graph.scale(share, f)).collect();
 
@@ -124,6 +130,7 @@ impl ForcedKernels {
             slope: Program::schedule(graph, &slope),
             half_force: Program::schedule(graph, &half_force),
             kick,
+            gradient_kick,
             implicit,
             discrete,
             implicit_is_linear,

@@ -10,7 +10,7 @@ use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
-use crate::structure::Structure;
+use crate::structure::{Central, Structure};
 
 /// The variables that programs read besides the parameters of the law.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ pub struct Variables {
     pub v: Vec<Symbol>,
     /// The coefficient of a kick, h/m.
     pub c: Symbol,
+    /// The coefficient of H ∇Φ in a kick, in units of h³/m².
+    pub e: Symbol,
     /// The ends of a step.
     pub a: Vec<Symbol>,
     /// The other end.
@@ -71,6 +73,8 @@ pub struct Kernels {
     pub hessian: Program,
     /// v − c ∇Φ(q).
     pub kick: Program,
+    /// v − c ∇Φ(q) + e H ∇Φ(q).
+    pub gradient_kick: Program,
     /// ∇̄Φ(a, b), symmetric to the bit.
     pub discrete_gradient: Program,
     /// ∂∇̄Φ/∂b, row by row.
@@ -111,8 +115,8 @@ impl Variables {
         let (delta, rhs) = (list(&|i| format!("delta{i}")), list(&|i| format!("rhs{i}")));
         let drift = list(&|i| format!("drift{i}"));
         let [s, s_a, s_b] = ["s", "sa", "sb"].map(|name| graph.coordinate(name));
-        let [c, g, rate, t_end] = ["c", "g", "rate", "t_end"].map(|name| graph.parameter(name));
-        Self { q, v, c, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b }
+        let [c, e, g, rate, t_end] = ["c", "e", "g", "rate", "t_end"].map(|name| graph.parameter(name));
+        Self { q, v, c, e, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b }
     }
 }
 
@@ -129,12 +133,17 @@ impl Kernels {
         let implicit = implicit_step(graph, &formulas, &structure, variables);
         let discrete = discrete_step(graph, &formulas, &structure, variables);
         let kick = kick(graph, &formulas.gradient, variables);
+        let gradient_kick = match structure.central {
+            Some(central) => central_gradient_kick(graph, central, variables),
+            None => gradient_kick(graph, &formulas, variables),
+        };
         let exchange = exchange(graph, variables);
         Self {
             potential: Program::schedule(graph, &[phi]),
             gradient: Program::schedule(graph, &formulas.gradient),
             hessian: Program::schedule(graph, &formulas.hessian.concat()),
             kick,
+            gradient_kick,
             discrete_gradient: Program::schedule_symmetric(graph, &formulas.discrete_gradient, exchange),
             discrete_gradient_jacobian: Program::schedule(graph, &formulas.discrete_gradient_jacobian.concat()),
             implicit,
@@ -163,6 +172,87 @@ fn kick(graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> Program 
         .zip(gradient)
         .map(|(&v, &slope)| {
             let (v, kick) = (graph.symbol(v), graph.mul(&[c, slope]));
+            graph.sub(v, kick)
+        })
+        .collect();
+    Program::schedule(graph, &kicked)
+}
+
+/// v − c ∇Φ + e H ∇Φ.
+///
+/// H u is the gradient of u·∇Φ with u held fixed, which costs a few gradients; row by row H costs one for each coordinate.
+/// In few coordinates rows may still be shorter, as H is symmetric.
+fn gradient_kick(graph: &mut Graph, formulas: &Formulas, variables: &Variables) -> Program {
+    let gradient = &formulas.gradient;
+    let along: Vec<_> = (0..gradient.len()).map(|i| graph.coordinate(&format!("u{i}"))).collect();
+    let directions: Vec<_> = along.iter().map(|&u| graph.symbol(u)).collect();
+    let change = dot(graph, &directions, gradient);
+    let turned = calculus::gradient(graph, change, &variables.q);
+    let mut itself = Substitution::new(graph, along.into_iter().zip(gradient.iter().copied()));
+    let turned: Vec<_> = turned.into_iter().map(|e| itself.apply(graph, e)).collect();
+    let whole = kick_and_turn(graph, gradient, &turned, variables);
+    if gradient.len() > 3 {
+        return whole;
+    }
+    let by_rows = jacobian_kick(graph, gradient, &formulas.hessian, variables);
+    if whole.operations.len() < by_rows.operations.len() { whole } else { by_rows }
+}
+
+/// v − c s + e J s, with a slope s and its Jacobian J, which need not be symmetric.
+fn jacobian_kick(graph: &mut Graph, slope: &[Expr], jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
+    let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, slope)).collect();
+    kick_and_turn(graph, slope, &turned, variables)
+}
+
+/// x·y.
+fn dot(graph: &mut Graph, x: &[Expr], y: &[Expr]) -> Expr {
+    let terms: Vec<_> = x.iter().zip(y).map(|(&x, &y)| graph.mul(&[x, y])).collect();
+    graph.add(&terms)
+}
+
+/// v − c s + e w.
+fn kick_and_turn(graph: &mut Graph, slope: &[Expr], turned: &[Expr], variables: &Variables) -> Program {
+    let [c, e] = [variables.c, variables.e].map(|s| graph.symbol(s));
+    let kicked: Vec<_> = variables
+        .v
+        .iter()
+        .zip(slope.iter().zip(turned))
+        .map(|(&v, (&s, &w))| {
+            let (v, kick, turn) = (graph.symbol(v), graph.mul(&[c, s]), graph.mul(&[e, w]));
+            let kicked = graph.sub(v, kick);
+            graph.add(&[kicked, turn])
+        })
+        .collect();
+    Program::schedule(graph, &kicked)
+}
+
+/// With ∇Φ = f q, f a function of s = |q|²: |∇Φ|² = s f², so that H ∇Φ = f (f + 2 s f′) q, and one factor of q is the kick.
+fn central_gradient_kick(graph: &mut Graph, central: Central, variables: &Variables) -> Program {
+    let f = central.coefficient(graph);
+    let slope = calculus::derivative(graph, f, central.s);
+    let s = graph.symbol(central.s);
+    let rest = graph.mul(&[s, slope]);
+    let rest = graph.scale(2.0, rest);
+    let radial = graph.add(&[f, rest]);
+    let [c, e] = [variables.c, variables.e].map(|s| graph.symbol(s));
+    let change = graph.mul(&[e, radial]);
+    let length = graph.sub(c, change);
+    let factor = graph.mul(&[f, length]);
+    let squares: Vec<_> = variables
+        .q
+        .iter()
+        .map(|&q| {
+            let q = graph.symbol(q);
+            graph.square(q)
+        })
+        .collect();
+    let squared_distance = graph.add(&squares);
+    let factor = Substitution::new(graph, [(central.s, squared_distance)]).apply(graph, factor);
+    let coordinates = variables.v.iter().zip(&variables.q);
+    let kicked: Vec<_> = coordinates
+        .map(|(&v, &q)| {
+            let (v, q) = (graph.symbol(v), graph.symbol(q));
+            let kick = graph.mul(&[factor, q]);
             graph.sub(v, kick)
         })
         .collect();

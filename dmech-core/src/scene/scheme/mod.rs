@@ -22,6 +22,7 @@ mod explicit;
 mod implicit;
 mod kanatani;
 mod leapfrog;
+mod nystrom;
 
 use super::newton::Solver;
 use super::setting::{Setting, System};
@@ -44,7 +45,7 @@ pub struct Start<'a, const D: usize> {
 /// A scheme for scenes in which the terms `A` act.
 #[diagnostic::on_unimplemented(
     message = "the scheme `{Self}` cannot step this scene",
-    note = "`Leapfrog` and `Kanatani` need forces that do not depend on velocities"
+    note = "`Leapfrog`, `Nystrom` and `Kanatani` need forces that do not depend on velocities"
 )]
 pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
     /// What is carried from step to step.

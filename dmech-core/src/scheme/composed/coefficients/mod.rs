@@ -1,4 +1,4 @@
-//! Published sets of stage lengths.
+//! Published sets of stage lengths: of compositions, of Nyström splittings and of force-gradient schemes.
 //!
 //! The digits are those of the sources; a test holds them to every order condition.
 
@@ -9,6 +9,16 @@ mod order8;
 pub use order4::{McLachlan4, Suzuki4, TripleJump4};
 pub use order6::{KahanLi6, McLachlan6, SofroniouSpaletta6, SofroniouSpaletta6S11, Yoshida6};
 pub use order8::{KahanLi8, McLachlan8, Morales8, SofroniouSpaletta8, SuzukiUmeno8, Yoshida8};
+
+use crate::scheme::splitting::palindrome;
+
+pub use crate::scheme::First;
+pub use crate::scheme::force_gradient::coefficients::{
+    Chin4A, Chin4C, ForceGradientCoefficients, Omelyan4S3, Omelyan4S4, Omelyan4S5, Omelyan6S5, Omelyan8S11,
+};
+pub use crate::scheme::nystrom::coefficients::{
+    BlanesMoan4S6, BlanesMoan6S11, BlanesMoan6S14, McLachlan4S4, McLachlan4S5, NystromCoefficients, OkunborSkeel6S7,
+};
 
 /// The lengths of the stages of a composition, in units of the step: Σγ = 1, and a palindrome, γ_k = γ_{N+1−k}.
 ///
@@ -21,16 +31,4 @@ pub trait Coefficients<const STAGES: usize>: Copy + core::fmt::Debug {
     const ORDER: u32;
     /// γ₁, …, γ_N.
     const GAMMA: [f64; STAGES];
-}
-
-/// γ₁, …, γ_H continued to a palindrome about γ_H.
-const fn palindrome<const HALF: usize, const STAGES: usize>(half: [f64; HALF]) -> [f64; STAGES] {
-    let mut gamma = [0.0; STAGES];
-    let mut k = 0;
-    while k < HALF {
-        gamma[k] = half[k];
-        gamma[STAGES - 1 - k] = half[k];
-        k += 1;
-    }
-    gamma
 }

@@ -1,0 +1,159 @@
+//! Force-gradient schemes.
+
+pub(crate) mod coefficients;
+
+use dmech_scalar::Real;
+
+use self::coefficients::{ForceGradientCoefficients, Omelyan4S5, Omelyan6S5, Omelyan8S11};
+use super::name::Name;
+use super::splitting::{First, Splitting, SplittingMemory};
+use super::{Effort, Leapfrog, Method, Scheme, Stride};
+use crate::State;
+use crate::invariant::{Invariant, Kept};
+use crate::law::{Law, VelocityIndependent};
+use crate::newton::NotConverged;
+
+/// Drifts and kicks in turn, with kicks that know how the force changes: order 4 in as few as two forces.
+///
+/// ```text
+/// q += a_k h v,   v += b_k h a(q) + e_k h³ a′(q) a(q),   a′a = M⁻¹ H M⁻¹ ∇Φ = ∇(|∇Φ|²)/2m²
+/// ```
+///
+/// | order | energy | angular momentum | symplectic | reversible | per step |
+/// |---|---|---|---|---|---|
+/// | 4, 6, 8 | bounded, O(h^order) | exact | yes | yes | N forces, some of them with a′a |
+///
+/// A kick with a′a is the motion in the potential Φ − (e/b) (h²/m) |∇Φ|²/2 alone, hence symplectic. The term is made of the
+/// law's own expression and shares its roots and divisions ([`Potential::gradient_kick`](crate::Potential::gradient_kick)):
+/// for Kepler's problem it costs two operations more than a kick. Where splittings above order 2 must step backward, sets of order 4
+/// with it go forward only and leave the step at no moment.
+///
+/// [`order4`](ForceGradient::order4), [`order6`](ForceGradient::order6) and [`order8`](ForceGradient::order8) take the sets that
+/// were measured to be the best; [`new`](ForceGradient::new) takes any of [`coefficients`](crate::coefficients), or one of
+/// your own.
+///
+/// ```
+/// use dmech_core::prelude::*;
+/// # #[derive(Clone, Copy)]
+/// # struct Quartic { k: f64 }
+/// # impl Conservative for Quartic {}
+/// # impl Potential<1> for Quartic {
+/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
+/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
+/// #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
+/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
+/// #         [0.25 * self.k * (a + b) * (a * a + b * b)]
+/// #     }
+/// #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+/// #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
+/// #     }
+/// # }
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3])).dt(0.2);
+/// let run = quartic.clone().scheme(ForceGradient::order4()).run_until(100.0)?;
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-5);
+///
+/// let chin = quartic.scheme(ForceGradient::new(coefficients::Chin4A)).run_until(100.0)?;
+/// assert!(chin.drift(Invariant::Energy).unwrap().max_relative() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Requires
+/// Forces that do not depend on the velocity. They may depend on the time: a′ is taken at the time of the kick. Where the
+/// force is not the gradient of a potential, a′a stands for Σⱼ aⱼ ∂a/∂qⱼ; order and reversibility stay, and nothing is
+/// symplectic in such a field in the first place.
+/// # Reference
+/// S. A. Chin, Phys. Lett. A 226 (1997) 344–348; I. P. Omelyan, I. M. Mryglod and R. Folk, Phys. Rev. E 66 (2002) 026701 and
+/// Comput. Phys. Commun. 151 (2003) 272–314.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ForceGradient<C, const KICKS: usize> {
+    coefficients: C,
+}
+
+impl<C: ForceGradientCoefficients<KICKS>, const KICKS: usize> ForceGradient<C, KICKS> {
+    /// A scheme with lengths from [`coefficients`](crate::coefficients), or of your own.
+    pub const fn new(coefficients: C) -> Self {
+        ForceGradient { coefficients }
+    }
+
+    const JOINED_NAME: Name = Name::of(&["ForceGradient(", C::NAME, ")"]);
+}
+
+impl ForceGradient<Omelyan4S5, 5> {
+    /// Order 4, in the five kicks of [`Omelyan4S5`].
+    pub const fn order4() -> Self {
+        ForceGradient::new(Omelyan4S5)
+    }
+}
+
+impl ForceGradient<Omelyan6S5, 5> {
+    /// Order 6, in the five kicks of [`Omelyan6S5`].
+    pub const fn order6() -> Self {
+        ForceGradient::new(Omelyan6S5)
+    }
+}
+
+impl ForceGradient<Omelyan8S11, 11> {
+    /// Order 8, in the eleven kicks of [`Omelyan8S11`].
+    pub const fn order8() -> Self {
+        ForceGradient::new(Omelyan8S11)
+    }
+}
+
+impl<C: ForceGradientCoefficients<N>, const N: usize> Method for ForceGradient<C, N> {
+    const NAME: &'static str = Self::JOINED_NAME.text();
+    const ORDER: u32 = C::ORDER;
+    const SYMMETRIC: bool = true;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        Leapfrog::keeps(invariant)
+    }
+}
+
+impl<C: ForceGradientCoefficients<N>, const N: usize> Splitting<N> for ForceGradient<C, N> {
+    const FIRST: First = C::FIRST;
+    const DRIFTS: [f64; N] = C::DRIFTS;
+    const KICKS: [f64; N] = C::KICKS;
+    const GRADIENTS: [f64; N] = C::GRADIENTS;
+}
+
+impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for ForceGradient<C, N>
+where
+    L: Law<D, R> + VelocityIndependent,
+    C: ForceGradientCoefficients<N>,
+{
+    type Memory = SplittingMemory<D, R>;
+
+    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
+        Ok(SplittingMemory::new::<Self, L, N>(law, stride, start))
+    }
+
+    #[inline(always)]
+    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
+        Ok(memory.advance::<Self, L, N>(law, stride, t))
+    }
+
+    #[inline]
+    fn position(&self, memory: &Self::Memory) -> [R; D] {
+        memory.q
+    }
+
+    #[inline]
+    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
+        memory.velocity()
+    }
+
+    #[inline]
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        memory.finite()
+    }
+
+    /// m v²/2 before the kick that belongs half to the step to come.
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(law.mass_ratios(), memory.v_before)
+    }
+
+    /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after.
+    fn work(&self, _: &L, _: &Stride<R>, _: &Self::Memory, after: &Self::Memory) -> R {
+        after.work()
+    }
+}

@@ -1,0 +1,159 @@
+//! Published sets of drifts and kicks; a test holds them to every order condition.
+//!
+//! McLachlan's digits are those of the source. Blanes and Moan print 15, which hold the conditions to 2·10⁻¹⁶; theirs are
+//! continued to the nearest 25 that hold them to 10⁻²⁵.
+
+use crate::scheme::splitting::{First, opening, palindrome};
+
+/// The lengths of the drifts a₁, … and kicks b₁, … of a Runge–Kutta–Nyström splitting, in units of the step.
+///
+/// A step that begins with a drift is a₁ b₁ a₂ b₂ … a_N b_N a₁, one that begins with a kick b₁ a₁ b₂ a₂ … b_N a_N b₁; both
+/// read the same from either end. With an implementation of your own, [`Nystrom::new`](crate::Nystrom::new) takes other sets.
+pub trait NystromCoefficients<const KICKS: usize>: Copy + core::fmt::Debug {
+    /// The name in reports.
+    const NAME: &'static str;
+    /// The order for q″ = a(q).
+    const ORDER: u32;
+    /// What the step begins with.
+    const FIRST: First;
+    /// a₁, …, a_N; a palindrome where the step begins with a kick, else x_k = x_{N+2−k}.
+    const DRIFTS: [f64; KICKS];
+    /// b₁, …, b_N; a palindrome where the step begins with a drift, else x_k = x_{N+2−k}.
+    const KICKS: [f64; KICKS];
+}
+
+/// Order 4 in 4 kicks, of lengths 1, −½, −½, 1. McLachlan's fewest.
+///
+/// # Reference
+/// R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168, SB³A 4.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct McLachlan4S4;
+
+#[expect(clippy::excessive_precision)]
+impl NystromCoefficients<4> for McLachlan4S4 {
+    const NAME: &'static str = "McLachlan4S4";
+    const ORDER: u32 = 4;
+    const FIRST: First = First::Drift;
+    const DRIFTS: [f64; 4] = opening([0.18819521776883821787, -0.021528551102171551201, 0.66666666666666666667]);
+    const KICKS: [f64; 4] = palindrome([1.0, -0.5]);
+}
+
+/// Order 4 in 5 kicks.
+///
+/// # Reference
+/// R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168, SB³A 5.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct McLachlan4S5;
+
+#[expect(clippy::excessive_precision)]
+impl NystromCoefficients<5> for McLachlan4S5 {
+    const NAME: &'static str = "McLachlan4S5";
+    const ORDER: u32 = 4;
+    const FIRST: First = First::Drift;
+    const DRIFTS: [f64; 5] = opening([0.4051886183952522772, -0.2871440408165240890, 0.3819554224212718118]);
+    const KICKS: [f64; 5] = palindrome([-0.041095890410958904110, 0.28813559322033898305, 0.50592059438123984212]);
+}
+
+/// Order 4 in 6 kicks. Blanes and Moan's SRKN₆ᵇ: no drift is longer than 0.61 of the step.
+///
+/// # Reference
+/// S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313–330, table 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BlanesMoan4S6;
+
+#[expect(clippy::excessive_precision)]
+impl NystromCoefficients<6> for BlanesMoan4S6 {
+    const NAME: &'static str = "BlanesMoan4S6";
+    const ORDER: u32 = 4;
+    const FIRST: First = First::Kick;
+    const DRIFTS: [f64; 6] =
+        palindrome([0.2452989571842711626039324, 0.6048726657110799749608927, -0.3501716228953511375648251]);
+    const KICKS: [f64; 6] = opening([
+        0.08298440641740501883834748,
+        0.3963098014983680770949115,
+        -0.03905630492234843517086529,
+        0.1195241940131506784752126,
+    ]);
+}
+
+/// Order 6 in 7 kicks, the fewest; three of them step backward, and its error is large. Okunbor and Skeel's method 13.
+///
+/// # Reference
+/// D. I. Okunbor and R. D. Skeel, J. Comput. Appl. Math. 51 (1994) 375–382; digits as in R. I. McLachlan, SIAM J. Sci.
+/// Comput. 16 (1995) 151–168.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OkunborSkeel6S7;
+
+#[expect(clippy::excessive_precision)]
+impl NystromCoefficients<7> for OkunborSkeel6S7 {
+    const NAME: &'static str = "OkunborSkeel6S7";
+    const ORDER: u32 = 6;
+    const FIRST: First = First::Drift;
+    const DRIFTS: [f64; 7] =
+        opening([-1.0130879789171747298, 1.1874295737325427070, -0.018335852096460590340, 0.34399425728109261313]);
+    const KICKS: [f64; 7] =
+        palindrome([0.00016600692650009894, -0.37962421426377360608, 0.68913741185181063674, 0.38064159097092574080]);
+}
+
+/// Order 6 in 11 kicks. Blanes and Moan's SRKN₁₁ᵇ.
+///
+/// # Reference
+/// S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313–330, table 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BlanesMoan6S11;
+
+#[expect(clippy::excessive_precision)]
+impl NystromCoefficients<11> for BlanesMoan6S11 {
+    const NAME: &'static str = "BlanesMoan6S11";
+    const ORDER: u32 = 6;
+    const FIRST: First = First::Kick;
+    const DRIFTS: [f64; 11] = palindrome([
+        0.1232297759462711515610864,
+        0.2905537977995582703664142,
+        -0.1270492126254169156625051,
+        -0.2463317610620754041949735,
+        0.3572088727959277526198603,
+        0.2047770542914702906202353,
+    ]);
+    const KICKS: [f64; 11] = opening([
+        0.04146499851826284329877813,
+        0.1981286719180665411367265,
+        -0.04000619210415268688882836,
+        0.07525398430158034112787888,
+        -0.0115113874206877700624432,
+        0.2366699247869307313878881,
+    ]);
+}
+
+/// Order 6 in 14 kicks. Blanes and Moan's SRKN₁₄ᵃ: no drift is longer than 0.32 of the step.
+///
+/// # Reference
+/// S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313–330, table 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BlanesMoan6S14;
+
+#[expect(clippy::excessive_precision)]
+impl NystromCoefficients<14> for BlanesMoan6S14 {
+    const NAME: &'static str = "BlanesMoan6S14";
+    const ORDER: u32 = 6;
+    const FIRST: First = First::Drift;
+    const DRIFTS: [f64; 14] = opening([
+        0.03785931984061094144702118,
+        0.1026356331024365528470823,
+        -0.02586788826655833316394696,
+        0.3142414030714464341471425,
+        -0.1301444595174151138496151,
+        0.1064177003695413680222801,
+        -0.008794243128510204394069428,
+        0.2073050690568967098882107,
+    ]);
+    const KICKS: [f64; 14] = palindrome([
+        0.09171915262446201798118323,
+        0.1839831700050048984914766,
+        -0.05653436583288910439527704,
+        0.004914688774711885640205616,
+        0.1437611271683616823873745,
+        0.3285676937468041402004813,
+        -0.1964114664864555203054442,
+    ]);
+}

@@ -1,0 +1,151 @@
+//! Runge–Kutta–Nyström splittings.
+
+pub(crate) mod coefficients;
+
+use dmech_scalar::Real;
+
+use self::coefficients::{BlanesMoan4S6, BlanesMoan6S14, NystromCoefficients};
+use super::name::Name;
+use super::splitting::{First, Splitting, SplittingMemory};
+use super::{Effort, Leapfrog, Method, Scheme, Stride};
+use crate::State;
+use crate::invariant::{Invariant, Kept};
+use crate::law::{Law, VelocityIndependent};
+use crate::newton::NotConverged;
+
+/// A Runge–Kutta–Nyström splitting: drifts and kicks in turn, of order 4 or 6.
+///
+/// ```text
+/// q += a₁ h v,  v += b₁ h a(q),  q += a₂ h v,  v += b₂ h a(q),  …
+/// ```
+///
+/// | order | energy | angular momentum | symplectic | reversible | per step |
+/// |---|---|---|---|---|---|
+/// | 4, 6 | bounded, O(h^order) | exact | yes | yes | N forces |
+///
+/// The same motions as in a composition of [`Leapfrog`], but their lengths are free, and fewer conditions bind them: the
+/// kinetic energy is quadratic in the velocity, so that [Φ, [Φ, [Φ, T]]] = 0, and a set need only be right for q″ = a(q). At
+/// equal cost the best sets err 25 to 600 times less than compositions of leap-frog of their order (measured on Kepler's
+/// problem, the pendulum, Hénon and Heiles' potential and the figure-eight of three bodies, at errors of 10⁻⁶).
+///
+/// Where a step begins and ends with a kick, that kick is made together with the first of the next: N forces in each step.
+/// [`order4`](Nystrom::order4) and [`order6`](Nystrom::order6) take the sets that were measured to be the best;
+/// [`new`](Nystrom::new) takes any of [`coefficients`](crate::coefficients), or one of your own.
+///
+/// ```
+/// use dmech_core::prelude::*;
+/// # #[derive(Clone, Copy)]
+/// # struct Quartic { k: f64 }
+/// # impl Conservative for Quartic {}
+/// # impl Potential<1> for Quartic {
+/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
+/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
+/// #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
+/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
+/// #         [0.25 * self.k * (a + b) * (a * a + b * b)]
+/// #     }
+/// #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+/// #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
+/// #     }
+/// # }
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3])).dt(0.2);
+/// let run = quartic.clone().scheme(Nystrom::order6()).run_until(100.0)?;
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-7);
+///
+/// let other = quartic.scheme(Nystrom::new(coefficients::BlanesMoan6S11)).run_until(100.0)?;
+/// assert!((other.last().q[0] - run.last().q[0]).abs() < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Requires
+/// Forces that do not depend on the velocity; also between the ends of the step, as the stages leave it in some sets. The
+/// potential may depend on the time: each kick is made at its own.
+/// # Reference
+/// S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313–330; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995)
+/// 151–168; E. Hairer, C. Lubich and G. Wanner, Geometric Numerical Integration (2nd ed., 2006), V.3.2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Nystrom<C, const KICKS: usize> {
+    coefficients: C,
+}
+
+impl<C: NystromCoefficients<KICKS>, const KICKS: usize> Nystrom<C, KICKS> {
+    /// A splitting with lengths from [`coefficients`](crate::coefficients), or of your own.
+    pub const fn new(coefficients: C) -> Self {
+        Nystrom { coefficients }
+    }
+
+    const JOINED_NAME: Name = Name::of(&["Nystrom(", C::NAME, ")"]);
+}
+
+impl Nystrom<BlanesMoan4S6, 6> {
+    /// Order 4, in the six kicks of [`BlanesMoan4S6`].
+    pub const fn order4() -> Self {
+        Nystrom::new(BlanesMoan4S6)
+    }
+}
+
+impl Nystrom<BlanesMoan6S14, 14> {
+    /// Order 6, in the fourteen kicks of [`BlanesMoan6S14`].
+    pub const fn order6() -> Self {
+        Nystrom::new(BlanesMoan6S14)
+    }
+}
+
+impl<C: NystromCoefficients<N>, const N: usize> Method for Nystrom<C, N> {
+    const NAME: &'static str = Self::JOINED_NAME.text();
+    const ORDER: u32 = C::ORDER;
+    const SYMMETRIC: bool = true;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        Leapfrog::keeps(invariant)
+    }
+}
+
+impl<C: NystromCoefficients<N>, const N: usize> Splitting<N> for Nystrom<C, N> {
+    const FIRST: First = C::FIRST;
+    const DRIFTS: [f64; N] = C::DRIFTS;
+    const KICKS: [f64; N] = C::KICKS;
+    const GRADIENTS: [f64; N] = [0.0; N];
+}
+
+impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for Nystrom<C, N>
+where
+    L: Law<D, R> + VelocityIndependent,
+    C: NystromCoefficients<N>,
+{
+    type Memory = SplittingMemory<D, R>;
+
+    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
+        Ok(SplittingMemory::new::<Self, L, N>(law, stride, start))
+    }
+
+    #[inline(always)]
+    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
+        Ok(memory.advance::<Self, L, N>(law, stride, t))
+    }
+
+    #[inline]
+    fn position(&self, memory: &Self::Memory) -> [R; D] {
+        memory.q
+    }
+
+    #[inline]
+    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
+        memory.velocity()
+    }
+
+    #[inline]
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        memory.finite()
+    }
+
+    /// m v²/2 before the kick that belongs half to the step to come.
+    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
+        stride.kinetic_energy(law.mass_ratios(), memory.v_before)
+    }
+
+    /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after.
+    fn work(&self, _: &L, _: &Stride<R>, _: &Self::Memory, after: &Self::Memory) -> R {
+        after.work()
+    }
+}

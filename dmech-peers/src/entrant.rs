@@ -105,9 +105,9 @@ impl fmt::Debug for Entrant<'_> {
     }
 }
 
-/// 10⁻², 10^−2.5, … to 10⁻¹⁴.
+/// 10⁻², 10^−2.5, … to 10⁻¹⁵.
 pub fn tolerances() -> Vec<f64> {
-    (4..=28).map(|k| 10_f64.powf(-0.5 * f64::from(k))).collect()
+    (4..=30).map(|k| 10_f64.powf(-0.5 * f64::from(k))).collect()
 }
 
 /// Numbers of steps, √2 apart, from one that has steps of about `coarse`.

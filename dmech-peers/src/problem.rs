@@ -184,7 +184,7 @@ pub fn pendulum() -> Problem<Swing, 1> {
 /// Three bodies on a figure of eight, 15.8 times around.
 ///
 /// A. Chenciner, R. Montgomery, Ann. Math. 152 (2000) 881–901, digits by C. Simó. The end is a reference by
-/// `Composed::order8(Leapfrog)`.
+/// `Composed::order8(DiscreteGradient)`.
 ///
 /// # Errors
 /// Those of the reference.
@@ -193,7 +193,7 @@ pub fn eight() -> Result<Problem<Eight, 6>, Error> {
     let half = [-0.5 * v[0], -0.5 * v[1]];
     let start = State::new([q[0], q[1], -q[0], -q[1], 0.0, 0.0], [half[0], half[1], half[0], half[1], v[0], v[1]]);
     let end = 100.0;
-    let simulation = Simulation::new(three_bodies(), start).scheme(Composed::order8(Leapfrog));
+    let simulation = Simulation::new(three_bodies(), start).scheme(Composed::order8(DiscreteGradient));
     let mut stepper = simulation.dt(end / 4000.0).stepper()?;
     stepper.advance(4000)?;
     let title = "Figure-eight of three bodies to t = 100";
@@ -202,14 +202,14 @@ pub fn eight() -> Result<Problem<Eight, 6>, Error> {
 
 /// The α chain of Fermi, Pasta, Ulam and Tsingou with 64 moving masses, α = 1/4, from rest in half a sine.
 ///
-/// The end is a reference by `Composed::order8(Leapfrog)`.
+/// The end is a reference by `Composed::order8(DiscreteGradient)`.
 ///
 /// # Errors
 /// Those of the reference.
 pub fn fput() -> Result<Problem<Fput, 64>, Error> {
     let start = State::new(core::array::from_fn(|j| (PI * (j + 1) as f64 / 65.0).sin()), [0.0; 64]);
     let (end, alpha) = (1000.0, 0.25);
-    let simulation = Simulation::scene(chain(&start, alpha)).scheme(Composed::order8(Leapfrog));
+    let simulation = Simulation::scene(chain(&start, alpha)).scheme(Composed::order8(DiscreteGradient));
     let mut stepper = simulation.dt(end / 4000.0).stepper()?;
     stepper.advance(4000)?;
     let truth = core::array::from_fn(|j| stepper.q().get(j + 1)[0]);

@@ -13,10 +13,22 @@ macro_rules! every_scheme {
         $add!("LF 4", Composed::order4(Leapfrog));
         $add!("LF 6", Composed::order6(Leapfrog));
         $add!("LF 8", Composed::order8(Leapfrog));
+        $add!("RKN 4", Nystrom::order4());
+        $add!("RKN 6S11", Nystrom::new(coefficients::BlanesMoan6S11));
+        $add!("RKN 6", Nystrom::order6());
         $add!("DG", DiscreteGradient);
         $add!("DG 4", Composed::order4(DiscreteGradient));
         $add!("DG 6", Composed::order6(DiscreteGradient));
         $add!("DG 8", Composed::order8(DiscreteGradient));
+    };
+}
+
+/// The same for schemes that need the Hessian, which a scene does not have.
+macro_rules! every_hessian_scheme {
+    ($add:ident) => {
+        $add!("FG 4", ForceGradient::order4());
+        $add!("FG 6", ForceGradient::order6());
+        $add!("FG 8", ForceGradient::order8());
     };
 }
 
@@ -50,6 +62,7 @@ where
         };
     }
     every_scheme!(add);
+    every_hessian_scheme!(add);
     macro_rules! add_adaptive {
         ($label:literal, $scheme:expr) => {
             let law = law.clone();

@@ -1,6 +1,7 @@
-//! `differential-equations`: DOP853, Verner's pairs of order 6, 8 and 9, and its symplectic method of order 4, on arrays.
+//! `differential-equations`: DOP853, Verner's pairs of order 6, 7 and 9, and its symplectic method of order 4, on arrays.
 //!
-//! Nothing is stored but the last state.
+//! Nothing is stored but the last state. Its pair of order 8 is left out: measured on the orbit it takes 16 times as many
+//! forces for 1e-6 as for 1e-3, which is not order 8.
 
 use differential_equations::methods::SymplecticIntegrator;
 use differential_equations::ode::{OrdinaryNumericalMethod, solve_ode};
@@ -71,7 +72,7 @@ pub(crate) fn entrants<M: Motion<D>, const D: usize, const N: usize>(problem: &P
     }
     add!(dop853, "DOP853", "diff.-eq. DOP853");
     add!(rkv656e, "Verner 6(5)", "Verner 6(5)");
-    add!(rkv877e, "Verner 8(7)", "Verner 8(7)");
+    add!(rkv767e, "Verner 7(6)", "Verner 7(6)");
     add!(rkv988e, "Verner 9(8)", "Verner 9(8)");
     let symplectic = |steps: f64| {
         let method = || SymplecticIntegrator::ruth_forest(problem.end / steps).max_steps(usize::MAX);

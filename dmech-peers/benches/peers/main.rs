@@ -4,7 +4,7 @@
 //! cargo bench -p dmech-peers
 //! ```
 //!
-//! All get the same force, written by hand and inlined, the tolerances 10⁻² to 10⁻¹⁴ (relative and absolute alike) or
+//! All get the same force, written by hand and inlined, the tolerances 10⁻² to 10⁻¹⁵ (relative and absolute alike) or
 //! their own ladder of steps, and no output but the last state; fixed-size vectors where the crate can use them. What
 //! was given to each crate is said in its file. dmech gets the declared potential. The time of a run includes the making
 //! of the solver, and is the shortest of several rounds in which all take turns. The error is the distance of the final
@@ -77,7 +77,7 @@ fn check_reference<M: Motion<D>, const D: usize, const N: usize>(problem: &Probl
     let least = GOALS[GOALS.len() - 1];
     for mut others in [ode_solvers::entrants::<M, D, N>(problem), differential_equations::entrants::<M, D, N>(problem)] {
         let other = others.swap_remove(0);
-        let found = other.run(1e-14)?.error;
+        let found = other.run(1e-15)?.error;
         println!("{}: the reference and {} {} agree to {found:.1e}", problem.title, other.by.name(), other.name);
         if found > 0.05 * least {
             return Err(format!("the reference is not good enough for errors of {least:.0e}").into());

@@ -66,7 +66,9 @@ impl Report {
             for by in Crate::PEERS.into_iter().chain([Crate::Hand]) {
                 let ratio = self.best(by, goal).map(|(_, time)| time.value() / own.value());
                 let _ = match ratio {
-                    Some(ratio) => write!(table, " {:>15}", format!("{ratio:.2}{}", if ratio < 1.0 { " *" } else { "" })),
+                    Some(ratio) => {
+                        write!(table, " {:>15}", format!("{ratio:.2}{}", if ratio < 1.0 { " *" } else { "" }))
+                    }
                     None => write!(table, " {:>15}", "–"),
                 };
             }

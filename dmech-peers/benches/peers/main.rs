@@ -29,7 +29,7 @@ use dmech_peers::{Crate, Entrant, GOALS, Motion, Problem, Report, chain_schemes,
 use picture::Drawn;
 
 /// Rounds in which all runs are repeated.
-const ROUNDS: u32 = 8;
+const ROUNDS: u32 = 6;
 
 fn main() -> Drawn {
     let clock = Instant::now();
@@ -75,7 +75,8 @@ fn study<'a, M: Motion<D>, const D: usize, const N: usize>(
 /// Where no exact solution is known, another crate must end at the same place.
 fn check_reference<M: Motion<D>, const D: usize, const N: usize>(problem: &Problem<M, D>) -> Drawn {
     let least = GOALS[GOALS.len() - 1];
-    for mut others in [ode_solvers::entrants::<M, D, N>(problem), differential_equations::entrants::<M, D, N>(problem)] {
+    for mut others in [ode_solvers::entrants::<M, D, N>(problem), differential_equations::entrants::<M, D, N>(problem)]
+    {
         let other = others.swap_remove(0);
         let found = other.run(1e-15)?.error;
         println!("{}: the reference and {} {} agree to {found:.1e}", problem.title, other.by.name(), other.name);

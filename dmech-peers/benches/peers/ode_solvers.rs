@@ -22,8 +22,22 @@ pub(crate) fn entrants<M: Motion<D>, const D: usize, const N: usize>(problem: &P
             let (rates, sparse, most) = (Rates(problem.motion), OutputType::Sparse, u32::MAX);
             // Safety factor, β, least and greatest change of the step: the defaults.
             let mut solver = Dop853::from_param(
-                rates, 0.0, problem.end, 0.0, start, tolerance, tolerance, 0.9, 0.0, 0.333, 6.0, problem.end, 0.0, most,
-                most, sparse,
+                rates,
+                0.0,
+                problem.end,
+                0.0,
+                start,
+                tolerance,
+                tolerance,
+                0.9,
+                0.0,
+                0.333,
+                6.0,
+                problem.end,
+                0.0,
+                most,
+                most,
+                sparse,
             );
             let stats = solver.integrate().map_err(|error| error.to_string())?;
             let end = solver.y_out().last().ok_or("no state")?;

@@ -62,7 +62,7 @@ const KICKS: [f64; 7] = [
     0.00491468877471189,
     0.143761127168358,
     0.328567693746804,
-    -0.1964114664864542342,
+    -0.19641146648645424,
 ];
 
 /// SRKN₁₄ᵃ of order 6: a₁ b₁ a₂ … b₁₄ a₁; the last drift is made together with the first of the next step.
@@ -105,16 +105,17 @@ mod tests {
     fn loops_have_their_orders() {
         fn order<M: Motion<2>>(problem: &Problem<M, 2>, entrant: &Entrant<'_>, steps: f64) -> f64 {
             let error = |steps| entrant.run(steps).unwrap().error;
-            assert!(error(2.0 * steps) > 1e-11, "{}", problem.title);
+            assert!(error(2.0 * steps) > 1e-10, "{}", problem.title);
             (error(steps) / error(2.0 * steps)).log2()
         }
-        for (twin, p, steps) in [(0, 2.0, 700_000.0), (1, 6.0, 7000.0)] {
+        for (twin, p, steps) in [(0, 2.0, 700_000.0), (1, 6.0, 3000.0)] {
             let problem = orbit();
             let found = order(&problem, &twins(&problem)[twin], steps);
             assert!((found - p).abs() < 0.1, "order {found} for {p}");
         }
+        // Below 80 000 steps the pericentre is passed in too few for the leading term of the error to rule.
         let problem = eccentric();
-        let found = order(&problem, &twins(&problem)[1], 40_000.0);
-        assert!((found - 6.0).abs() < 0.2, "order {found}");
+        let found = order(&problem, &twins(&problem)[1], 80_000.0);
+        assert!((found - 6.0).abs() < 0.1, "order {found}");
     }
 }

@@ -26,8 +26,8 @@ fn colour(line: &Line) -> RGBColor {
 }
 
 const KEY: [(&str, RGBColor); 6] = [
-    ("dmech, explicit: LF compositions of Leapfrog, RKN Nystrom, FG ForceGradient", BLUE),
-    ("dmech, energy-exact: DG compositions of DiscreteGradient, ad. adaptive", PURPLE),
+    ("dmech, explicit: LF Leapfrog, RKN Nystrom, FG ForceGradient", BLUE),
+    ("dmech, energy-exact: DG DiscreteGradient, ad. adaptive", PURPLE),
     ("written by hand", INK),
     ("ode_solvers", RED),
     ("differential-equations", OCHRE),

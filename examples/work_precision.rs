@@ -4,31 +4,87 @@
 //! cargo run --release --example work_precision
 //! ```
 //!
-//! Two motions with known solutions: Greenspan's planet, an ellipse of eccentricity 0.33, followed for 87 orbits to
-//! t = 350, and his undamped pendulum from π/4 at rest, to t = 100. Each scheme runs with smaller and smaller steps
-//! until its error stops falling or a run takes two million forces.
+//! Six motions: Greenspan's planet, an ellipse of eccentricity 0.33, followed for 87 orbits to t = 350; an ellipse of
+//! eccentricity 0.9 for ten periods; Greenspan's undamped pendulum from π/4 at rest, to t = 100; a star in the potential of
+//! Hénon and Heiles; the vibration of a molecule after Morse; a particle in an anharmonic well in space. Each scheme runs
+//! with smaller and smaller steps, or tolerances, until its error stops falling or a run takes two million forces.
 //!
 //! A scheme of order p pays 10^(1/p) times the time for one more digit: on paper with two logarithmic axes it is a line
 //! of slope −p. So the cheap step of leap-frog wins where a rough answer will do, and high order where it will not; the
 //! energy-exact schemes pay for a nonlinear solve in each step, and their column of energy drifts shows what for.
 //!
-//! The program prints a table for each motion, and writes the rows as CSV and the lines as a picture.
+//! The program prints a table for each motion, writes the rows as CSV and the lines as a picture, and collects all in
+//! `work_precision.html`. It takes about a minute and a half.
 
+#[path = "shared/page.rs"]
+mod page;
 #[path = "shared/picture.rs"]
 mod picture;
 
 use std::f64::consts::FRAC_PI_4;
 use std::path::PathBuf;
 
+use std::time::Duration;
+
 use dmech::StudyReport;
-use dmech::models::{Kepler, Pendulum};
+use dmech::models::{Anharmonic, HenonHeiles, Kepler, Morse, Pendulum};
 use dmech::prelude::*;
-use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, RED};
+use indicatif::{ProgressBar, ProgressStyle};
+use page::Section;
+use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
 use plotters::style::RGBColor;
 
+/// What a motion is called, what is to be seen in it, and its study.
+type Motion = (&'static str, &'static str, &'static str, fn() -> Result<StudyReport, Error>);
+
+const MOTIONS: [Motion; 6] = [
+    (
+        "orbit",
+        "Greenspan's orbit to t = 350",
+        "A planet of eccentricity 0.33 for 87 periods; the exact ellipse is known.",
+        orbit,
+    ),
+    (
+        "eccentric",
+        "Ellipse of eccentricity 0.9, ten periods",
+        "Equal steps must be as short everywhere as the pericentre asks; steps that follow the motion need not.",
+        eccentric,
+    ),
+    ("pendulum", "Pendulum from π/4 to t = 100", "One dimension, where all forces are cheap.", pendulum),
+    (
+        "henon_heiles",
+        "Hénon–Heiles to t = 100",
+        "A star in a galaxy, with energy 1/12: no exact solution.",
+        henon_heiles,
+    ),
+    (
+        "morse",
+        "Morse's molecule to t = 100",
+        "A vibration halfway to dissociation; the exact solution is known.",
+        morse,
+    ),
+    ("anharmonic", "Anharmonic well in space to t = 100", "Three coordinates coupled by quartic terms.", anharmonic),
+];
+
 fn main() -> Drawn {
-    show("work_precision_orbit", "Greenspan's orbit to t = 350", &orbit()?)?;
-    show("work_precision_pendulum", "Pendulum from π/4 to t = 100", &pendulum()?)
+    let bar = ProgressBar::new(MOTIONS.len() as u64);
+    bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len}  {msg}  {elapsed}")?);
+    bar.enable_steady_tick(Duration::from_millis(200));
+    let mut sections = Vec::new();
+    for (name, title, words, study) in MOTIONS {
+        bar.set_message(title);
+        let report = study()?;
+        bar.suspend(|| println!("{title}\n{report}"));
+        let csv = picture::place(&format!("work_precision_{name}.csv"))?;
+        report.save_csv(&csv)?;
+        let svg = draw(&format!("work_precision_{name}.svg"), title, &report)?;
+        bar.suspend(|| println!("Rows: {}\nPicture: {}\n", csv.display(), svg.display()));
+        sections.push(Section { title, words, picture: svg, report });
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    println!("Page: {}", page::save("work_precision.html", &sections)?.display());
+    Ok(())
 }
 
 fn orbit() -> Result<StudyReport, Error> {
@@ -39,10 +95,34 @@ fn orbit() -> Result<StudyReport, Error> {
     all_schemes(study).exact(|t| law.exact(half_axis, eccentricity, t)).run()
 }
 
+fn eccentric() -> Result<StudyReport, Error> {
+    let law = Kepler { gm: 1.0 };
+    let period = law.period(1.0);
+    // From the apocentre, half a period after the pericentre that `exact` starts from.
+    let study = Study::new(law, State::new([-1.9, 0.0], [0.0, -(0.1_f64 / 1.9).sqrt()]), 10.0 * period);
+    all_schemes(study).exact(|t| law.exact(1.0, 0.9, t + 0.5 * period)).run()
+}
+
 fn pendulum() -> Result<StudyReport, Error> {
     let law = Pendulum { k: 1.0 };
     let study = Study::new(law, State::new([FRAC_PI_4], [0.0]), 100.0);
     all_schemes(study).exact(|t| [law.exact(FRAC_PI_4, t)]).run()
+}
+
+fn henon_heiles() -> Result<StudyReport, Error> {
+    let law = HenonHeiles { lambda: 1.0 };
+    all_schemes(Study::new(law, State::new([0.0, 0.1], [0.39, 0.08]), 100.0)).run()
+}
+
+fn morse() -> Result<StudyReport, Error> {
+    let (law, energy) = (Morse::default(), 0.5);
+    let study = Study::new(law, State::new([law.exact(energy, 0.0)], [0.0]), 100.0);
+    all_schemes(study).exact(|t| [law.exact(energy, t)]).run()
+}
+
+fn anharmonic() -> Result<StudyReport, Error> {
+    let start = State::new([0.8, -0.5, 0.3], [0.2, 0.4, -0.6]);
+    all_schemes(Study::new(Anharmonic::default(), start, 100.0)).run()
 }
 
 /// In the order of [`LINES`].
@@ -50,7 +130,9 @@ fn all_schemes<'a, L, const D: usize>(study: Study<'a, L, D>) -> Study<'a, L, D>
 where
     L: Law<D> + VelocityIndependent + Clone + 'a,
 {
+    let tolerances = || (2..=26).map(|k| 10_f64.powf(-0.5 * f64::from(k)));
     study
+        .repetitions(3)
         .scheme(Leapfrog)
         .scheme(Implicit)
         .scheme(DiscreteGradient)
@@ -58,33 +140,38 @@ where
         .scheme(Composed::order4(Leapfrog))
         .scheme(Composed::order6(Leapfrog))
         .scheme(Composed::order8(Leapfrog))
+        .scheme(Nystrom::order4())
+        .scheme(Nystrom::order6())
+        .scheme(ForceGradient::order4())
+        .scheme(ForceGradient::order6())
+        .scheme(ForceGradient::order8())
         .scheme(Composed::order4(DiscreteGradient))
         .scheme(Composed::order6(DiscreteGradient))
         .scheme(Composed::order8(DiscreteGradient))
+        .adaptive(Composed::order6(DiscreteGradient), tolerances())
+        .adaptive(Composed::order8(DiscreteGradient), tolerances())
 }
 
-/// What the lines are called at their ends, and their colours, one for each scheme of order two.
-const LINES: [(&str, RGBColor); 10] = [
+/// What the lines are called at their ends, and their colours, one for each family.
+const LINES: [(&str, RGBColor); 17] = [
     ("Leapfrog", BLUE),
-    ("Implicit", GREEN),
+    ("Implicit", INK),
     ("DiscreteGradient", RED),
-    ("Kanatani", OCHRE),
+    ("Kanatani", INK),
     ("4", BLUE),
     ("6", BLUE),
     ("8", BLUE),
+    ("N4", GREEN),
+    ("N6", GREEN),
+    ("F4", OCHRE),
+    ("F6", OCHRE),
+    ("F8", OCHRE),
     ("4", RED),
     ("6", RED),
     ("8", RED),
+    ("A6", PURPLE),
+    ("A8", PURPLE),
 ];
-
-fn show(name: &str, title: &str, report: &StudyReport) -> Drawn {
-    println!("{title}\n{report}");
-    let csv = picture::place(&format!("{name}.csv"))?;
-    report.save_csv(&csv)?;
-    let svg = draw(&format!("{name}.svg"), title, report)?;
-    println!("Rows: {}\nPicture: {}\n", csv.display(), svg.display());
-    Ok(())
-}
 
 fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
     let lines: Vec<_> = (0..LINES.len()).map(|scheme| points(report, scheme)).collect();
@@ -93,7 +180,7 @@ fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
         values.fold((f64::MAX, f64::MIN), |(least, most), x| (x.min(least), x.max(most)))
     };
     let ((fastest, slowest), (least, _)) = (bounds(|p| p.0), bounds(|p| p.1));
-    picture::save(name, [900, 640], |area| {
+    picture::save(name, [900, 680], |area| {
         let title = format!("{title}: time for an error");
         // Room for a name beyond the slowest and below the most accurate run.
         let x = Axis::powers_of_ten("time, seconds", fastest.floor()..slowest + 0.7);
@@ -110,8 +197,17 @@ fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
         let labels = names.filter_map(|(points, (name, colour))| Some((end(points)?, name.to_owned(), colour)));
         picture::label_clear(&chart, &obstacles, &labels.collect::<Vec<_>>())?;
         let corner = (fastest.floor(), (least - 0.7).floor());
-        picture::label(&chart, corner, (12, -36), "4, 6, 8: compositions of that order", INK)?;
-        picture::label(&chart, corner, (12, -18), "of Leapfrog and DiscreteGradient", INK)
+        let key = [
+            ("4, 6, 8: Composed(Leapfrog)", BLUE),
+            ("4, 6, 8: Composed(DiscreteGradient)", RED),
+            ("N: Nystrom", GREEN),
+            ("F: ForceGradient", OCHRE),
+            ("A: Composed(DiscreteGradient), steps that follow the motion", PURPLE),
+        ];
+        for (row, (words, colour)) in key.iter().rev().enumerate() {
+            picture::label(&chart, corner, (12, -18 - 17 * row as i32), words, *colour)?;
+        }
+        Ok(())
     })
 }
 

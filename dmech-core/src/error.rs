@@ -78,6 +78,20 @@ pub enum Error {
         /// The time of the start.
         time: f64,
     },
+    /// The force is zero where the potential has a slope: in these units it is lost below the smallest number of the
+    /// scalar, as 1/r³ is for r = 10¹⁵⁰ where 1/r is not.
+    #[error(
+        "the force along coordinate {coordinate} is 0 at the start, t = {time}, where the potential rises by {slope:e} per length: \
+         a power of the position is too small for the scalar, take a larger unit of length"
+    )]
+    Underflow {
+        /// The coordinate, counted from 0.
+        coordinate: usize,
+        /// The slope of the potential along it, as a difference shows it.
+        slope: f64,
+        /// The time of the start.
+        time: f64,
+    },
     /// A scene without bodies.
     #[error("the scene has no bodies")]
     EmptyScene,

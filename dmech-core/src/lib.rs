@@ -15,6 +15,7 @@ mod masses;
 mod motion;
 mod pair;
 mod progress;
+mod range;
 mod report;
 #[cfg(feature = "serde")]
 mod resume;

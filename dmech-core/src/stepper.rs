@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::law::{Field, Law, Potential};
 use crate::motion::Motion;
 use crate::newton::NotConverged;
+use crate::range::lost_force;
 use crate::scheme::{Scheme, Stride};
 use crate::state::State;
 use crate::watch::{Drifts, Watch};
@@ -37,6 +38,9 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         }
         if let Some(value) = field.slope(start.q, start.v).into_iter().find(|x| !x.finite().all()) {
             return Err(Error::Law { quantity: "force", value: value.to_f64(), time: start.t });
+        }
+        if let Some((coordinate, slope)) = lost_force(&field, start.q) {
+            return Err(Error::Underflow { coordinate, slope, time: start.t });
         }
         drop(field);
         let memory = match scheme.begin(&law, &stride, &start) {

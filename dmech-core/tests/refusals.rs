@@ -47,6 +47,27 @@ fn bad_input_is_refused_before_the_first_step() {
     assert!(Simulation::new(SUN, single).scheme(Leapfrog).dt(1e-60).stepper().is_err());
 }
 
+/// x/r³ is 0 at 10¹⁵⁰, where −k/r still has a slope: without a force the planet would leave in a straight line.
+#[test]
+fn a_force_below_the_smallest_number_is_refused() {
+    let start = State::new([0.0, 0.5e150], [1.63, 0.0]);
+    let error = cause(Simulation::new(Kepler::<true> { k: 1.3e150 }, start).scheme(Leapfrog).dt(1e148).run(10));
+    let Error::Underflow { coordinate, slope, time } = error else { panic!("{error}") };
+    assert!((coordinate, time) == (1, 0.0) && (slope / 5.2e-150 - 1.0).abs() < 0.01, "{error}");
+}
+
+/// The velocity of leap-frog is the mean of two that are finite, and finite.
+#[test]
+fn speeds_near_the_largest_number_are_recorded() {
+    fn check<S: Scheme<Kepler<true>, 2>>(scheme: S) {
+        let start = State::new([1e200, 2.0], [1.2e308, 0.0]);
+        let run = Simulation::new(Kepler::<true> { k: 1e-3 }, start).scheme(scheme).dt(1e-100).run(3).unwrap();
+        assert!(run.states().iter().all(|s| s.q[0].is_finite() && s.v == [1.2e308, 0.0]), "{:?}", run.last());
+    }
+    check(Leapfrog);
+    check(Composed::order4(Leapfrog));
+}
+
 /// Straight into the centre: each scheme either passes or stops, and what it did until then is there.
 #[test]
 fn a_run_that_fails_keeps_what_it_has() {

@@ -74,7 +74,8 @@ impl<'a> Axis<'a> {
 
     /// The points on it are decimal logarithms.
     pub(crate) fn powers_of_ten(name: &'a str, range: Range<f64>) -> Self {
-        let marks = (range.end - range.start).ceil() as usize + 1;
+        // Of more powers only every second, third … has room.
+        let marks = ((range.end - range.start).ceil() as usize + 1).min(18);
         Axis { name, range, mark: power_of_ten, marks }
     }
 }
@@ -119,10 +120,22 @@ pub(crate) fn equal_chart<'a>(area: &Area<'a>, title: &str, x: Range<f64>) -> Dr
 
 /// The same around another y.
 pub(crate) fn equal_chart_about<'a>(area: &Area<'a>, title: &str, x: Range<f64>, middle: f64) -> Drawn<Chart<'a>> {
+    equal_chart_beside(area, title, x, middle, 10)
+}
+
+/// The same with `right` pixels left free for labels.
+pub(crate) fn equal_chart_beside<'a>(
+    area: &Area<'a>,
+    title: &str,
+    x: Range<f64>,
+    middle: f64,
+    right: u32,
+) -> Drawn<Chart<'a>> {
     let titled = area.titled("", text(17.0, INK))?;
-    let (width, height) = builder(&titled, 10).build_cartesian_2d(0.0..1.0, 0.0..1.0)?.plotting_area().dim_in_pixel();
+    let empty = builder(&titled, right).build_cartesian_2d(0.0..1.0, 0.0..1.0)?;
+    let (width, height) = empty.plotting_area().dim_in_pixel();
     let half = 0.5 * (x.end - x.start) * f64::from(height) / f64::from(width);
-    chart(area, title, Axis::linear("x", x), Axis::linear("y", middle - half..middle + half), 10)
+    chart(area, title, Axis::linear("x", x), Axis::linear("y", middle - half..middle + half), right)
 }
 
 fn builder<'a, 'b>(area: &'b Area<'a>, right: u32) -> ChartBuilder<'b, 'static, SVGBackend<'a>> {
@@ -166,6 +179,14 @@ pub(crate) fn name_ends(chart: &Chart<'_>, mut ends: Vec<((f64, f64), &str, RGBC
         let height = chart.backend_coord(&at).1 / FINE as i32;
         lowest = height.max(lowest.saturating_add(18));
         label(chart, at, (8, lowest - height), name, colour)?;
+    }
+    Ok(())
+}
+
+/// Names of lines in a column to the right of the corner of a chart, for lines that end anywhere.
+pub(crate) fn name_column(chart: &Chart<'_>, corner: (f64, f64), names: &[(&str, RGBColor)]) -> Drawn {
+    for (row, (name, colour)) in (0..).zip(names) {
+        label(chart, corner, (10, 14 + 20 * row), name, *colour)?;
     }
     Ok(())
 }

@@ -98,9 +98,12 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
         let (first, second) = (c1 * ds, half_c2 * ds * ds);
         let third = second.abs().less_or_equal(ulp).or((second * second).less_or_equal(half * ulp * first.abs()));
         let curved = two * g.abs() * ((p * first * first).abs() + (second * c1 * lever).abs());
-        let exact = third.and(curved.less_or_equal(ulp * f1));
-        // The branch that starts at h → 0 has P > 0 and F′ > 0; a change of s by half is a leap.
+        // Nothing is neglected where c does not vary, or so it seems: in units in which r measures 10⁶⁵ its derivative, of
+        // the order of c/r², may be below the smallest number. Then ds itself tells.
         let size = ds.abs();
+        let varies = c1.equal(R::ZERO).not().or(size.less_or_equal(R::from_f64(4.0) * R::EPSILON * s));
+        let exact = third.and(curved.less_or_equal(ulp * f1)).and(varies);
+        // The branch that starts at h → 0 has P > 0 and F′ > 0; a change of s by half is a leap.
         let mut steady = R::from_f64(0.25).less(p).and(R::ZERO.less(f1)).and(size.less_or_equal(half * s));
         if iteration > 1 {
             steady = steady.and(size.less_or_equal(half * last).or(exact));

@@ -74,6 +74,9 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     // Below rounding, and by a margin: an error of half an ulp that always has the same sign is a drift.
     let margin = R::from_f64(1.0 / 64.0) * R::EPSILON;
+    // No squares of lengths below: in units in which the motion measures 10⁻¹⁵⁰ or 10¹⁵⁰ they are 0 or infinite, and
+    // whatever is compared with them seems settled.
+    let root_of_margin = R::from_f64(0.125 * R::EPSILON.to_f64().sqrt());
     let half = R::from_f64(0.5);
     let mut delta = equation.guess;
     let mut last = R::ZERO;
@@ -85,7 +88,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         let settled;
         let astray;
         if iteration == 1 {
-            settled = (size * size).less_or_equal(margin * step * step);
+            settled = size.less_or_equal(root_of_margin * step);
             let scale = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
             astray = (scale + length(&equation.guess)).less(size);
         } else {
@@ -94,7 +97,9 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             // What no longer shrinks is the rounding of b and of the known side.
             let noise = R::from_f64(64.0) * R::EPSILON * (step + length(&equation.q) + length(&equation.drift));
             let at_rest = halved.not().and(size.less_or_equal(noise));
-            settled = (size * size * size).less_or_equal(margin * pull * (last * last)).or(at_rest);
+            let rate = size / last;
+            let small = (size * rate * rate).less_or_equal(margin * pull).or(size.equal(R::ZERO));
+            settled = small.or(at_rest);
             astray = halved.not();
         }
         if settled.all() {

@@ -55,7 +55,7 @@ impl<const D: usize, R: Real> Equation<D, R> {
             rate: R::ZERO,
             t_end: R::ZERO,
             guess: drift,
-            max_iterations: 200,
+            max_iterations: 500,
         }
     }
 

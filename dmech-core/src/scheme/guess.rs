@@ -22,7 +22,7 @@ pub struct Newton {
 }
 
 impl Newton {
-    pub(super) const DEFAULT: Newton = Newton { guess: Guess::Predicted, max_iterations: 200 };
+    pub(super) const DEFAULT: Newton = Newton { guess: Guess::Predicted, max_iterations: 500 };
 
     /// Starts from the force of the last steps (the default).
     pub const fn predicted() -> Self {
@@ -34,7 +34,7 @@ impl Newton {
         Newton { guess: Guess::Previous, ..Newton::DEFAULT }
     }
 
-    /// Allows n evaluations of the force in a step (default 200).
+    /// Allows n evaluations of the force in a step (default 500).
     ///
     /// A resolved step takes 1 to 4; the rest is for steps that have to be approached gradually. The count is looked at
     /// between attempts, so a failed step may have made up to a dozen more.

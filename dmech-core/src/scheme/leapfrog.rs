@@ -88,7 +88,9 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
 
     #[inline]
     fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-        scaled(R::from_f64(0.5), sum(memory.v_before, memory.v_after))
+        // Halves first: the sum of two finite velocities need not be finite.
+        let half = R::from_f64(0.5);
+        sum(scaled(half, memory.v_before), scaled(half, memory.v_after))
     }
 
     #[inline]

@@ -1,0 +1,139 @@
+//! Other solvers beside dmech: time against error on five motions.
+//!
+//! ```text
+//! cargo bench -p dmech-peers
+//! ```
+//!
+//! All get the same force, written by hand and inlined, the tolerances 10⁻² to 10⁻¹⁵ (relative and absolute alike) or
+//! their own ladder of steps, and no output but the last state; fixed-size vectors where the crate can use them. What
+//! was given to each crate is said in its file. dmech gets the declared potential. The time of a run includes the making
+//! of the solver, and is the shortest of several rounds in which all take turns. The error is the distance of the final
+//! position (of all coordinates) from the exact one; the time to an error lies on the line between two runs, in
+//! logarithms. A dash says that no run of at most 40 ms reaches it; ≤ that already the coarsest run does.
+
+mod diagram;
+mod differential_equations;
+mod diffsol;
+mod ode_solvers;
+
+#[path = "../../../examples/shared/picture.rs"]
+mod picture;
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::time::Instant;
+
+use dmech::models::{Kepler, Pendulum};
+use dmech::prelude::State;
+use dmech_peers::{Crate, Entrant, GOALS, Motion, Problem, Report, chain_schemes, law_schemes, measure, twins};
+use picture::Drawn;
+
+/// Rounds in which all runs are repeated.
+const ROUNDS: u32 = 6;
+
+fn main() -> Drawn {
+    let clock = Instant::now();
+    let mut reports = Vec::new();
+    let problem = dmech_peers::orbit();
+    reports.push(study::<_, 2, 4>(&problem, law_schemes(Kepler { gm: 1.0 }, &problem))?);
+    let problem = dmech_peers::eccentric();
+    reports.push(study::<_, 2, 4>(&problem, law_schemes(Kepler { gm: 1.0 }, &problem))?);
+    let problem = dmech_peers::pendulum();
+    reports.push(study::<_, 1, 2>(&problem, law_schemes(Pendulum { k: 1.0 }, &problem))?);
+    let problem = dmech_peers::eight()?;
+    check_reference::<_, 6, 12>(&problem)?;
+    reports.push(study::<_, 6, 12>(&problem, law_schemes(dmech_peers::three_bodies(), &problem))?);
+    let problem = dmech_peers::fput()?;
+    check_reference::<_, 64, 128>(&problem)?;
+    reports.push(study::<_, 64, 128>(&problem, chain_schemes(&problem))?);
+    compare(&reports);
+    let csv = picture::place("peers.csv")?;
+    let mut rows = BufWriter::new(File::create(&csv)?);
+    writeln!(rows, "{}", Report::COLUMNS)?;
+    reports.iter().try_for_each(|report| report.write_csv(&mut rows))?;
+    rows.flush()?;
+    println!("Rows: {}", csv.display());
+    println!("{:.0} seconds", clock.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// Measures all on one motion, with its table and its picture.
+fn study<'a, M: Motion<D>, const D: usize, const N: usize>(
+    problem: &'a Problem<M, D>,
+    mut entrants: Vec<Entrant<'a>>,
+) -> Drawn<Report> {
+    entrants.extend(twins(problem));
+    entrants.extend(ode_solvers::entrants::<M, D, N>(problem));
+    entrants.extend(differential_equations::entrants::<M, D, N>(problem));
+    entrants.extend(diffsol::entrants::<M, D, N>(problem));
+    let report = Report { name: problem.name, title: problem.title, lines: measure(&entrants, ROUNDS) };
+    println!("{}", report.table());
+    println!("Picture: {}\n", diagram::draw(&report)?.display());
+    Ok(report)
+}
+
+/// Where no exact solution is known, another crate must end at the same place.
+fn check_reference<M: Motion<D>, const D: usize, const N: usize>(problem: &Problem<M, D>) -> Drawn {
+    let least = GOALS[GOALS.len() - 1];
+    for mut others in [ode_solvers::entrants::<M, D, N>(problem), differential_equations::entrants::<M, D, N>(problem)]
+    {
+        let other = others.swap_remove(0);
+        let found = other.run(1e-15)?.error;
+        println!("{}: the reference and {} {} agree to {found:.1e}", problem.title, other.by.name(), other.name);
+        if found > 0.05 * least {
+            return Err(format!("the reference is not good enough for errors of {least:.0e}").into());
+        }
+    }
+    Ok(())
+}
+
+fn compare(reports: &[Report]) {
+    println!("How many times as long as the best of dmech the best of another crate takes; * dmech is behind");
+    print!("  {:<6} {:>9}", "error", "dmech, ms");
+    for by in Crate::PEERS.into_iter().chain([Crate::Hand]) {
+        print!(" {:>15}", by.name().replace("differential-equations", "diff.-equations"));
+    }
+    println!("   best of dmech");
+    for report in reports {
+        println!("{}\n{}", report.title, report.ratios().trim_end());
+    }
+    let behind: Vec<_> = reports.iter().flat_map(Report::behind).collect();
+    if behind.is_empty() {
+        println!("\ndmech is ahead of the other crates everywhere.");
+    } else {
+        println!("\ndmech is behind:\n  {}", behind.join("\n  "));
+    }
+}
+
+/// q and v one behind the other; N = 2 D.
+fn joined<const D: usize, const N: usize>(state: &State<D>) -> [f64; N] {
+    core::array::from_fn(|i| if i < D { state.q[i] } else { state.v[i - D] })
+}
+
+/// The first D numbers.
+fn position<const D: usize>(y: &[f64]) -> [f64; D] {
+    core::array::from_fn(|i| y[i])
+}
+
+/// q′ = v, v′ = a(q).
+#[inline(always)]
+fn rates<M: Motion<D>, const D: usize>(motion: &M, y: &[f64], dy: &mut [f64]) {
+    let (q, v) = halves::<D>(y);
+    let (dq, dv) = dy.split_first_chunk_mut::<D>().expect("2 D numbers");
+    *dq = *v;
+    motion.acceleration(q, dv.first_chunk_mut().expect("2 D numbers"));
+}
+
+/// How these change along a direction.
+fn rates_along<M: Motion<D>, const D: usize>(motion: &M, y: &[f64], along: &[f64], change: &mut [f64]) {
+    let ((q, _), (dq, dv)) = (halves::<D>(y), halves::<D>(along));
+    let (first, second) = change.split_first_chunk_mut::<D>().expect("2 D numbers");
+    *first = *dv;
+    motion.change(q, dq, second.first_chunk_mut().expect("2 D numbers"));
+}
+
+#[inline(always)]
+fn halves<const D: usize>(y: &[f64]) -> (&[f64; D], &[f64; D]) {
+    let (q, v) = y.split_first_chunk::<D>().expect("2 D numbers");
+    (q, v.first_chunk().expect("2 D numbers"))
+}

@@ -1,0 +1,25 @@
+//! Time against error on five motions, for the schemes of dmech, loops written by hand, and any other solver.
+//!
+//! The other crates are dependencies of the program only, which is a bench:
+//!
+//! ```text
+//! cargo bench -p dmech-peers
+//! ```
+//!
+//! An [`Entrant`] runs a motion once for a knob, which is the number of steps or the tolerance. All entrants of a motion
+//! are measured together by [`measure`], in rounds, so that other load on the machine hits all alike; every run counts
+//! from before its solver is made until the position at the end is known.
+
+mod entrant;
+mod measure;
+mod problem;
+mod report;
+mod schemes;
+mod twins;
+
+pub use entrant::{Crate, Entrant, Finish, tolerances};
+pub use measure::{Cost, Line, measure};
+pub use problem::{Eight, Fput, Motion, Planet, Problem, Swing, eccentric, eight, fput, orbit, pendulum};
+pub use report::{GOALS, Report};
+pub use schemes::{ThreeBodies, chain_schemes, law_schemes, three_bodies};
+pub use twins::twins;

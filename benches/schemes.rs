@@ -77,6 +77,7 @@ fn loops() -> Vec<(&'static str, &'static str, Loop)> {
     vec![
         ("kepler", "twin: leap-frog, √s·(1/s²)", twins::kepler_leapfrog(1.0, planet, dt)),
         ("kepler", "Leapfrog", generated(sun, planet, dt, Leapfrog)),
+        ("kepler", "CompensatedLeapfrog", generated(sun, planet, dt, CompensatedLeapfrog)),
         ("kepler", "twin: leap-frog, 1/(s√s)", twins::kepler_leapfrog_naive(1.0, planet, dt)),
         ("kepler", "Explicit", generated(sun, planet, dt, Explicit)),
         ("kepler", "twin: trapezoid, Newton", twins::kepler_trapezoid(1.0, planet, dt)),

@@ -19,8 +19,7 @@ mod workless;
 pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
 pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
 pub use composed::{
-    Coefficients, Composable, Composed, ComposedDiscreteGradientMemory, ComposedImplicitMemory, ComposedLeapfrogMemory,
-    coefficients,
+    Coefficients, Composable, Composed, ComposedDiscreteGradientMemory, ComposedImplicitMemory, coefficients,
 };
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};

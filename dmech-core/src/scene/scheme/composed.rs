@@ -1,4 +1,4 @@
-//! Compositions on scenes.
+//! Compositions of the energy-exact scheme on scenes.
 
 use super::discrete_gradient::DiscreteGradientScene;
 use super::{SceneScheme, Start};
@@ -6,110 +6,8 @@ use crate::newton::NotConverged;
 use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::Acts;
-use crate::scene::terms::WithoutVelocities;
 use crate::scene::vectors::Vectors;
-use crate::scheme::{Coefficients, Composed, DiscreteGradient, Effort, Leapfrog};
-
-/// What a composition of [`Leapfrog`] carries for a scene.
-#[derive(Clone, Debug)]
-pub struct ComposedLeapfrogScene<const D: usize> {
-    q: Vectors<D>,
-    /// Velocity in the middle of the first stage of the step to come.
-    v: Vectors<D>,
-    /// ∇Φ − F at q.
-    gradient: Vectors<D>,
-    /// Work of the last step.
-    work: f64,
-}
-
-#[cfg(feature = "serde")]
-impl<const D: usize> crate::checkpoint::Carried for ComposedLeapfrogScene<D> {
-    fn carried(&mut self) -> Vec<&mut [f64]> {
-        vec![self.q.flat_mut(), self.v.flat_mut(), self.gradient.flat_mut()]
-    }
-}
-
-impl<const D: usize> ComposedLeapfrogScene<D> {
-    /// v + c (h/m) G: the velocity before a kick, or before a part of it.
-    fn before(&self, setting: &Setting<D>, c: f64) -> Vectors<D> {
-        let mut v = self.v.clone();
-        for (i, v) in v.flat_mut().iter_mut().enumerate() {
-            *v += c * setting.kick.flat()[i] * self.gradient.flat()[i];
-        }
-        v
-    }
-}
-
-impl<C: Coefficients<N>, const N: usize, const D: usize, A: Acts<D> + WithoutVelocities> SceneScheme<D, A>
-    for Composed<Leapfrog, C, N>
-{
-    type Memory = ComposedLeapfrogScene<D>;
-
-    fn begin(
-        &self,
-        system: &System<D, A>,
-        start: Start<'_, D>,
-        _: &mut Solver<D>,
-    ) -> Result<Self::Memory, NotConverged> {
-        let mut gradient = Vectors::zeros(start.q.bodies());
-        system.slope(start.q, start.v, start.t, &mut gradient);
-        let mut v = start.v.clone();
-        for (i, v) in v.flat_mut().iter_mut().enumerate() {
-            *v -= 0.5 * C::GAMMA[0] * system.setting.kick.flat()[i] * gradient.flat()[i];
-        }
-        Ok(ComposedLeapfrogScene { q: start.q.clone(), v, gradient, work: 0.0 })
-    }
-
-    /// A drift and a kick for each stage; the kick after the last belongs half to the next step.
-    fn step(
-        &self,
-        system: &System<D, A>,
-        t: f64,
-        memory: &mut Self::Memory,
-        _: &mut Solver<D>,
-    ) -> Result<Effort, NotConverged> {
-        let ComposedLeapfrogScene { q, v, gradient, work } = memory;
-        let (h, kicks) = (system.setting.dt, system.setting.kick.flat());
-        *work = 0.0;
-        for k in 0..N {
-            // The kick before this drift, made at the end of the last stage, did the work F·(mean velocity) in its time.
-            let last = Self::KICKS[(k + N - 1) % N];
-            let mean = |i: usize| last * h * (v.flat()[i] + 0.5 * last * kicks[i] * gradient.flat()[i]);
-            *work += system.setting.work(gradient, mean);
-            for (q, v) in q.flat_mut().iter_mut().zip(v.flat()) {
-                *q += C::GAMMA[k] * h * v;
-            }
-            system.slope(q, v, t + Self::ENDS[k] * h, gradient);
-            for (v, (kick, gradient)) in v.flat_mut().iter_mut().zip(kicks.iter().zip(gradient.flat())) {
-                *v -= Self::KICKS[k] * kick * gradient;
-            }
-        }
-        Ok(Effort { evaluations: N as u32, iterations: 0 })
-    }
-
-    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Vectors<D> {
-        &memory.q
-    }
-
-    /// Without the half kick of the step to come.
-    fn velocity(&self, system: &System<D, A>, _: f64, memory: &Self::Memory) -> Vectors<D> {
-        memory.before(&system.setting, 0.5 * C::GAMMA[0])
-    }
-
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        memory.q.is_finite() && memory.v.is_finite()
-    }
-
-    /// Σ m v²/2 in the middle of the last stage.
-    fn kinetic_energy(&self, setting: &Setting<D>, memory: &Self::Memory) -> f64 {
-        setting.kinetic_energy(&memory.before(setting, C::GAMMA[0]))
-    }
-
-    /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after.
-    fn work(&self, _: &Setting<D>, _: &Self::Memory, after: &Self::Memory) -> f64 {
-        after.work
-    }
-}
+use crate::scheme::{Coefficients, Composed, DiscreteGradient, Effort};
 
 /// What a composition of [`DiscreteGradient`](struct@DiscreteGradient) carries for a scene.
 #[derive(Clone, Debug)]

@@ -22,7 +22,7 @@ mod explicit;
 mod implicit;
 mod kanatani;
 mod leapfrog;
-mod nystrom;
+mod splitting;
 
 use super::newton::Solver;
 use super::setting::{Setting, System};

@@ -13,7 +13,6 @@ mod tests;
 pub use coefficients::Coefficients;
 pub use discrete_gradient::ComposedDiscreteGradientMemory;
 pub use implicit::ComposedImplicitMemory;
-pub use leapfrog::ComposedLeapfrogMemory;
 
 use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
 use super::name::Name;

@@ -1,4 +1,5 @@
-//! Drifts and kicks in turn: what the Nyström splittings and the force-gradient schemes have in common.
+//! Drifts and kicks in turn: what compositions of leap-frog, the Nyström splittings and the force-gradient schemes have in
+//! common.
 //!
 //! A step is the composition of motions with constant velocity, q += a_k h v, and of kicks at a fixed position,
 //! v += b_k h a(q), to which force-gradient schemes add e_k h³ a′(q) a(q). It reads the same from either end, so that it is

@@ -77,7 +77,9 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
     /// The mean of the velocities around the last kick: half of it belongs to the step that ends.
     #[inline]
     pub(crate) fn velocity(&self) -> [R; D] {
-        scaled(R::from_f64(0.5), sum(self.v_before, self.v_after))
+        // Halves first: the sum of two finite velocities need not be finite.
+        let half = R::from_f64(0.5);
+        sum(scaled(half, self.v_before), scaled(half, self.v_after))
     }
 
     #[inline]

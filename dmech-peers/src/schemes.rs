@@ -35,6 +35,11 @@ macro_rules! every_hessian_scheme {
 /// The same for steps that follow the motion.
 macro_rules! every_adaptive_scheme {
     ($add:ident) => {
+        $add!("RKN 4 ad.", Nystrom::order4());
+        $add!("RKN 6 ad.", Nystrom::order6());
+        $add!("FG 4 ad.", ForceGradient::order4());
+        $add!("FG 6 ad.", ForceGradient::order6());
+        $add!("FG 8 ad.", ForceGradient::order8());
         $add!("DG 4 ad.", Composed::order4(DiscreteGradient));
         $add!("DG 6 ad.", Composed::order6(DiscreteGradient));
         $add!("DG 8 ad.", Composed::order8(DiscreteGradient));

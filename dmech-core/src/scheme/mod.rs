@@ -109,9 +109,12 @@ pub trait Scheme<L, const D: usize, R: Real = f64>: Method {
         None
     }
 
-    /// Takes steps of another length from here on, `ratio` times those before.
+    /// Takes steps of another length from here on, `ratio` times those before; t is the time now. Returns the evaluations of
+    /// the force that this takes.
     #[inline(always)]
-    fn stretch(&self, _stride: &Stride<R>, _ratio: R, _memory: &mut Self::Memory) {}
+    fn stretch(&self, _law: &L, _stride: &Stride<R>, _t: R, _ratio: R, _memory: &mut Self::Memory) -> u32 {
+        0
+    }
 
     /// The time after so many steps from `start`: t₀ + k h, unless the scheme chooses its steps.
     #[inline(always)]

@@ -27,7 +27,7 @@ fn colour(line: &Line) -> RGBColor {
 
 const KEY: [(&str, RGBColor); 6] = [
     ("dmech, explicit: LF Leapfrog, RKN Nystrom, FG ForceGradient", BLUE),
-    ("dmech, energy-exact: DG DiscreteGradient, ad. adaptive", PURPLE),
+    ("dmech, energy-exact: DG DiscreteGradient; ad. adaptive", PURPLE),
     ("written by hand", INK),
     ("ode_solvers", RED),
     ("differential-equations", OCHRE),

@@ -1,14 +1,19 @@
 //! Which schemes may change their step, and how long a step they may take.
 
 use crate::scheme::composed::Coefficients;
-use crate::scheme::{Composed, DiscreteGradient, Implicit, Method};
+use crate::scheme::force_gradient::coefficients::ForceGradientCoefficients;
+use crate::scheme::nystrom::coefficients::NystromCoefficients;
+use crate::scheme::{Composed, DiscreteGradient, ForceGradient, Implicit, Leapfrog, Method, Nystrom};
 
-/// A scheme that loses nothing when its steps differ: [`Simulation::adaptive`](crate::Simulation::adaptive) takes it.
+/// A scheme whose steps may differ: [`Simulation::adaptive`](crate::Simulation::adaptive) takes it.
+///
+/// Energy-exact schemes keep the energy whatever the steps. Splittings are no longer symplectic when the steps differ, but stay
+/// reversible: on regular motions their energy error goes to and fro and does not drift.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` needs equal steps, and `.adaptive(tolerance)` makes them differ",
     label = "cannot follow the time scale of the motion",
-    note = "`Leapfrog` is symplectic with equal steps only, `Kanatani` joins three positions at equal distances in time, and `Explicit` is not symmetric",
-    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit` or a composition of these; or give the step with `.dt(h)`"
+    note = "`Leapfrog` and `Kanatani` join positions at equal distances in time, and `Explicit` is not symmetric",
+    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, a composition of these or of `Leapfrog`, a `Nystrom` or a `ForceGradient` scheme; or give the step with `.dt(h)`"
 )]
 pub trait Adaptable: Method {
     /// ε, the angle in radians by which the linearised motion turns in a step, for a tolerance.
@@ -41,6 +46,24 @@ impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Implicit, C, N> 
     }
 }
 
+impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Leapfrog, C, N> {
+    fn angle(&self, tolerance: f64) -> f64 {
+        angle::<Self>(tolerance, longest(C::GAMMA))
+    }
+}
+
+impl<C: NystromCoefficients<N>, const N: usize> Adaptable for Nystrom<C, N> {
+    fn angle(&self, tolerance: f64) -> f64 {
+        turn::<Self>(C::TURN, tolerance)
+    }
+}
+
+impl<C: ForceGradientCoefficients<N>, const N: usize> Adaptable for ForceGradient<C, N> {
+    fn angle(&self, tolerance: f64) -> f64 {
+        turn::<Self>(C::TURN, tolerance)
+    }
+}
+
 /// What the steps of the trapezoidal rule are to those of the energy-exact step at the same error.
 const TRAPEZOID: f64 = 0.6;
 
@@ -54,6 +77,11 @@ const MOST: [f64; 2] = [1.0, 0.55];
 fn angle<M: Method>(tolerance: f64, stage: f64) -> f64 {
     let wanted = (0.1 * tolerance).powf(1.0 / f64::from(M::ORDER)) / 0.13_f64.mul_add(stage, 0.16);
     wanted.min(MOST[0]).min(MOST[1] / stage)
+}
+
+/// ε, from that at a tolerance of 10⁻⁶.
+fn turn<M: Method>(at_a_millionth: f64, tolerance: f64) -> f64 {
+    (at_a_millionth * (1e6 * tolerance).powf(1.0 / f64::from(M::ORDER))).min(MOST[0])
 }
 
 fn longest<const N: usize>(gamma: [f64; N]) -> f64 {

@@ -90,11 +90,6 @@ const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
 /// The same in the middle of steps, where ω of their end differs: no step is negative.
 const MIDDLE: [f64; 2] = [0.25, 4.0];
 
-/// ρ half a step later.
-fn half_step(density: f64, change: f64, rate: f64, [least, most]: [f64; 2]) -> f64 {
-    (density + 0.5 * change).clamp(least * rate, most * rate)
-}
-
 impl<S: Adaptable> Adaptive<S> {
     const JOINED: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
 
@@ -107,9 +102,9 @@ impl<S: Adaptable> Adaptive<S> {
     }
 
     /// ρ in the next step from that in the last.
-    fn follow(&self, density: f64, Look { rate, growth }: Look) -> f64 {
-        let change = self.angle * growth;
-        half_step(half_step(density, change, rate, BAND), change, rate, MIDDLE)
+    fn follow(&self, density: f64, look: &Look) -> f64 {
+        let half = 0.5 * self.angle * look.growth;
+        look.within(MIDDLE, look.within(BAND, density + half) + half)
     }
 
     /// Chooses the next step.
@@ -145,8 +140,8 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
 
     /// `stride` has the longest step, which may be infinite.
     fn begin(&self, law: &L, stride: &Stride<f64>, start: &State<D>) -> Result<Self::Memory, NotConverged> {
-        let Look { rate, growth } = self.look(law, stride, start.t, [start.q, start.v]);
-        let density = half_step(rate, self.angle * growth, rate, MIDDLE);
+        let look = self.look(law, stride, start.t, [start.q, start.v]);
+        let density = look.within(MIDDLE, look.rate() + 0.5 * self.angle * look.growth);
         // What the motion meets later no look at the start can tell.
         let density = if !L::AUTONOMOUS && stride.dt.is_infinite() { 0.0 } else { density };
         let first = Stride::new((self.angle / density).min(stride.dt), stride.mass);
@@ -160,8 +155,9 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
         let now = Stride::new(memory.dt, stride.mass);
-        self.scheme.stretch(&now, now.dt / memory.last, &mut memory.inner);
+        let stretched = self.scheme.stretch(law, &now, t, now.dt / memory.last, &mut memory.inner);
         let mut effort = self.scheme.step(law, &now, t, &mut memory.inner)?;
+        effort.evaluations += stretched;
         memory.last = now.dt;
         memory.time.add(now.dt);
         if memory.landing {
@@ -174,7 +170,7 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
         let v = self.scheme.velocity(law, &now, end, &memory.inner);
         let look = self.look(law, stride, end, [q, v]);
         effort.evaluations += monitor::EVALUATIONS;
-        memory.density = self.follow(memory.density, look);
+        memory.density = self.follow(memory.density, &look);
         self.plan(stride.dt, memory);
         Ok(effort)
     }

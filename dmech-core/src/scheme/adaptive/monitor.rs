@@ -8,10 +8,34 @@ use crate::vector::{add_scaled, dot};
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Look {
-    /// ω = 1/Q, the angular frequency of the linearised motion.
-    pub(super) rate: f64,
+    /// (ω s)¹²: roots take longer than all the rest, and are hardly ever needed.
+    power: f64,
+    /// A length of time.
+    s: f64,
     /// d ln ω/dt along the motion.
     pub(super) growth: f64,
+}
+
+impl Look {
+    /// ω, the angular frequency of the linearised motion.
+    #[cold]
+    pub(super) fn rate(&self) -> f64 {
+        self.power.sqrt().sqrt().cbrt() / self.s
+    }
+
+    /// ρ, or the end of the range `band` of ρ/ω where it lies outside.
+    #[inline]
+    pub(super) fn within(&self, [least, most]: [f64; 2], density: f64) -> f64 {
+        // No density is negative.
+        let ratio = (density * self.s).max(0.0).powi(12);
+        if ratio < least.powi(12) * self.power {
+            least * self.rate()
+        } else if ratio > most.powi(12) * self.power {
+            most * self.rate()
+        } else {
+            density
+        }
+    }
 }
 
 /// A place of the motion.
@@ -58,15 +82,15 @@ impl<const D: usize> Place<D> {
     /// q ± s v + s² a/2. Under v → −v ω is even and its growth odd, whatever s: that makes the steps reversible.
     pub(super) fn look<L: Law<D>>(&self, law: &L) -> Look {
         let here = self.stiffness(law, self.t, self.q, self.v);
-        let size = here.norm();
         let slope = law.field(self.mass, self.t).slope(self.q, self.v);
+        let size = here.norm();
         let mut s = (ANGLE / size.sqrt()).min(ANGLE / self.least);
         let mut sides = self.sides(law, slope, s);
         // Where K is small only here, the motion is not alike as far away as K tells.
         for _ in 0..MOST {
             let [before, after] = &sides;
             let sum = before.norm() + 2.0 * size + after.norm();
-            let excess = 0.25 * sum * (s / ANGLE) * (s / ANGLE);
+            let excess = s * s * sum * (0.25 / (ANGLE * ANGLE));
             if excess <= EVEN {
                 break;
             }
@@ -82,12 +106,12 @@ impl<const D: usize> Place<D> {
         let k2 = after.map2(before, |x, y| square * (x + y)).map2(&k, |x, y| x - 2.0 * y);
         let k3 = later.map2(earlier, |x, y| 0.5 * square * (x - y)).map2(&k1, |x, y| x - 2.0 * y);
         let [kk, k1k1, k2k2] = [k.dot(&k), k1.dot(&k1), k2.dot(&k2)];
-        let power = kk * kk * kk + SHARES[0] * k1k1 * k1k1 + SHARES[1] * k2k2 * k2k2.sqrt() + (self.least * s).powi(12);
-        let rise = 6.0 * kk * kk * k.dot(&k1)
-            + 4.0 * SHARES[0] * k1k1 * k1.dot(&k2)
-            + 3.0 * SHARES[1] * k2k2.sqrt() * k2.dot(&k3);
+        let root = k2k2.sqrt();
+        let power = kk * kk * kk + SHARES[0] * k1k1 * k1k1 + SHARES[1] * k2k2 * root + (self.least * s).powi(12);
+        let rise =
+            6.0 * kk * kk * k.dot(&k1) + 4.0 * SHARES[0] * k1k1 * k1.dot(&k2) + 3.0 * SHARES[1] * root * k2.dot(&k3);
         let growth = rise / (12.0 * power * s);
-        Look { rate: power.sqrt().sqrt().cbrt() / s, growth: if growth.is_finite() { growth } else { 0.0 } }
+        Look { power, s, growth: if growth.is_finite() { growth } else { 0.0 } }
     }
 
     /// K before and after.

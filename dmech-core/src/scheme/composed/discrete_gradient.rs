@@ -79,9 +79,10 @@ where
     }
 
     #[inline]
-    fn stretch(&self, stride: &Stride<R>, ratio: R, memory: &mut Self::Memory) {
+    fn stretch(&self, _: &L, stride: &Stride<R>, _: R, ratio: R, memory: &mut Self::Memory) -> u32 {
         Self::RESAMPLE.apply(ratio, &mut memory.gradients);
         memory.strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
+        0
     }
 
     #[inline]

@@ -13,6 +13,8 @@ pub trait ForceGradientCoefficients<const KICKS: usize>: Copy + core::fmt::Debug
     const NAME: &'static str;
     /// The order for q″ = a(q).
     const ORDER: u32;
+    /// As in [`NystromCoefficients`](crate::coefficients::NystromCoefficients::TURN).
+    const TURN: f64 = 0.3;
     /// What the step begins with.
     const FIRST: First;
     /// a₁, …, a_N; a palindrome where the step begins with a kick, else x_k = x_{N+2−k}.
@@ -34,6 +36,7 @@ pub struct Chin4A;
 impl ForceGradientCoefficients<2> for Chin4A {
     const NAME: &'static str = "Chin4A";
     const ORDER: u32 = 4;
+    const TURN: f64 = 0.123;
     const FIRST: First = First::Kick;
     const DRIFTS: [f64; 2] = palindrome([0.5]);
     const KICKS: [f64; 2] = opening([1.0 / 6.0, 2.0 / 3.0]);
@@ -50,6 +53,7 @@ pub struct Chin4C;
 impl ForceGradientCoefficients<3> for Chin4C {
     const NAME: &'static str = "Chin4C";
     const ORDER: u32 = 4;
+    const TURN: f64 = 0.149;
     const FIRST: First = First::Drift;
     const DRIFTS: [f64; 3] = opening([1.0 / 6.0, 1.0 / 3.0]);
     const KICKS: [f64; 3] = palindrome([3.0 / 8.0, 1.0 / 4.0]);
@@ -66,6 +70,7 @@ pub struct Omelyan4S3;
 impl ForceGradientCoefficients<3> for Omelyan4S3 {
     const NAME: &'static str = "Omelyan4S3";
     const ORDER: u32 = 4;
+    const TURN: f64 = 0.217;
     const FIRST: First = First::Kick;
     const DRIFTS: [f64; 3] = palindrome([THETA, 1.0 - 2.0 * THETA]);
     const KICKS: [f64; 3] = {
@@ -91,6 +96,7 @@ pub struct Omelyan4S4;
 impl ForceGradientCoefficients<4> for Omelyan4S4 {
     const NAME: &'static str = "Omelyan4S4";
     const ORDER: u32 = 4;
+    const TURN: f64 = 0.26;
     const FIRST: First = First::Kick;
     const DRIFTS: [f64; 4] = palindrome([0.1921125277429464, 0.5 - 0.1921125277429464]);
     const KICKS: [f64; 4] =
@@ -108,6 +114,7 @@ pub struct Omelyan4S5;
 impl ForceGradientCoefficients<5> for Omelyan4S5 {
     const NAME: &'static str = "Omelyan4S5";
     const ORDER: u32 = 4;
+    const TURN: f64 = 0.345;
     const FIRST: First = First::Drift;
     const DRIFTS: [f64; 5] =
         opening([0.06419108866816235, 0.1919807940455741, 0.5 - (0.06419108866816235 + 0.1919807940455741)]);
@@ -127,6 +134,7 @@ pub struct Omelyan6S5;
 impl ForceGradientCoefficients<5> for Omelyan6S5 {
     const NAME: &'static str = "Omelyan6S5";
     const ORDER: u32 = 6;
+    const TURN: f64 = 0.387;
     const FIRST: First = First::Drift;
     const DRIFTS: [f64; 5] =
         opening([0.1097059723948682, 0.4140632267310831, 0.5 - (0.1097059723948682 + 0.4140632267310831)]);
@@ -146,6 +154,7 @@ pub struct Omelyan8S11;
 impl ForceGradientCoefficients<11> for Omelyan8S11 {
     const NAME: &'static str = "Omelyan8S11";
     const ORDER: u32 = 8;
+    const TURN: f64 = 0.68;
     const FIRST: First = First::Drift;
     const DRIFTS: [f64; 11] = opening([
         0.41009674738801111928784693005080,

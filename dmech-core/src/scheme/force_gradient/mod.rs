@@ -132,6 +132,11 @@ where
         Ok(memory.advance::<Self, L, N>(law, stride, t))
     }
 
+    #[inline(always)]
+    fn stretch(&self, law: &L, stride: &Stride<R>, t: R, _: R, memory: &mut Self::Memory) -> u32 {
+        memory.stretch::<Self, L, N>(law, stride, t)
+    }
+
     #[inline]
     fn position(&self, memory: &Self::Memory) -> [R; D] {
         memory.q

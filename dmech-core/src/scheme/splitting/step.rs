@@ -74,6 +74,21 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
         Effort { evaluations: N as u32, iterations: 0 }
     }
 
+    /// Steps of another length from here on: of the kick that two steps share, the second half is theirs.
+    #[inline(always)]
+    pub(crate) fn stretch<S, L, const N: usize>(&mut self, law: &L, stride: &Stride<R>, t: R) -> u32
+    where
+        S: Splitting<N>,
+        L: Law<D, R>,
+    {
+        if matches!(S::FIRST, First::Drift) {
+            return 0;
+        }
+        let field = law.field(stride.mass, t);
+        self.v_after = kick(&field, stride, S::KICKS[0], S::GRADIENTS[0], self.q, self.velocity());
+        1
+    }
+
     /// The mean of the velocities around the last kick: half of it belongs to the step that ends.
     #[inline]
     pub(crate) fn velocity(&self) -> [R; D] {

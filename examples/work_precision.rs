@@ -148,12 +148,14 @@ where
         .scheme(Composed::order4(DiscreteGradient))
         .scheme(Composed::order6(DiscreteGradient))
         .scheme(Composed::order8(DiscreteGradient))
+        .adaptive(Nystrom::order6(), tolerances())
+        .adaptive(ForceGradient::order8(), tolerances())
         .adaptive(Composed::order6(DiscreteGradient), tolerances())
         .adaptive(Composed::order8(DiscreteGradient), tolerances())
 }
 
 /// What the lines are called at their ends, and their colours, one for each family.
-const LINES: [(&str, RGBColor); 17] = [
+const LINES: [(&str, RGBColor); 19] = [
     ("Leapfrog", BLUE),
     ("Implicit", INK),
     ("DiscreteGradient", RED),
@@ -169,6 +171,8 @@ const LINES: [(&str, RGBColor); 17] = [
     ("4", RED),
     ("6", RED),
     ("8", RED),
+    ("AN6", PURPLE),
+    ("AF8", PURPLE),
     ("A6", PURPLE),
     ("A8", PURPLE),
 ];
@@ -202,7 +206,7 @@ fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
             ("4, 6, 8: Composed(DiscreteGradient)", RED),
             ("N: Nystrom", GREEN),
             ("F: ForceGradient", OCHRE),
-            ("A: Composed(DiscreteGradient), steps that follow the motion", PURPLE),
+            ("A: steps that follow the motion, of Composed(DiscreteGradient), N, F", PURPLE),
         ];
         for (row, (words, colour)) in key.iter().rev().enumerate() {
             picture::label(&chart, corner, (12, -18 - 17 * row as i32), words, *colour)?;

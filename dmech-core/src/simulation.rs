@@ -107,8 +107,9 @@ impl<L, X, S> Simulation<L, X, S> {
     /// is (free flight before a wall), needs one; without it the run ends with
     /// [`Error::NoTimeScale`](crate::Error::NoTimeScale). Times are a compensated sum of the steps, and the last step of
     /// [`run_until`](Simulation::run_until) is shortened to land on the end exactly; [`run`](Simulation::run) and
-    /// [`record_every`](Simulation::record_every) count steps. A step looks at ∂a/∂q five times to find the next
-    /// one, which the report counts as five evaluations.
+    /// [`record_every`](Simulation::record_every) count steps. To find the next step the
+    /// rule looks at ∂a/∂q five times, which the report counts as five evaluations; steps that turn the motion by less than
+    /// 1/16 are equal in rows, and it looks once in a row.
     ///
     /// ```
     /// use dmech_core::prelude::*;

@@ -26,6 +26,9 @@ use crate::newton::NotConverged;
 /// ρ_{n+1/2} = ρ_{n−1/2} + ε (d ln ω/dt)(qₙ, vₙ),   h_{n+1/2} = ε/ρ_{n+1/2},   ρ_{1/2} = ω(q₀) + (ε/2)(d ln ω/dt)(q₀, v₀)
 /// ```
 ///
+/// Several steps in a row are equal where they are so short that ω hardly changes: n counts rows, of m steps and mε ≤ ⅛, and
+/// mε takes the place of ε in the rule for ρ.
+///
 /// The density ρ of the steps follows the frequency ω of the linearised motion, so that a step turns that by the angle ε:
 /// in the time τ that counts steps, dτ = ρ dt, ρ = ω has dρ/dτ = d ln ω/dt. The law gives ω. With K = ∂a/∂q, and K̇ and K̈
 /// its derivatives along the motion,
@@ -51,6 +54,8 @@ pub struct Adaptive<S> {
     tolerance: f64,
     /// ε.
     angle: f64,
+    /// Steps of equal length in a row.
+    row: f64,
     /// Where the last step lands.
     end: f64,
 }
@@ -66,6 +71,8 @@ pub struct AdaptiveMemory<M> {
     last: f64,
     /// The next step.
     dt: f64,
+    /// How many more of the same follow.
+    left: f64,
     /// Whether that ends at the end.
     landing: bool,
     time: Compensated<f64>,
@@ -78,7 +85,7 @@ impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemor
     fn carried(&mut self) -> Vec<&mut [f64]> {
         let mut all = self.inner.carried();
         let Compensated { hi, lo } = &mut self.time;
-        all.extend([&mut self.density, &mut self.last, &mut self.dt].map(core::slice::from_mut));
+        all.extend([&mut self.density, &mut self.last, &mut self.dt, &mut self.left].map(core::slice::from_mut));
         all.extend([core::slice::from_mut(hi), core::slice::from_mut(lo), &mut self.range]);
         all
     }
@@ -87,6 +94,9 @@ impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemor
 /// ρ/ω stays between these, at the ends of steps.
 const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
 
+/// The angle that a row of equal steps turns at most, unless it is a single step.
+const ROW: f64 = 0.125;
+
 /// The same in the middle of steps, where ω of their end differs: no step is negative.
 const MIDDLE: [f64; 2] = [0.25, 4.0];
 
@@ -94,7 +104,8 @@ impl<S: Adaptable> Adaptive<S> {
     const JOINED: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
 
     pub(crate) fn new(scheme: S, tolerance: f64) -> Self {
-        Adaptive { scheme, tolerance, angle: scheme.angle(tolerance), end: f64::INFINITY }
+        let angle = scheme.angle(tolerance);
+        Adaptive { scheme, tolerance, angle, row: (ROW / angle).floor().max(1.0), end: f64::INFINITY }
     }
 
     fn look<L: Law<D>, const D: usize>(&self, law: &L, stride: &Stride<f64>, t: f64, [q, v]: [[f64; D]; 2]) -> Look {
@@ -103,7 +114,7 @@ impl<S: Adaptable> Adaptive<S> {
 
     /// ρ in the next step from that in the last.
     fn follow(&self, density: f64, look: &Look) -> f64 {
-        let half = 0.5 * self.angle * look.growth;
+        let half = 0.5 * self.row * self.angle * look.growth;
         look.within(MIDDLE, look.within(BAND, density + half) + half)
     }
 
@@ -141,13 +152,22 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
     /// `stride` has the longest step, which may be infinite.
     fn begin(&self, law: &L, stride: &Stride<f64>, start: &State<D>) -> Result<Self::Memory, NotConverged> {
         let look = self.look(law, stride, start.t, [start.q, start.v]);
-        let density = look.within(MIDDLE, look.rate() + 0.5 * self.angle * look.growth);
+        let density = look.within(MIDDLE, look.rate() + 0.5 * self.row * self.angle * look.growth);
         // What the motion meets later no look at the start can tell.
         let density = if !L::AUTONOMOUS && stride.dt.is_infinite() { 0.0 } else { density };
         let first = Stride::new((self.angle / density).min(stride.dt), stride.mass);
         let inner = self.scheme.begin(law, &first, start)?;
         let (time, range) = (Compensated::new(start.t), [f64::MAX, 0.0]);
-        let mut memory = AdaptiveMemory { inner, density, last: first.dt, dt: first.dt, landing: false, time, range };
+        let mut memory = AdaptiveMemory {
+            inner,
+            density,
+            last: first.dt,
+            dt: first.dt,
+            left: self.row,
+            landing: false,
+            time,
+            range,
+        };
         self.plan(stride.dt, &mut memory);
         Ok(memory)
     }
@@ -155,22 +175,27 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
     #[inline(always)]
     fn step(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
         let now = Stride::new(memory.dt, stride.mass);
-        let stretched = self.scheme.stretch(law, &now, t, now.dt / memory.last, &mut memory.inner);
+        let ratio = now.dt / memory.last;
+        let stretched = if ratio == 1.0 { 0 } else { self.scheme.stretch(law, &now, t, ratio, &mut memory.inner) };
         let mut effort = self.scheme.step(law, &now, t, &mut memory.inner)?;
         effort.evaluations += stretched;
         memory.last = now.dt;
+        memory.left -= 1.0;
         memory.time.add(now.dt);
         if memory.landing {
             memory.time = Compensated::new(self.end);
         } else {
             memory.range = [memory.range[0].min(now.dt), memory.range[1].max(now.dt)];
         }
-        let end = memory.time.value();
-        let q = self.scheme.position(&memory.inner);
-        let v = self.scheme.velocity(law, &now, end, &memory.inner);
-        let look = self.look(law, stride, end, [q, v]);
-        effort.evaluations += monitor::EVALUATIONS;
-        memory.density = self.follow(memory.density, &look);
+        if memory.left < 1.0 {
+            let end = memory.time.value();
+            let q = self.scheme.position(&memory.inner);
+            let v = self.scheme.velocity(law, &now, end, &memory.inner);
+            let look = self.look(law, stride, end, [q, v]);
+            effort.evaluations += monitor::EVALUATIONS;
+            memory.density = self.follow(memory.density, &look);
+            memory.left = self.row;
+        }
         self.plan(stride.dt, memory);
         Ok(effort)
     }

@@ -49,7 +49,7 @@ pub(super) struct Place<const D: usize> {
     pub(super) least: f64,
 }
 
-/// How fast accelerations change: ∂a/∂q and ‖∂a/∂v‖², both in 1/s².
+/// How fast accelerations change, times the mass: m ∂a/∂q and m ‖∂a/∂v‖².
 #[derive(Clone, Copy, Debug)]
 struct Stiffness<const D: usize> {
     by_position: [[f64; D]; D],
@@ -83,24 +83,26 @@ impl<const D: usize> Place<D> {
     pub(super) fn look<L: Law<D>>(&self, law: &L) -> Look {
         let here = self.stiffness(law, self.t, self.q, self.v);
         let slope = law.field(self.mass, self.t).slope(self.q, self.v);
-        let size = here.norm();
+        let per_mass = self.mass.recip();
+        let size = per_mass * here.norm();
         let mut s = (ANGLE / size.sqrt()).min(ANGLE / self.least);
-        let mut sides = self.sides(law, slope, s);
+        let fall = slope.map(|x| -per_mass * x);
+        let mut sides = self.sides(law, fall, s);
         // Where K is small only here, the motion is not alike as far away as K tells.
         for _ in 0..MOST {
             let [before, after] = &sides;
-            let sum = before.norm() + 2.0 * size + after.norm();
+            let sum = per_mass * (before.norm() + after.norm()) + 2.0 * size;
             let excess = s * s * sum * (0.25 / (ANGLE * ANGLE));
             if excess <= EVEN {
                 break;
             }
             s = if excess.is_finite() { s * excess.powf(-0.25) } else { 1e-3 * s.min(1e150) };
-            sides = self.sides(law, slope, s);
+            sides = self.sides(law, fall, s);
         }
         // Derivatives by differences over s, in units of s so that no power overflows.
         let [before, after] = &sides;
-        let [earlier, later] = &self.sides(law, slope, 2.0 * s);
-        let square = s * s;
+        let [earlier, later] = &self.sides(law, fall, 2.0 * s);
+        let square = s * s * per_mass;
         let k = here.map(|x| square * x);
         let k1 = after.map2(before, |x, y| 0.5 * square * (x - y));
         let k2 = after.map2(before, |x, y| square * (x + y)).map2(&k, |x, y| x - 2.0 * y);
@@ -114,12 +116,12 @@ impl<const D: usize> Place<D> {
         Look { power, s, growth: if growth.is_finite() { growth } else { 0.0 } }
     }
 
-    /// K before and after.
-    fn sides<L: Law<D>>(&self, law: &L, slope: [f64; D], s: f64) -> [Stiffness<D>; 2] {
+    /// m K before and after; `fall` is the acceleration here.
+    fn sides<L: Law<D>>(&self, law: &L, fall: [f64; D], s: f64) -> [Stiffness<D>; 2] {
         [-s, s].map(|s| {
-            let fall = -0.5 * s * s / self.mass;
-            let q = from_fn(|i| fall.mul_add(slope[i], s.mul_add(self.v[i], self.q[i])));
-            let v = add_scaled(self.v, -s / self.mass, slope);
+            let v = add_scaled(self.v, s, fall);
+            // q + s v + s² a/2
+            let q = from_fn(|i| (0.5 * s).mul_add(self.v[i] + v[i], self.q[i]));
             self.stiffness(law, self.t + s, q, v)
         })
     }
@@ -133,7 +135,7 @@ impl<const D: usize> Place<D> {
             by_position = from_fn(|i| from_fn(|j| by_position[i][j] - by_q[i][j]));
             damping = by_v.iter().map(|row| dot(*row, *row)).sum::<f64>() / self.mass;
         }
-        Stiffness { by_position, damping }.map(|x| x / self.mass)
+        Stiffness { by_position, damping }
     }
 }
 

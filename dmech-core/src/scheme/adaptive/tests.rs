@@ -51,7 +51,7 @@ fn comes_back<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, tolerance: f64, turn:
         let t = adaptive.time(0.0, 0, 0.0, memory);
         adaptive.step(&law, &unlimited, t, memory).map(|_| ()).unwrap();
     };
-    let (steps, mut forth, mut back) = (700, Vec::new(), Vec::new());
+    let (steps, mut forth, mut back) = (100 * adaptive.row as usize, Vec::new(), Vec::new());
     for _ in 0..steps {
         forth.push(memory.dt);
         step(&mut memory);

@@ -211,6 +211,7 @@ macro_rules! every_scheme {
             Kanatani,
             Composed::order4(Leapfrog),
             Composed::order6(Leapfrog),
+            Nystrom::order6(),
             Composed::order4(DiscreteGradient),
             Composed::order6(DiscreteGradient),
         )

@@ -14,8 +14,11 @@ pub use coefficients::Coefficients;
 pub use discrete_gradient::ComposedDiscreteGradientMemory;
 pub use implicit::ComposedImplicitMemory;
 
+use dmech_scalar::Real;
+
 use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
 use super::name::Name;
+use super::splitting::digits;
 use super::{DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
 
@@ -106,6 +109,12 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
         }
         ends
     };
+
+    /// γ_k, to all the digits that the scalar has and that are known.
+    #[inline(always)]
+    pub(crate) fn gamma<R: Real>(k: usize) -> R {
+        digits(C::GAMMA[k], C::LOW[k])
+    }
 
     /// Where in the step a stage begins.
     pub(crate) const fn begins(k: usize) -> f64 {

@@ -3,11 +3,13 @@
 mod exact;
 mod reference;
 mod ulps;
+mod uniform;
 
 use dmech_scalar::Real;
 use exact::{Big, big};
 use reference::Exact;
 use ulps::error_in_ulps;
+use uniform::Uniform;
 
 /// What every function must keep, in units of the last place.
 const TOLERANCE: f64 = 4.0;
@@ -47,23 +49,6 @@ const CARDINALS: [Cardinal; 8] = [
     cardinal!(atanhc, ATANHC, 0.25, 1.0f64.next_down()),
     cardinal!(atanhc_slope, ATANHC_SLOPE, 0.8, 1.0f64.next_down()),
 ];
-
-/// A fixed sequence of numbers in 0 ≤ u < 1 (Steele, Lea and Flood's SplitMix64).
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 * 2f64.powi(-53)
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-}
 
 /// Where some of the closed forms change once more: close to overflow.
 const LARGE: [f64; 2] = [700.0, 1e100];

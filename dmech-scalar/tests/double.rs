@@ -2,42 +2,14 @@
 
 mod exact;
 mod reference;
+mod uniform;
+mod wide;
 
 use dashu_float::ops::CubicRoot;
 use dmech_scalar::{DoubleDouble, Real};
 use exact::{Big, big};
-
-/// A fixed sequence of numbers in 0 ≤ u < 1 (Steele, Lea and Flood's SplitMix64).
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 * 2f64.powi(-53)
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    /// x with a low part of its own.
-    fn filled(&mut self, x: f64) -> DoubleDouble {
-        DoubleDouble::new(x, x * self.between(-1.0, 1.0) * 2f64.powi(-54))
-    }
-
-    /// Of either sign, evenly in the logarithm.
-    fn magnitude(&mut self, least: f64, most: f64) -> f64 {
-        let sign = if self.next() < 0.5 { -1.0 } else { 1.0 };
-        sign * 10f64.powf(self.between(least.log10(), most.log10()))
-    }
-}
-
-fn exact_value(x: DoubleDouble) -> Big {
-    big(x.hi()) + big(x.lo())
-}
+use uniform::Uniform;
+use wide::{exact_value, filled, magnitude};
 
 /// |computed − exact| / |scale|.
 fn error(computed: DoubleDouble, exact: &Big, scale: &Big) -> f64 {
@@ -80,17 +52,21 @@ fn arithmetic_keeps_31_digits() {
     let mut uniform = Uniform(1);
     let mut worst = ["+", "−", "×", "÷", "mul_add"].map(Worst::new);
     for k in 0..20_000 {
-        let a = uniform.magnitude(1e-60, 1e60);
+        let a = magnitude(&mut uniform, 1e-60, 1e60);
         // Every other sum cancels.
-        let b = if k % 2 == 0 { uniform.magnitude(1e-60, 1e60) } else { -a * (1.0 + uniform.magnitude(1e-16, 1.0)) };
-        let (a, b) = (uniform.filled(a), uniform.filled(b));
+        let b = if k % 2 == 0 {
+            magnitude(&mut uniform, 1e-60, 1e60)
+        } else {
+            -a * (1.0 + magnitude(&mut uniform, 1e-16, 1.0))
+        };
+        let (a, b) = (filled(&mut uniform, a), filled(&mut uniform, b));
         let (x, y) = (exact_value(a), exact_value(b));
         let (sum, difference, product, quotient) = (&x + &y, &x - &y, &x * &y, &x / &y);
         worst[0].take(error(a + b, &sum, &sum), a);
         worst[1].take(error(a - b, &difference, &difference), a);
         worst[2].take(error(a * b, &product, &product), a);
         worst[3].take(error(a / b, &quotient, &quotient), a);
-        let c = uniform.filled(1.0);
+        let c = filled(&mut uniform, 1.0);
         let scale = big(product.to_f64().value().abs()) + big(1.0);
         worst[4].take(error(a.mul_add(b, c), &(product + exact_value(c)), &scale), a);
     }
@@ -130,22 +106,22 @@ impl Reach {
         let mut uniform = Uniform(seed);
         let mut list = Vec::new();
         for _ in 0..500 {
-            let small = uniform.magnitude(1e-30, 1.0);
+            let small = magnitude(&mut uniform, 1e-30, 1.0);
             let x = match self {
-                Reach::Odd(most) => [small, uniform.between(-1.7, 1.7), uniform.magnitude(0.1, most)],
+                Reach::Odd(most) => [small, uniform.between(-1.7, 1.7), magnitude(&mut uniform, 0.1, most)],
                 Reach::Positive(least, most) => {
-                    [1.0 + 0.5 * small, uniform.between(0.3, 4.0), uniform.magnitude(least, most).abs()]
+                    [1.0 + 0.5 * small, uniform.between(0.3, 4.0), magnitude(&mut uniform, least, most).abs()]
                 }
                 Reach::Unit => [small, uniform.between(-1.0, 1.0), small.signum() - small],
                 Reach::Above(most) => {
-                    [1.0 + small.abs(), uniform.between(1.0, 4.0), uniform.magnitude(1.0, most).abs()]
+                    [1.0 + small.abs(), uniform.between(1.0, 4.0), magnitude(&mut uniform, 1.0, most).abs()]
                 }
                 Reach::Angle => {
-                    let k = uniform.magnitude(1.0, 7e14).round();
-                    [small, uniform.magnitude(0.1, 1e15), k * std::f64::consts::FRAC_PI_2]
+                    let k = magnitude(&mut uniform, 1.0, 7e14).round();
+                    [small, magnitude(&mut uniform, 0.1, 1e15), k * std::f64::consts::FRAC_PI_2]
                 }
             };
-            list.extend(x.map(|x| uniform.filled(x)));
+            list.extend(x.map(|x| filled(&mut uniform, x)));
             // Neighbours of the numbers where logarithms and the like are 0 or 1, with nothing but a low part.
             let low = small * 2f64.powi(-54);
             match self {
@@ -154,7 +130,7 @@ impl Reach {
                 Reach::Unit => list.push(DoubleDouble::new(low.signum(), -low)),
                 // The nearest double-double number to a multiple of π/2: the result is as small as it gets.
                 Reach::Angle => {
-                    let k = uniform.magnitude(1.0, 7e14).round();
+                    let k = magnitude(&mut uniform, 1.0, 7e14).round();
                     let half_pi = big(2.0) * big(1.0).atan();
                     let multiple = half_pi * big(k);
                     let hi = multiple.to_f64().value();
@@ -253,15 +229,15 @@ fn powers_keep_their_digits() {
     let mut worst = ["xⁿ / n", "xᵖ / |p ln x|"].map(Worst::new);
     for _ in 0..2000 {
         let n = uniform.between(-40.0, 40.0).round();
-        let x = uniform.magnitude(1e-3, 1e3);
-        let x = uniform.filled(x);
+        let x = magnitude(&mut uniform, 1e-3, 1e3);
+        let x = filled(&mut uniform, x);
         let exact = exact_value(x).powi((n as i64).into());
         if n != 0.0 {
             worst[0].take(error(x.powi(n as i32), &exact, &exact) / n.abs(), x);
             assert_eq!(x.powf(n.into()), x.powi(n as i32));
         }
-        let p = uniform.magnitude(1e-3, 30.0);
-        let (x, p) = (x.abs(), uniform.filled(p));
+        let p = magnitude(&mut uniform, 1e-3, 30.0);
+        let (x, p) = (x.abs(), filled(&mut uniform, p));
         let logarithm = exact_value(x).ln() * exact_value(p);
         let condition = logarithm.to_f64().value().abs().max(1.0);
         let exact = logarithm.exp();
@@ -282,11 +258,12 @@ fn the_angle_of_a_point_is_right_in_every_quadrant() {
     let pi = big(4.0) * big(1.0).atan();
     for _ in 0..2000 {
         let [x, y] = [(); 2].map(|()| {
-            let x = uniform.magnitude(1e-140, 1e140).powf(1.0);
-            uniform.filled(x)
+            let x = magnitude(&mut uniform, 1e-140, 1e140);
+            filled(&mut uniform, x)
         });
         // Angles of all sizes: half of the points have coordinates of like size.
-        let y = if uniform.next() < 0.5 { y } else { x * uniform.filled(1.3) * DoubleDouble::from(y.hi().signum()) };
+        let y =
+            if uniform.next() < 0.5 { y } else { x * filled(&mut uniform, 1.3) * DoubleDouble::from(y.hi().signum()) };
         let ratio = (exact_value(y) / exact_value(x)).atan();
         let exact = match (x.hi() < 0.0, y.hi() < 0.0) {
             (false, _) => ratio,
@@ -296,114 +273,4 @@ fn the_angle_of_a_point_is_right_in_every_quadrant() {
         worst.take(error(y.atan2(x), &exact, &exact), y);
     }
     assert!(worst.is_within(-103.0));
-}
-
-/// Where `f64` gives an infinity, a NaN or an exact zero, so do double-double numbers, with nothing in their low part.
-#[test]
-fn what_is_not_finite_is_what_it_is_in_f64() {
-    // f64::MAX itself is too much for the standard library's arsinh.
-    let edges =
-        [0.0, -0.0, 1.0, -1.0, 2.0, -2.0, 1e-310, 1e300, -1e300, 8e307, f64::INFINITY, -f64::INFINITY, f64::NAN];
-    macro_rules! both {
-        ($($name:ident)*) => { [$((stringify!($name), DoubleDouble::$name as fn(DoubleDouble) -> DoubleDouble, <f64 as Real>::$name as fn(f64) -> f64)),*] };
-    }
-    let functions = both!(
-        recip abs signum sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh
-        acosh atanh sinc sinc_slope sinhc sinhc_slope atanc atanc_slope atanhc atanhc_slope
-    );
-    let mut checked = 0;
-    let mut agree = |name: &str, x: &[f64], double: DoubleDouble, plain: f64| {
-        assert_eq!(double.hi().is_nan(), plain.is_nan(), "{name} {x:?}: {double:?}, {plain:e}");
-        if plain.is_infinite() || double.hi().is_infinite() {
-            assert_eq!(double.hi(), plain, "{name} {x:?}");
-        }
-        assert_eq!(double.finite(), plain.is_finite());
-        if !double.finite() {
-            assert_eq!(double.lo(), 0.0, "{name} {x:?}");
-            checked += 1;
-        }
-        if plain == 0.0 {
-            assert!(double.hi().abs() < 1e-300, "{name} {x:?}: {double:?}");
-        }
-        assert!(double.lo().abs() <= 0.5 * (double.hi().abs().next_up() - double.hi().abs()) || !double.finite());
-    };
-    for x in edges {
-        for (name, double, plain) in functions {
-            agree(name, &[x], double(x.into()), plain(x));
-        }
-        for y in edges {
-            let (a, b) = (DoubleDouble::from(x), DoubleDouble::from(y));
-            agree("+", &[x, y], a + b, x + y);
-            agree("−", &[x, y], a - b, x - y);
-            agree("×", &[x, y], a * b, x * y);
-            agree("÷", &[x, y], a / b, x / y);
-            agree("min", &[x, y], Real::min(a, b), Real::min(x, y));
-            agree("max", &[x, y], Real::max(a, b), Real::max(x, y));
-            agree("atan2", &[x, y], Real::atan2(a, b), Real::atan2(x, y));
-            agree("powf", &[x, y], a.powf(b), x.powf(y));
-            assert_eq!((a.less(b), a.less_or_equal(b), a.equal(b)), (x < y, x <= y, x == y));
-        }
-        agree("powi", &[x], DoubleDouble::from(x).powi(-3), x.powi(-3));
-    }
-    assert!(checked > 200);
-}
-
-#[test]
-fn the_low_part_decides_where_the_high_parts_are_equal() {
-    let (less, more) = (DoubleDouble::new(1.0, -1e-20), DoubleDouble::new(1.0, 1e-20));
-    assert!(less.less(more) && less.less_or_equal(more) && !more.less(less) && !less.equal(more));
-    assert_eq!((Real::min(less, more), Real::max(less, more)), (less, more));
-    assert_eq!(less + more, DoubleDouble::from(2.0));
-    assert_eq!(DoubleDouble::new(1e-20, 1.0), more);
-    // ε is the smallest number that counts beside 1, but for what lo can hold besides.
-    let one = DoubleDouble::ONE;
-    assert_eq!(DoubleDouble::EPSILON.to_f64(), 2f64.powi(-104));
-    assert!(one.less(one + DoubleDouble::EPSILON));
-}
-
-/// Angles beyond 2⁵⁰ have the digits of `f64`, and are never outside of ±1.
-#[test]
-fn large_angles_keep_the_accuracy_of_f64() {
-    for x in [1.2e15, 1e22, 1e100, 1e300, f64::MAX] {
-        for x in [x, -x] {
-            let y = DoubleDouble::from(x);
-            assert!((y.sin().hi() - x.sin()).abs() <= f64::EPSILON && (y.cos().hi() - x.cos()).abs() <= f64::EPSILON);
-        }
-    }
-}
-
-#[test]
-fn digits_are_written_and_read() {
-    let read = |text: &str| text.parse::<DoubleDouble>();
-    let mut uniform = Uniform(5);
-    for _ in 0..1000 {
-        let x = uniform.magnitude(1e-40, 1e40);
-        let x = uniform.filled(x);
-        for text in [x.to_string(), format!("{x:e}")] {
-            let back = read(&text).unwrap();
-            assert!(((back - x) / x).hi().abs() < 1e-30, "{x:?}: {text}, {back:?}");
-        }
-        // Against the digits of dashu, which rounds half to even where this rounds half up.
-        let exact = exact_value(x).to_decimal().value().with_precision(20).value().to_string();
-        let ours = read(&exact).unwrap();
-        assert!(((ours - x) / x).hi().abs() < 1e-19, "{exact}");
-    }
-    let shown = [("1", "1"), ("-0.5", "-0.5"), ("0.1", "0.1"), ("1e40", "1e40"), ("123456789e-30", "1.23456789e-22")];
-    for (text, expected) in shown {
-        assert_eq!(read(text).unwrap().to_string(), expected);
-    }
-    let x = read("2.99999999999999999999999999").unwrap();
-    assert_eq!((format!("{x:.3}"), format!("{x:.26}")), ("3.000".into(), "2.99999999999999999999999999".into()));
-    assert_eq!((format!("{x:.4e}"), format!("{:9.2}|", -x)), ("3.0000e0".into(), "    -3.00|".into()));
-    assert_eq!(
-        format!("{:.1} {:.1} {:.0}", read("0.04").unwrap(), read("0.06").unwrap(), read("9.7").unwrap()),
-        "0.0 0.1 10"
-    );
-    assert_eq!(format!("{} {}", DoubleDouble::from(f64::NAN), DoubleDouble::from(-f64::INFINITY)), "NaN -inf");
-    for text in ["", "x", "1e", "1.2.3", "0x10", "--1"] {
-        assert!(read(text).is_err(), "{text}");
-    }
-    assert_eq!(read("inf").unwrap().hi(), f64::INFINITY);
-    assert_eq!(read("1e999").unwrap().hi(), f64::INFINITY);
-    assert_eq!(read(&format!("{}", DoubleDouble::from(1e-320))).unwrap().hi(), 1e-320);
 }

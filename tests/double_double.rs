@@ -1,6 +1,6 @@
 //! Laws, schemes and studies with numbers of 31 digits.
 
-use dmech::models::{Anharmonic, DampedPendulum, DrivenPendulum, HenonHeiles, Kepler, Morse, Pendulum};
+use dmech::models::{Anharmonic, DampedPendulum, DrivenPendulum, HenonHeiles, Kepler, Morse, Pendulum, Wall};
 use dmech::prelude::*;
 use dmech::{Real, StudyReport};
 
@@ -139,4 +139,21 @@ fn a_motion_that_cannot_be_followed_is_an_error() {
     let study = Study::new(Kepler { gm: 1.0 }, State::new([1.0, 0.0], [0.0, 0.0]), 5.0).scheme(Leapfrog);
     let error = study.precise().run().unwrap_err();
     assert!(matches!(error, Error::StepVanished { .. } | Error::EndTime { .. }), "{error}");
+}
+
+/// Where steps of one length are far too long or too short for most of the motion, at walls, and in chaos.
+#[test]
+fn hard_motions_have_a_reference_too() {
+    fn resolution<L, const D: usize>(law: L, start: State<D>, end: f64) -> f64
+    where
+        L: Law<D> + Law<D, Wide> + Copy,
+    {
+        let study = Study::new(law, start, end).scheme(Explicit).ladder([end / 1e4]).repetitions(1).precise();
+        study.run().unwrap().resolution()
+    }
+    let kepler = Kepler { gm: 1.0 };
+    assert!(resolution(kepler, kepler.pericentre(1.0, 0.9999), 3.0 * kepler.period(1.0)) < 1e-15);
+    assert!(resolution(Wall::default(), State::new([1.0], [-0.7]), 20.0) < 1e-14);
+    // What a step is wrong by has grown a billionfold at the end.
+    assert!(resolution(HenonHeiles { lambda: 1.0 }, State::new([0.0, 0.1], [0.5, 0.1]), 1000.0) < 1e-14);
 }

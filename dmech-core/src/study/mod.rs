@@ -147,12 +147,12 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
     ///
     /// Extrapolated leap-frog of order 28, or the midpoint rule where a `#[force]` acts, runs twice with local tolerances of
     /// 10⁻²² and 10⁻²⁵, and again with 10⁻²⁸ unless the two agree to a sixteenth of the last place; what they differ by
-    /// is shown. 87 orbits of eccentricity 0.33 take 0.1 s so. Errors count from where a run really ends: t₀ + n h, as h is
+    /// is shown. 87 orbits of eccentricity 0.33 take 0.07 s so. Errors count from where a run really ends: t₀ + n h, as h is
     /// rounded, may miss t_end by 10⁻¹⁶ of the span, and the motion between is not the scheme's error.
     ///
     /// # Errors
     /// When run: [`Error::StepVanished`] where the motion ends in a collision, [`Error::EndTime`] where it would take more
-    /// than 2²² forces to follow it.
+    /// than 2²⁴ forces to follow it.
     pub fn precise(mut self) -> Self
     where
         L: Law<D, DoubleDouble>,

@@ -15,7 +15,7 @@ use crate::state::State;
 const TOLERANCES: [f64; 3] = [1e-22, 1e-25, 1e-28];
 
 /// Evaluations of the force in the first run; the others take at most twice as many each.
-const MOST_FORCES: u64 = 1 << 22;
+const MOST_FORCES: u64 = 1 << 24;
 
 const LEAPFROG: &str = "Extrapolated leap-frog of order 28, double-double";
 const MIDPOINT: &str = "Extrapolated midpoint rule of order 28, double-double";

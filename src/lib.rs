@@ -165,7 +165,7 @@
 //!
 //! # Thirty-one digits
 //!
-//! A declared law runs with any scalar: [`DoubleDouble`] numbers have 31 digits, at 9 to 30 times the cost of a step. Errors of
+//! A declared law runs with any scalar: [`DoubleDouble`] numbers have 31 digits, at 9 to 40 times the cost of a step. Errors of
 //! a scheme can so be told from rounding, and [`Study::precise`] measures errors in `f64` to the last digit:
 //!
 //! ```

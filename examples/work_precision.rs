@@ -111,7 +111,7 @@ fn pendulum() -> Result<StudyReport, Error> {
 
 fn henon_heiles() -> Result<StudyReport, Error> {
     let law = HenonHeiles { lambda: 1.0 };
-    all_schemes(Study::new(law, State::new([0.0, 0.1], [0.39, 0.08]), 100.0)).run()
+    all_schemes(Study::new(law, State::new([0.0, 0.1], [0.39, 0.08]), 100.0)).precise().run()
 }
 
 fn morse() -> Result<StudyReport, Error> {
@@ -122,7 +122,7 @@ fn morse() -> Result<StudyReport, Error> {
 
 fn anharmonic() -> Result<StudyReport, Error> {
     let start = State::new([0.8, -0.5, 0.3], [0.2, 0.4, -0.6]);
-    all_schemes(Study::new(Anharmonic::default(), start, 100.0)).run()
+    all_schemes(Study::new(Anharmonic::default(), start, 100.0)).precise().run()
 }
 
 /// In the order of [`LINES`].

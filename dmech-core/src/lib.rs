@@ -37,7 +37,7 @@ pub mod verify;
 pub use checkpoint::{Carried, Checkpoint, Difference};
 pub use csv::Columns;
 pub use dmech_scalar as scalar;
-pub use dmech_scalar::{Mask, Real};
+pub use dmech_scalar::{DoubleDouble, Mask, Real};
 pub use error::{Error, Interrupted};
 pub use invariant::{Drift, Invariant, Kept};
 pub use law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
@@ -72,5 +72,5 @@ pub mod prelude {
     };
     pub use crate::verify::verify;
     pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper, Study};
-    pub use dmech_scalar::Real as _;
+    pub use dmech_scalar::{DoubleDouble, Real as _};
 }

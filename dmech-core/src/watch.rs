@@ -15,6 +15,8 @@ pub(crate) type Drifts = [Option<Drift>; Invariant::ALL.len()];
 #[derive(Clone, Debug)]
 pub(crate) struct Watch<const D: usize, R: Real> {
     start: State<D, R>,
+    /// The invariants at the start, by `Invariant as usize`; 0 where there is none.
+    values: [R; Invariant::ALL.len()],
     work: Compensated<R>,
     drifts: Drifts,
 }
@@ -26,10 +28,13 @@ impl<const D: usize, R: Real> Watch<D, R> {
         start: State<D, R>,
         memory: &S::Memory,
     ) -> Self {
-        let mut watch = Watch { start, work: Compensated::new(R::ZERO), drifts: [None; Invariant::ALL.len()] };
+        let (values, drifts) = ([R::ZERO; Invariant::ALL.len()], [None; Invariant::ALL.len()]);
+        let mut watch = Watch { start, values, work: Compensated::new(R::ZERO), drifts };
         for invariant in Invariant::ALL {
-            let value = watch.value(invariant, (law, scheme, stride), &start, memory);
-            watch.drifts[invariant as usize] = value.map(|value| Drift::new(start.t, value));
+            if let Some(value) = watch.value(invariant, (law, scheme, stride), &start, memory) {
+                watch.values[invariant as usize] = value;
+                watch.drifts[invariant as usize] = Some(Drift::new(start.t, value.to_f64()));
+            }
         }
         watch
     }
@@ -56,10 +61,11 @@ impl<const D: usize, R: Real> Watch<D, R> {
             let Some(value) = self.value(invariant, (law, scheme, stride), state, memory) else { continue };
             let deviation = match invariant {
                 Invariant::AngularMomentum if D > 2 => self.turned(stride.mass, state),
-                _ => value - self.drifts[invariant as usize].map_or(0.0, |drift| drift.start()),
+                // Before it is rounded to `f64`, which may have fewer digits.
+                _ => (value - self.values[invariant as usize]).to_f64(),
             };
             if let Some(drift) = &mut self.drifts[invariant as usize] {
-                drift.observe(state.t, value, deviation);
+                drift.observe(state.t, value.to_f64(), deviation);
             }
         }
     }
@@ -75,7 +81,7 @@ impl<const D: usize, R: Real> Watch<D, R> {
         (law, scheme, stride): (&L, &S, &Stride<R>),
         state: &State<D, R>,
         memory: &S::Memory,
-    ) -> Option<f64> {
+    ) -> Option<R> {
         let t = R::from_f64(state.t);
         let value = match invariant {
             Invariant::Energy if L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY => {
@@ -98,7 +104,7 @@ impl<const D: usize, R: Real> Watch<D, R> {
             }
             _ => return None,
         };
-        Some(value.to_f64())
+        Some(value)
     }
 
     /// |L − L₀|.

@@ -1,5 +1,5 @@
-//! The scalar of dmech: the trait [`Real`] for `f64`, `f32` and what may come (double-double), with the feature `lanes`
-//! also for `Lanes`, eight `f64` side by side, and [`Compensated`] sums for steps that must not drift.
+//! The scalar of dmech: the trait [`Real`] for `f64`, `f32` and [`DoubleDouble`] numbers of 31 digits, with the feature
+//! `lanes` also for `Lanes`, eight `f64` side by side, and [`Compensated`] sums for steps that must not drift.
 //!
 //! ```
 //! use dmech_scalar::Real;
@@ -18,6 +18,7 @@ mod atanc;
 mod atanhc;
 mod compensated;
 mod cube;
+mod double;
 #[cfg(feature = "lanes")]
 mod lanes;
 mod polynomial;
@@ -27,6 +28,7 @@ mod sinc;
 mod sinhc;
 
 pub use compensated::{Compensated, CompensatedVector, two_sum};
+pub use double::{DoubleDouble, ParseDoubleDoubleError};
 #[cfg(feature = "lanes")]
 pub use lanes::{Lanes, LanesMask};
 pub use primitive::FUSED;

@@ -21,13 +21,13 @@ pub trait Mask: Copy + Debug {
 ///
 /// Generated kernels and schemes are generic over this trait. It has no `PartialOrd`: comparisons
 /// give a [`Mask`] and choices go through [`Real::select`], so that SIMD lanes fit as well as `f64`,
-/// `f32` and double-double numbers.
+/// `f32` and [`DoubleDouble`](crate::DoubleDouble) numbers.
 ///
 /// The cardinal functions `sinc`, `sinhc`, `atanc`, `atanhc` are f(x)/x for f = sin, sinh, atan, atanh,
 /// continued to 1 at 0, and each has a *slope* g′(x)/x, which is even and regular too. Divided differences
 /// are written with them because they have no 0/0. An implementation keeps them within 4 units in the last
-/// place (ulp) for every argument; only `sinc_slope`, which changes sign wherever tan x = x, is beyond |x| = 4
-/// held to 4 ulp of the larger of its two terms.
+/// place (ulp) for every argument, of double-double numbers within 8 [`EPSILON`](Real::EPSILON); only `sinc_slope`, which
+/// changes sign wherever tan x = x, is beyond |x| = 4 held to that part of the larger of its two terms.
 pub trait Real:
     Copy
     + Debug
@@ -53,7 +53,7 @@ pub trait Real:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
-    /// Distance from 1 to the next larger number.
+    /// Distance from 1 to the next larger number; of double-double numbers, which have none, 2⁻¹⁰⁴.
     const EPSILON: Self;
 
     /// The nearest number of this type.

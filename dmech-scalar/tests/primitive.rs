@@ -1,10 +1,12 @@
 //! `Real` for `f64` and `f32`: each method is the function it is named for.
 
 mod exact;
+mod ulps;
 
 use dashu_float::ops::CubicRoot;
 use dmech_scalar::{Mask, Real};
-use exact::{Big, big, error_in_ulps};
+use exact::{Big, big};
+use ulps::error_in_ulps;
 
 /// The method in both precisions, with 120 digits, and where it is defined.
 struct Elementary {

@@ -1,5 +1,7 @@
 //! What all schemes of a study run.
 
+use dmech_scalar::{DoubleDouble, Real};
+
 use crate::error::Error;
 use crate::law::Law;
 use crate::motion::steps_until;
@@ -33,6 +35,12 @@ impl<L: Law<D> + Clone, const D: usize> Case<L, D> {
     pub(super) fn whole_steps(&self, dt: f64) -> Result<(u64, f64), Error> {
         let steps = steps_until(self.start.t, self.end, dt)?.max(1);
         Ok((steps, (self.end - self.start.t) / steps as f64))
+    }
+
+    /// How much later than the end so many steps end: t₀ + n h − t_end in exact arithmetic.
+    pub(super) fn late(&self, steps: u64, dt: f64) -> f64 {
+        let [start, end, steps, dt] = [self.start.t, self.end, steps as f64, dt].map(DoubleDouble::from);
+        (start - end + steps * dt).to_f64()
     }
 
     /// Lengths and times typical of the start.

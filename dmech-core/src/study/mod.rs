@@ -3,12 +3,15 @@
 mod case;
 mod csv;
 mod entrant;
+mod extrapolation;
 mod interpolate;
 mod ladder;
+mod precise;
 mod reference;
 mod report;
 mod row;
 mod table;
+mod truth;
 
 #[cfg(test)]
 mod tests;
@@ -19,6 +22,8 @@ pub use row::{Figures, StudyRow};
 
 use core::fmt;
 
+use dmech_scalar::DoubleDouble;
+
 use crate::error::Error;
 use crate::law::Law;
 use crate::scheme::{Adaptable, Scheme};
@@ -26,6 +31,7 @@ use crate::state::State;
 
 use case::{Case, rounding};
 use entrant::{Adapting, Entrant, Runner};
+use truth::Truth;
 
 /// How much time, and how many forces, does each scheme need for a given error under this law?
 ///
@@ -37,8 +43,9 @@ use entrant::{Adapting, Entrant, Runner};
 /// drift  max |I(t) − I(t₀)| for each invariant I     in a run of its own, at up to 4096 states and the last
 /// ```
 ///
-/// and the evaluations of the force. q* is the [`exact`](Study::exact) solution; where none is given, it is the
-/// [`Reference`] that the study computes, whose own error is shown. Repetitions go round: each run once, then each run
+/// and the evaluations of the force. q* is the [`exact`](Study::exact) solution; where none is given, it is a
+/// [`Reference`] that the study computes, whose own error is shown: in `f64`, good to 10⁻¹³ or so, or where the law is generic
+/// over its scalar, as every declared law is, [to all digits](Study::precise). Repetitions go round: each run once, then each run
 /// again, so that other load on the machine hits all alike. A step is shortened so that a whole number of them ends at
 /// t_end. A run that fails is a row with its cause.
 ///
@@ -72,18 +79,28 @@ pub struct Study<'a, L, const D: usize> {
     case: Case<L, D>,
     runners: Vec<Box<dyn Runner<L, D> + 'a>>,
     ladder: Option<Vec<f64>>,
-    exact: Option<Exact<'a, D>>,
+    against: Against<'a, L, D>,
     repetitions: u32,
 }
 
-/// The position at a time.
-type Exact<'a, const D: usize> = Box<dyn Fn(f64) -> [f64; D] + 'a>;
+/// A position, and how it was computed.
+type Computed<const D: usize> = Result<(Truth<D>, Reference), Error>;
+
+/// What positions are compared with.
+enum Against<'a, L, const D: usize> {
+    /// A reference in `f64`.
+    Computed,
+    /// A reference in double-double numbers, by a function that asks more of the law than a study does.
+    Precise(fn(&Case<L, D>) -> Computed<D>),
+    /// The position at a time.
+    Exact(Box<dyn Fn(f64) -> [f64; D] + 'a>),
+}
 
 impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
     /// A particle of mass 1 under a law, from a state until a time.
     pub fn new(law: L, start: State<D>, t_end: f64) -> Self {
         let case = Case { law, start, end: t_end, mass: 1.0 };
-        Study { case, runners: Vec::new(), ladder: None, exact: None, repetitions: 5 }
+        Study { case, runners: Vec::new(), ladder: None, against: Against::Computed, repetitions: 5 }
     }
 
     /// Adds a scheme, with whatever options it has.
@@ -119,9 +136,28 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
         self
     }
 
-    /// The exact position at time t.
+    /// The exact position at time t. It takes the place of [`precise`](Study::precise), and the other way round.
     pub fn exact(mut self, position: impl Fn(f64) -> [f64; D] + 'a) -> Self {
-        self.exact = Some(Box::new(position));
+        self.against = Against::Exact(Box::new(position));
+        self
+    }
+
+    /// Measures errors against a [`Reference`] in [`DoubleDouble`] numbers, to the last digit of `f64`: for laws declared with
+    /// `#[dmech::law]`, and others that are laws for that scalar too.
+    ///
+    /// Extrapolated leap-frog of order 28, or the midpoint rule where a `#[force]` acts, runs twice with local tolerances of
+    /// 10⁻²² and 10⁻²⁵, and again with 10⁻²⁸ unless the two agree to a sixteenth of the last place; what they differ by
+    /// is shown. 87 orbits of eccentricity 0.33 take 0.07 s so. Errors count from where a run really ends: t₀ + n h, as h is
+    /// rounded, may miss t_end by 10⁻¹⁶ of the span, and the motion between is not the scheme's error.
+    ///
+    /// # Errors
+    /// When run: [`Error::StepVanished`] where the motion ends in a collision, [`Error::EndTime`] where it would take more
+    /// than 2²⁴ forces to follow it.
+    pub fn precise(mut self) -> Self
+    where
+        L: Law<D, DoubleDouble>,
+    {
+        self.against = Against::Precise(precise::compute);
         self
     }
 
@@ -137,17 +173,19 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
     /// [`Error`] for what no run could do anything with: no scheme, an end that does not lie after the start, a step,
     /// mass or state that is refused, an exact solution that is not finite, a reference that cannot be computed.
     pub fn run(self) -> Result<StudyReport, Error> {
-        let Study { case, runners, ladder, exact, repetitions } = self;
+        let Study { case, runners, ladder, against, repetitions } = self;
         case.check()?;
         if runners.is_empty() {
             return Err(Error::NoSchemes);
         }
         let ladder = ladder.map(ladder::checked).transpose()?;
-        let (truth, reference) = match exact {
-            Some(exact) => (case.finite(exact(case.end))?, None),
-            None => reference::compute(&case).map(|(truth, reference)| (truth, Some(reference)))?,
+        let (truth, reference) = match against {
+            Against::Exact(exact) => (Truth::new(case.finite(exact(case.end))?), None),
+            Against::Computed => reference::compute(&case).map(|(q, reference)| (Truth::new(q), Some(reference)))?,
+            Against::Precise(compute) => compute(&case).map(|(truth, reference)| (truth, Some(reference)))?,
         };
-        let resolution = reference.map_or_else(|| rounding(&truth), |reference| reference.error());
+        // Positions in `f64` are themselves no better than their rounding.
+        let resolution = reference.map_or(0.0, |reference| reference.error()).max(rounding(&truth.position()));
         let mut rows = Vec::new();
         for (entrant, runner) in runners.iter().enumerate() {
             let measure = |dt| row::measure(&case, entrant, runner.as_ref(), dt, &truth);

@@ -10,13 +10,16 @@ use crate::scheme::{Composed, DiscreteGradient, Method};
 /// No halving follows a run with this many forces.
 const MOST_FORCES: u64 = 1 << 22;
 
-/// A solution computed by the study: `Composed::order8(DiscreteGradient)`, which fits every law, with its step halved
-/// until the final position does not settle any further.
+/// A solution computed by the study.
+///
+/// By default it is that of `Composed::order8(DiscreteGradient)`, which fits every law, with its step halved until the
+/// final position does not settle any further. [`Study::precise`](super::Study::precise) computes one in double-double numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
-    scheme: &'static str,
-    dt: f64,
-    error: f64,
+    pub(super) scheme: &'static str,
+    pub(super) dt: f64,
+    pub(super) error: f64,
+    pub(super) precise: bool,
 }
 
 impl Reference {
@@ -25,15 +28,21 @@ impl Reference {
         self.scheme
     }
 
-    /// Its time step.
+    /// Its time step; the mean of them where they follow the motion.
     pub fn dt(&self) -> f64 {
         self.dt
     }
 
     /// |q_h − q_2h| at the end, and the rounding of q. Where the order shows, the error of q_h is 255 times less; at
-    /// the level of rounding it is about this.
+    /// the level of rounding it is about this. Of a [precise](Reference::is_precise) one it is what a tolerance a thousand
+    /// times smaller has changed, so the error is about a thousand times less.
     pub fn error(&self) -> f64 {
         self.error
+    }
+
+    /// Whether it was computed in double-double numbers, by [`Study::precise`](super::Study::precise).
+    pub fn is_precise(&self) -> bool {
+        self.precise
     }
 }
 
@@ -62,7 +71,7 @@ pub(super) fn compute<L: Law<D> + Clone, const D: usize>(case: &Case<L, D>) -> R
         if let Some(error) = change {
             let least = best.as_ref().map_or(f64::INFINITY, |best| best.1.error);
             if error < least {
-                best = Some((run.0, Reference { scheme: name(&runner), dt, error }));
+                best = Some((run.0, Reference { scheme: name(&runner), dt, error, precise: false }));
             }
             if least < 1e-9 * scales.length && error > 0.5 * least {
                 break;

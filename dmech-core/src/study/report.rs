@@ -59,7 +59,7 @@ impl StudyReport {
         self.reference.as_ref()
     }
 
-    /// Errors below this cannot be told: that of the reference, or the rounding of an exact position.
+    /// Errors below this cannot be told: that of the reference, and in any case the rounding of the position.
     pub fn resolution(&self) -> f64 {
         self.resolution
     }

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use super::case::{Case, distance};
+use super::case::Case;
 use super::entrant::{Runner, Watched};
+use super::truth::Truth;
 use crate::error::Error;
 use crate::invariant::{Drift, Invariant};
 use crate::law::Law;
@@ -129,7 +130,7 @@ pub(super) fn measure<L: Law<D> + Clone, const D: usize>(
     entrant: usize,
     runner: &dyn Runner<L, D>,
     dt: f64,
-    truth: &[f64; D],
+    truth: &Truth<D>,
 ) -> StudyRow {
     let id = (entrant, runner.name(), runner.order());
     if runner.tolerances().is_some() {
@@ -139,7 +140,8 @@ pub(super) fn measure<L: Law<D> + Clone, const D: usize>(
         Ok(whole) => whole,
         Err(error) => return StudyRow::new(id, (dt, 0), Err(error)),
     };
-    let figures = |run: Watched<D>| figures(run, (case.end, dt), truth);
+    let late = case.late(steps, dt);
+    let figures = |run: Watched<D>| figures(run, (case.end, dt), (truth, late));
     StudyRow::new(id, (dt, steps), runner.watch(case, dt, steps).and_then(figures))
 }
 
@@ -149,19 +151,23 @@ fn measure_adaptive<L: Law<D> + Clone, const D: usize>(
     id: (usize, &'static str, u32),
     runner: &dyn Runner<L, D>,
     tolerance: f64,
-    truth: &[f64; D],
+    truth: &Truth<D>,
 ) -> StudyRow {
     let run = runner.watch(case, tolerance, 0);
     let steps = run.as_ref().map_or(0, |run| run.steps);
     let dt = if steps == 0 { f64::NAN } else { (case.end - case.start.t) / steps as f64 };
-    let row = StudyRow::new(id, (dt, steps), run.and_then(|run| figures(run, (case.end, dt), truth)));
+    let row = StudyRow::new(id, (dt, steps), run.and_then(|run| figures(run, (case.end, dt), (truth, 0.0))));
     StudyRow { tolerance: Some(tolerance), ..row }
 }
 
 /// What was measured of a run with steps of about dt.
-fn figures<const D: usize>(run: Watched<D>, (end, dt): (f64, f64), truth: &[f64; D]) -> Result<Figures, Error> {
+fn figures<const D: usize>(
+    run: Watched<D>,
+    (end, dt): (f64, f64),
+    (truth, late): (&Truth<D>, f64),
+) -> Result<Figures, Error> {
     let Watched { q, steps, evaluations, iterations, drifts } = run;
-    match distance(&q, truth) {
+    match truth.distance(&q, late) {
         Some(error) => Ok(Figures { time: Duration::MAX, evaluations, iterations, error, drifts }),
         None => Err(Error::NotFinite { step: steps, time: end - dt, dt }),
     }

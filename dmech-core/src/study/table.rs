@@ -24,8 +24,12 @@ impl fmt::Display for StudyReport {
         match self.reference() {
             None => writeln!(f, "q*: exact")?,
             Some(reference) => {
-                writeln!(f, "q*: {}, dt = {:.3e}", reference.scheme(), reference.dt())?;
-                writeln!(f, "    halving its step has last moved it by {:.1e}", reference.error())?;
+                let (mean, change) = match reference.is_precise() {
+                    true => ("mean ", "a tolerance 1000 times smaller"),
+                    false => ("", "halving its step"),
+                };
+                writeln!(f, "q*: {}, {mean}dt = {:.3e}", reference.scheme(), reference.dt())?;
+                writeln!(f, "    {change} has last moved it by {:.1e}", reference.error())?;
             }
         }
         let shown = self.invariants();

@@ -11,13 +11,13 @@ pub(crate) struct Exact {
 
 impl Exact {
     /// g(x), with at least 90 correct digits: the closed forms of the slopes lose x² of their 400 bits.
-    pub(crate) fn at(&self, x: f64) -> Big {
-        if x.abs() < 2f64.powi(-20) { self.series(x, 14) } else { (self.closed)(&big(x)) }
+    pub(crate) fn at(&self, x: &Big) -> Big {
+        if x.to_f64().value().abs() < 2f64.powi(-20) { self.series(x, 14) } else { (self.closed)(x) }
     }
 
     /// The first terms of the series.
-    pub(crate) fn series(&self, x: f64, terms: u32) -> Big {
-        let y = big(x) * big(x);
+    pub(crate) fn series(&self, x: &Big, terms: u32) -> Big {
+        let y = x * x;
         (0..terms).rev().fold(big(0.0), |sum, n| sum * &y + (self.coefficient)(n))
     }
 }

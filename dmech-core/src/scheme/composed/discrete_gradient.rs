@@ -55,7 +55,7 @@ where
             q: CompensatedVector::new(q),
             v: CompensatedVector::new(v),
             gradients: [gradient; N],
-            strides: from_fn(|k| stride.times(R::from_f64(C::GAMMA[k]))),
+            strides: from_fn(|k| stride.times(Self::gamma(k))),
             work: R::ZERO,
         })
     }
@@ -81,7 +81,7 @@ where
     #[inline]
     fn stretch(&self, _: &L, stride: &Stride<R>, _: R, ratio: R, memory: &mut Self::Memory) -> u32 {
         Self::RESAMPLE.apply(ratio, &mut memory.gradients);
-        memory.strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
+        memory.strides = from_fn(|k| stride.times(Self::gamma(k)));
         0
     }
 

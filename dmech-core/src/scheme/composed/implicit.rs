@@ -50,7 +50,7 @@ where
     fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
         let State { t, q, v } = *start;
         let gradient = law.field(stride.mass, R::from_f64(t)).slope(q, v);
-        let strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
+        let strides = from_fn(|k| stride.times(Self::gamma(k)));
         Ok(ComposedImplicitMemory { q, v, gradients: [gradient; N], strides, work: R::ZERO })
     }
 
@@ -78,7 +78,7 @@ where
     #[inline]
     fn stretch(&self, _: &L, stride: &Stride<R>, _: R, ratio: R, memory: &mut Self::Memory) -> u32 {
         Self::RESAMPLE.apply(ratio, &mut memory.gradients);
-        memory.strides = from_fn(|k| stride.times(R::from_f64(C::GAMMA[k])));
+        memory.strides = from_fn(|k| stride.times(Self::gamma(k)));
         0
     }
 

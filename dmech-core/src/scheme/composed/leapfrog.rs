@@ -23,6 +23,20 @@ impl<C: Coefficients<N>, const N: usize> Splitting<N> for Composed<Leapfrog, C, 
         kicks
     };
     const GRADIENTS: [f64; N] = [0.0; N];
+    const DRIFTS_LOW: [f64; N] = C::LOW;
+    const KICKS_LOW: [f64; N] = {
+        let mut low = [0.5 * C::LOW[0]; N];
+        let mut k = 1;
+        while k < N {
+            // The rounding of γ_{k−1} + γ_k, which is exact in two parts (see `two_sum`).
+            let (a, b) = (C::GAMMA[k - 1], C::GAMMA[k]);
+            let part = (a + b) - a;
+            let rounding = (a - ((a + b) - part)) + (b - part);
+            low[k] = 0.5 * (rounding + (C::LOW[k - 1] + C::LOW[k]));
+            k += 1;
+        }
+        low
+    };
 }
 
 impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for Composed<Leapfrog, C, N>

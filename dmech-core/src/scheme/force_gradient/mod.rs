@@ -57,6 +57,9 @@ use crate::newton::NotConverged;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// The coefficients have the digits of `f64`: with [`DoubleDouble`](crate::DoubleDouble) numbers the order shows down to
+/// errors of 10⁻¹⁶.
+///
 /// # Requires
 /// Forces that do not depend on the velocity. They may depend on the time: a′ is taken at the time of the kick. Where the
 /// force is not the gradient of a potential, a′a stands for Σⱼ aⱼ ∂a/∂qⱼ; order and reversibility stay, and nothing is

@@ -57,6 +57,9 @@ use crate::newton::NotConverged;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// The coefficients have the digits of `f64`: with [`DoubleDouble`](crate::DoubleDouble) numbers the order shows down to
+/// errors of 10⁻¹⁶.
+///
 /// # Requires
 /// Forces that do not depend on the velocity; also between the ends of the step, as the stages leave it in some sets. The
 /// potential may depend on the time: each kick is made at its own.

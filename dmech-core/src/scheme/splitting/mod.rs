@@ -12,6 +12,8 @@ mod conditions;
 
 pub use step::SplittingMemory;
 
+use dmech_scalar::Real;
+
 use super::Method;
 
 /// What a step begins and ends with.
@@ -29,13 +31,23 @@ pub(crate) trait Splitting<const N: usize>: Method {
     const DRIFTS: [f64; N];
     const KICKS: [f64; N];
     const GRADIENTS: [f64; N];
+    /// What rounding to `f64` leaves out of drifts and kicks, where it is known.
+    const DRIFTS_LOW: [f64; N] = [0.0; N];
+    const KICKS_LOW: [f64; N] = [0.0; N];
 
     /// The kick after drift k.
     const JOINED: [f64; N] = joined(Self::FIRST, Self::KICKS);
+    const JOINED_LOW: [f64; N] = joined(Self::FIRST, Self::KICKS_LOW);
     /// And its gradient term.
     const JOINED_GRADIENTS: [f64; N] = joined(Self::FIRST, Self::GRADIENTS);
     /// a₁ + … + a_k: where in the step the kick after drift k is made.
     const ENDS: [f64; N] = ends(Self::FIRST, Self::DRIFTS);
+}
+
+/// high + low, where the scalar has more digits than `f64`; elsewhere high, at no cost.
+#[inline(always)]
+pub(crate) fn digits<R: Real>(high: f64, low: f64) -> R {
+    if R::EPSILON.to_f64() < f64::EPSILON { R::from_f64(high) + R::from_f64(low) } else { R::from_f64(high) }
 }
 
 /// The last kick of a step that begins with one is the first, twice.

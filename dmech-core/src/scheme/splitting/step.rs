@@ -2,7 +2,7 @@
 
 use dmech_scalar::Real;
 
-use super::{First, Splitting};
+use super::{First, Splitting, digits};
 use crate::State;
 use crate::law::{Field, Law};
 use crate::scheme::{Effort, Stride};
@@ -40,7 +40,8 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
             return SplittingMemory { q, v_before: v, v_after: v, work: R::ZERO };
         }
         let field = law.field(stride.mass, R::from_f64(t));
-        let kicked = |sign: f64| kick(&field, stride, sign * S::KICKS[0], sign * S::GRADIENTS[0], q, v);
+        let b = digits::<R>(S::KICKS[0], S::KICKS_LOW[0]);
+        let kicked = |sign: f64| kick(&field, stride, R::from_f64(sign) * b, sign * S::GRADIENTS[0], q, v);
         SplittingMemory { q, v_before: kicked(-1.0), v_after: kicked(1.0), work: R::ZERO }
     }
 
@@ -58,15 +59,16 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
         for k in 0..N {
             // Of the kick before this drift; before the first drift of a step that begins with one both are the same.
             work += of_kick(v_before, v_after);
-            q = add_scaled(q, R::from_f64(S::DRIFTS[k]) * stride.dt, v_after);
+            q = add_scaled(q, digits::<R>(S::DRIFTS[k], S::DRIFTS_LOW[k]) * stride.dt, v_after);
             let now = R::from_f64(S::ENDS[k]).mul_add(stride.dt, t);
             v_before = v_after;
             let field = law.field(stride.mass, now);
-            v_after = kick(&field, stride, S::JOINED[k], S::JOINED_GRADIENTS[k], q, v_before);
+            let b = digits(S::JOINED[k], S::JOINED_LOW[k]);
+            v_after = kick(&field, stride, b, S::JOINED_GRADIENTS[k], q, v_before);
         }
         if matches!(S::FIRST, First::Drift) {
             work += of_kick(v_before, v_after);
-            q = add_scaled(q, R::from_f64(S::DRIFTS[0]) * stride.dt, v_after);
+            q = add_scaled(q, digits::<R>(S::DRIFTS[0], S::DRIFTS_LOW[0]) * stride.dt, v_after);
             v_before = v_after;
         }
         work *= R::from_f64(0.5) * stride.mass;
@@ -85,7 +87,8 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
             return 0;
         }
         let field = law.field(stride.mass, t);
-        self.v_after = kick(&field, stride, S::KICKS[0], S::GRADIENTS[0], self.q, self.velocity());
+        let b = digits(S::KICKS[0], S::KICKS_LOW[0]);
+        self.v_after = kick(&field, stride, b, S::GRADIENTS[0], self.q, self.velocity());
         1
     }
 
@@ -112,12 +115,12 @@ impl<const D: usize, R: Real> SplittingMemory<D, R> {
 fn kick<F: Field<D, R>, const D: usize, R: Real>(
     field: &F,
     stride: &Stride<R>,
-    b: f64,
+    b: R,
     e: f64,
     q: [R; D],
     v: [R; D],
 ) -> [R; D] {
-    let c = R::from_f64(b) * stride.kick;
+    let c = b * stride.kick;
     if e == 0.0 {
         return field.kick(c, q, v);
     }

@@ -30,6 +30,7 @@ impl Coefficients<5> for Suzuki4 {
     const ORDER: u32 = 4;
     const GAMMA: [f64; 5] =
         palindrome([0.4144907717943757371423541, 0.4144907717943757371423541, -0.6579630871775029485694163]);
+    const LOW: [f64; 5] = palindrome([2.5197374150855977e-17, 2.5197374150855977e-17, 1.023280585909174e-17]);
 }
 
 /// Order 4 in 5 stages. McLachlan's five stages.

@@ -142,6 +142,7 @@ where
         .scheme(Composed::order8(Leapfrog))
         .scheme(Nystrom::order4())
         .scheme(Nystrom::order6())
+        .scheme(Nystrom::order8())
         .scheme(ForceGradient::order4())
         .scheme(ForceGradient::order6())
         .scheme(ForceGradient::order8())
@@ -155,7 +156,7 @@ where
 }
 
 /// What the lines are called at their ends, and their colours, one for each family.
-const LINES: [(&str, RGBColor); 19] = [
+const LINES: [(&str, RGBColor); 20] = [
     ("Leapfrog", BLUE),
     ("Implicit", INK),
     ("DiscreteGradient", RED),
@@ -165,6 +166,7 @@ const LINES: [(&str, RGBColor); 19] = [
     ("8", BLUE),
     ("N4", GREEN),
     ("N6", GREEN),
+    ("N8", GREEN),
     ("F4", OCHRE),
     ("F6", OCHRE),
     ("F8", OCHRE),

@@ -95,6 +95,7 @@ fn the_error_is_in_proportion_to_the_tolerance_at_every_order() {
     check(Nystrom::order4(), [1e-7, 1e-9]);
     check(Nystrom::new(coefficients::BlanesMoan6S11), [1e-9, 1e-11]);
     check(Nystrom::order6(), [1e-9, 1e-11]);
+    check(Nystrom::order8(), [1e-9, 1e-11]);
     check(ForceGradient::new(coefficients::Omelyan4S4), [1e-7, 1e-9]);
     check(ForceGradient::order4(), [1e-7, 1e-9]);
     check(ForceGradient::order6(), [1e-8, 1e-10]);
@@ -120,6 +121,7 @@ fn the_energy_of_splittings_does_not_drift() {
     check(Nystrom::order4(), 0.9, 1e-6);
     check(Nystrom::order6(), 0.9, 1e-7);
     check(Nystrom::order6(), 0.99, 1e-8);
+    check(Nystrom::order8(), 0.99, 1e-8);
     check(ForceGradient::order6(), 0.9, 1e-7);
     check(ForceGradient::order8(), 0.99, 1e-9);
 }

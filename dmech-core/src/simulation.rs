@@ -92,6 +92,7 @@ impl<L, X, S> Simulation<L, X, S> {
     /// | `Composed::order8(DiscreteGradient)` | 0.24 | 1.2 | 2.3 |
     /// | `Nystrom::order4()` | 0.74 | 0.91 | 0.81 |
     /// | `Nystrom::order6()` | 0.35 | 1.0 | 1.7 |
+    /// | `Nystrom::order8()` | 0.28 | 0.98 | 3.4 |
     /// | `ForceGradient::order4()` | 0.62 | 1.1 | 1.3 |
     /// | `ForceGradient::order6()` | 0.93 | 1.0 | 0.37 |
     /// | `ForceGradient::order8()` | 0.19 | 0.98 | 0.37 |

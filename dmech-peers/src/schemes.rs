@@ -16,6 +16,7 @@ macro_rules! every_scheme {
         $add!("RKN 4", Nystrom::order4());
         $add!("RKN 6S11", Nystrom::new(coefficients::BlanesMoan6S11));
         $add!("RKN 6", Nystrom::order6());
+        $add!("RKN 8", Nystrom::order8());
         $add!("DG", DiscreteGradient);
         $add!("DG 4", Composed::order4(DiscreteGradient));
         $add!("DG 6", Composed::order6(DiscreteGradient));
@@ -37,6 +38,7 @@ macro_rules! every_adaptive_scheme {
     ($add:ident) => {
         $add!("RKN 4 ad.", Nystrom::order4());
         $add!("RKN 6 ad.", Nystrom::order6());
+        $add!("RKN 8 ad.", Nystrom::order8());
         $add!("FG 4 ad.", ForceGradient::order4());
         $add!("FG 6 ad.", ForceGradient::order6());
         $add!("FG 8 ad.", ForceGradient::order8());

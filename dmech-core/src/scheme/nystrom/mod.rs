@@ -4,7 +4,7 @@ pub(crate) mod coefficients;
 
 use dmech_scalar::Real;
 
-use self::coefficients::{BlanesMoan4S6, BlanesMoan6S14, NystromCoefficients};
+use self::coefficients::{Blanes8S19, BlanesMoan4S6, BlanesMoan6S14, NystromCoefficients};
 use super::name::Name;
 use super::splitting::{First, Splitting, SplittingMemory};
 use super::{Effort, Leapfrog, Method, Scheme, Stride};
@@ -13,7 +13,7 @@ use crate::invariant::{Invariant, Kept};
 use crate::law::{Law, VelocityIndependent};
 use crate::newton::NotConverged;
 
-/// A Runge–Kutta–Nyström splitting: drifts and kicks in turn, of order 4 or 6.
+/// A Runge–Kutta–Nyström splitting: drifts and kicks in turn, of order 4, 6 or 8.
 ///
 /// ```text
 /// q += a₁ h v,  v += b₁ h a(q),  q += a₂ h v,  v += b₂ h a(q),  …
@@ -21,7 +21,7 @@ use crate::newton::NotConverged;
 ///
 /// | order | energy | angular momentum | symplectic | reversible | per step |
 /// |---|---|---|---|---|---|
-/// | 4, 6 | bounded, O(h^order) | exact | yes | yes | N forces |
+/// | 4, 6, 8 | bounded, O(h^order) | exact | yes | yes | N forces |
 ///
 /// The same motions as in a composition of [`Leapfrog`], but their lengths are free, and fewer conditions bind them: the
 /// kinetic energy is quadratic in the velocity, so that [Φ, [Φ, [Φ, T]]] = 0, and a set need only be right for q″ = a(q). At
@@ -29,8 +29,9 @@ use crate::newton::NotConverged;
 /// problem, the pendulum, Hénon and Heiles' potential and the figure-eight of three bodies, at errors of 10⁻⁶).
 ///
 /// Where a step begins and ends with a kick, that kick is made together with the first of the next: N forces in each step.
-/// [`order4`](Nystrom::order4) and [`order6`](Nystrom::order6) take the sets that were measured to be the best;
-/// [`new`](Nystrom::new) takes any of [`coefficients`](crate::coefficients), or one of your own.
+/// [`order4`](Nystrom::order4), [`order6`](Nystrom::order6) and [`order8`](Nystrom::order8) take the sets that were measured to
+/// be the best; [`new`](Nystrom::new) takes any of [`coefficients`](crate::coefficients), or one of your own. On those four
+/// problems, at equal cost, order 8 is ahead of order 6 for errors below a limit between 10⁻⁶ and 10⁻⁸.
 ///
 /// ```
 /// use dmech_core::prelude::*;
@@ -64,8 +65,9 @@ use crate::newton::NotConverged;
 /// Forces that do not depend on the velocity; also between the ends of the step, as the stages leave it in some sets. The
 /// potential may depend on the time: each kick is made at its own.
 /// # Reference
-/// S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313–330; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995)
-/// 151–168; E. Hairer, C. Lubich and G. Wanner, Geometric Numerical Integration (2nd ed., 2006), V.3.2.
+/// S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313–330; S. Blanes, F. Casas and A. Escorihuela-Tomàs, Appl.
+/// Numer. Math. (2022), arXiv:2202.01541; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168; E. Hairer, C. Lubich and
+/// G. Wanner, Geometric Numerical Integration (2nd ed., 2006), V.3.2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nystrom<C, const KICKS: usize> {
     coefficients: C,
@@ -91,6 +93,13 @@ impl Nystrom<BlanesMoan6S14, 14> {
     /// Order 6, in the fourteen kicks of [`BlanesMoan6S14`].
     pub const fn order6() -> Self {
         Nystrom::new(BlanesMoan6S14)
+    }
+}
+
+impl Nystrom<Blanes8S19, 19> {
+    /// Order 8, in the nineteen kicks of [`Blanes8S19`].
+    pub const fn order8() -> Self {
+        Nystrom::new(Blanes8S19)
     }
 }
 

@@ -17,7 +17,8 @@ pub use crate::scheme::force_gradient::coefficients::{
     Chin4A, Chin4C, ForceGradientCoefficients, Omelyan4S3, Omelyan4S4, Omelyan4S5, Omelyan6S5, Omelyan8S11,
 };
 pub use crate::scheme::nystrom::coefficients::{
-    BlanesMoan4S6, BlanesMoan6S11, BlanesMoan6S14, McLachlan4S4, McLachlan4S5, NystromCoefficients, OkunborSkeel6S7,
+    Blanes8S19, BlanesMoan4S6, BlanesMoan6S11, BlanesMoan6S14, McLachlan4S4, McLachlan4S5, NystromCoefficients,
+    OkunborSkeel6S7,
 };
 
 /// The lengths of the stages of a composition, in units of the step: Σγ = 1, and a palindrome, γ_k = γ_{N+1−k}.

@@ -55,6 +55,28 @@ impl<const D: usize> CompensatedVectors<D> {
         (self.hi.flat()[i] - before.hi.flat()[i]) + (self.lo.flat()[i] - before.lo.flat()[i])
     }
 
+    /// As [`CompensatedVectors::kick_and_drift`] with a change in two parts, of which the second may be too small to change
+    /// the first, for steps that conserve the energy: what each sum leaves out is carried on.
+    #[inline]
+    pub(super) fn kick_in_parts_and_drift(
+        q: &mut Self,
+        v: &mut Self,
+        h: f64,
+        share: f64,
+        change: impl Fn(usize) -> [f64; 2],
+    ) {
+        let places = q.hi.flat_mut().iter_mut().zip(q.lo.flat_mut());
+        let speeds = v.hi.flat_mut().iter_mut().zip(v.lo.flat_mut());
+        for (i, ((q, q_low), (v, v_low))) in places.zip(speeds).enumerate() {
+            let [change, late] = change(i);
+            let moved = h * (*v + (share * change + (share * late + *v_low)));
+            (*q, *q_low) = two_sum(*q, *q_low + moved);
+            let (change, rest) = two_sum(change, late + *v_low);
+            let (high, low) = two_sum(*v, change);
+            (*v, *v_low) = (high, low + rest);
+        }
+    }
+
     /// v += (i ↦ change) and q += h (v + share·change), with v as it was, in one pass.
     ///
     /// The change is rounded once, and the sum formed before it is multiplied: rounding errors then do work of one sense and

@@ -57,7 +57,9 @@ impl<R: Real> Stride<R> {
         (drift, left)
     }
 
-    /// v −= `kick` G, and what the position moves in the meantime: h (v + share·change), with v as it was.
+    /// v −= `kick` G, and what the position moves in the meantime: h (v + share·change), with v as it was. G comes in two
+    /// parts ([`Increment::parts`](crate::newton::Increment::parts)); the second, which may be too small to change the first,
+    /// goes to the low part of v.
     ///
     /// For the mean velocity (v + v′)/2 the share is ½, for v′ it is 1. Both updates use one rounded change c, and the sum is
     /// formed before it is multiplied: the work G·Δq and the kinetic energy that c brings then differ by relative rounding
@@ -69,13 +71,13 @@ impl<R: Real> Stride<R> {
         &self,
         share: R,
         v: &mut CompensatedVector<D, R>,
-        gradient: [R; D],
+        [slope, turned]: [[R; D]; 2],
     ) -> [R; D] {
         let mut moved = [R::ZERO; D];
         for i in 0..D {
-            let change = -self.kick * gradient[i];
-            moved[i] = self.dt * (v.hi[i] + share.mul_add(change, v.lo[i]));
-            let (change, rest) = two_sum(change, v.lo[i]);
+            let (change, late) = (-self.kick * slope[i], -self.kick * turned[i]);
+            moved[i] = self.dt * (v.hi[i] + share.mul_add(change, share.mul_add(late, v.lo[i])));
+            let (change, rest) = two_sum(change, late + v.lo[i]);
             let (high, low) = two_sum(v.hi[i], change);
             (v.hi[i], v.lo[i]) = (high, low + rest);
         }

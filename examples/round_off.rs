@@ -1,9 +1,9 @@
 //! How fast do rounding errors grow in the energy?
 //!
 //! ```text
-//! cargo run --release --example round_off          10⁵ steps of each scheme, some seconds
-//! cargo run --release --example round_off -- 7     10⁷ steps, a quarter of an hour
-//! cargo run --release --example round_off -- 7 chain    of one motion: kepler, henon or chain
+//! cargo run --release --example round_off                10⁵ steps of each scheme, some seconds
+//! cargo run --release --example round_off -- 7           10⁷ steps, half an hour
+//! cargo run --release --example round_off -- 7 chain     of one motion: kepler, components, henon or chain
 //! ```
 //!
 //! An energy-exact scheme keeps the energy but for rounding. If the rounding errors of steps are independent of each other
@@ -27,7 +27,11 @@ use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
 fn main() -> Drawn {
     let decades = std::env::args().nth(1).map_or(Ok(5), |n| n.parse())?;
     let wanted = std::env::args().nth(2).unwrap_or_default().to_lowercase();
-    for motion in Motion::ALL.into_iter().filter(|motion| file(*motion).contains(&wanted)) {
+    let motions: Vec<_> = Motion::ALL.into_iter().filter(|motion| file(*motion).contains(&wanted)).collect();
+    if motions.is_empty() {
+        return Err(format!("no motion is called {wanted}: there are kepler, components, henon and chain").into());
+    }
+    for motion in motions {
         let lines = [
             motion.growth(DiscreteGradient, Invariant::Energy, decades)?,
             motion.growth(Kanatani, Invariant::DiscreteEnergy, decades)?,
@@ -74,10 +78,10 @@ fn draw(motion: Motion, lines: &[Growth]) -> Drawn<PathBuf> {
         let y = Axis::powers_of_ten("relative error of the energy", -17.0..highest.ceil() + 0.5);
         let mut chart = picture::chart(area, &title, x, y, 150)?;
         // What a random walk would do.
-        picture::line(&mut chart, vec![(2.0, -16.5), (end, -16.5 + 0.5 * (end - 2.0))], picture::PALE, 2.0)?;
-        picture::label(&chart, (end, -16.5 + 0.5 * (end - 2.0)), (8, 14), "√n", INK)?;
+        let walk = (end, -16.5 + 0.5 * (end - 2.0));
+        picture::line(&mut chart, vec![(2.0, -16.5), walk], picture::PALE, 2.0)?;
         let names = ["DiscreteGradient", "Kanatani", "order 4", "order 6", "order 8"];
-        let mut ends = Vec::new();
+        let mut ends = vec![(walk, "√n", INK)];
         for ((line, name), colour) in lines.iter().zip(names).zip([RED, OCHRE, BLUE, GREEN, PURPLE]) {
             let points = logs(line);
             ends.push((*points.last().expect("points"), name, colour));

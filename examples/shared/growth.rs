@@ -70,7 +70,7 @@ pub(crate) enum Motion {
 }
 
 impl Motion {
-    pub(crate) const ALL: [Motion; 3] = [Motion::Kepler, Motion::HenonHeiles, Motion::Chain];
+    pub(crate) const ALL: [Motion; 4] = [Motion::Kepler, Motion::Components, Motion::HenonHeiles, Motion::Chain];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -81,8 +81,8 @@ impl Motion {
         }
     }
 
-    /// The largest error in `steps` steps from one of the starts, relative.
-    fn drift<S: Any>(self, scheme: S, invariant: Invariant, start: u32, steps: u64) -> Result<f64, String> {
+    /// How the quantity moves in `steps` steps from one of the starts.
+    fn drift<S: Any>(self, scheme: S, invariant: Invariant, start: u32, steps: u64) -> Result<Drift, String> {
         let every = (steps / LOOKS).max(1);
         let x = f64::from(start);
         let drift = match self {
@@ -114,7 +114,32 @@ impl Motion {
                 simulation.record_every(every).run(steps).map(|run| run.drift(invariant)).map_err(|e| e.to_string())
             }
         }?;
-        drift.map(|drift| drift.max_relative()).ok_or_else(|| format!("{} has no such invariant", self.name()))
+        drift.ok_or_else(|| format!("{} has no such invariant", self.name()))
+    }
+
+    /// The same from all starts.
+    fn drifts<S: Any + Send>(self, scheme: S, invariant: Invariant, steps: u64) -> Result<Vec<Drift>, String> {
+        std::thread::scope(|scope| {
+            let one = |start| scope.spawn(move || self.drift(scheme, invariant, start, steps));
+            let threads: Vec<_> = (0..STARTS).map(one).collect();
+            threads.into_iter().map(|thread| thread.join().expect("a run")).collect()
+        })
+    }
+
+    /// The mean over the starts of the error after `steps` steps, with its sign and relative, and the standard error of that
+    /// mean.
+    pub(crate) fn mean<S: Any + Send>(
+        self,
+        scheme: S,
+        invariant: Invariant,
+        steps: u64,
+    ) -> Result<[f64; 2], Box<dyn std::error::Error>> {
+        let drifts = self.drifts(scheme, invariant, steps)?;
+        let errors: Vec<_> = drifts.iter().map(|drift| (drift.last() - drift.start()) / drift.start().abs()).collect();
+        let n = errors.len() as f64;
+        let mean = errors.iter().sum::<f64>() / n;
+        let squares: f64 = errors.iter().map(|error| (error - mean).powi(2)).sum();
+        Ok([mean, (squares / (n * (n - 1.0))).sqrt()])
     }
 
     /// Root mean squares over the starts, for numbers of steps from 10² to 10^decades.
@@ -127,12 +152,8 @@ impl Motion {
         let mut points = Vec::new();
         for half_decade in 4..=2 * decades {
             let steps = 10_f64.powf(0.5 * f64::from(half_decade)).round() as u64;
-            let drifts = std::thread::scope(|scope| {
-                let one = |start| scope.spawn(move || self.drift(scheme, invariant, start, steps));
-                let threads: Vec<_> = (0..STARTS).map(one).collect();
-                threads.into_iter().map(|thread| thread.join().expect("a run")).collect::<Result<Vec<_>, _>>()
-            })?;
-            let squares: f64 = drifts.iter().map(|drift| drift * drift).sum();
+            let drifts = self.drifts(scheme, invariant, steps)?;
+            let squares: f64 = drifts.iter().map(|drift| drift.max_relative().powi(2)).sum();
             points.push((steps as f64, (squares / f64::from(STARTS)).sqrt()));
         }
         Ok(Growth { scheme: <S as Method>::NAME, points })

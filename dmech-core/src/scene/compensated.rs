@@ -93,3 +93,25 @@ impl<const D: usize> CompensatedVectors<D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::CompensatedVectors;
+    use crate::scene::vectors::Vectors;
+
+    /// A hundredth of an ulp of each change, too small to change it, adds up.
+    #[test]
+    fn the_second_part_of_a_change_is_carried_on() {
+        let mut q = CompensatedVectors::new(Vectors::<1>::zeros(1));
+        let mut v = q.clone();
+        let (change, late, kicks) = (0.375, 0.375 * 0.01 * f64::EPSILON, 100_000);
+        for _ in 0..kicks {
+            CompensatedVectors::kick_in_parts_and_drift(&mut q, &mut v, 0.5, 0.5, |_| [change, late]);
+        }
+        let kicks = f64::from(kicks);
+        let added = (v.hi.flat()[0] - kicks * change) + v.lo.flat()[0];
+        assert!((added / (kicks * late) - 1.0).abs() < 1e-3, "{added:e} of {:e}", kicks * late);
+        let moved = 0.25 * kicks * kicks * change;
+        assert!((q.sum(0) / moved - 1.0).abs() < 1e-12, "{} for {moved}", q.sum(0));
+    }
+}

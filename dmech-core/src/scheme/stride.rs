@@ -124,7 +124,23 @@ pub(crate) fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
 
 #[cfg(test)]
 mod tests {
-    use super::exact_product;
+    use dmech_scalar::CompensatedVector;
+
+    use super::{Stride, exact_product};
+
+    /// A hundredth of an ulp of each change, too small to change it, adds up.
+    #[test]
+    fn the_second_part_of_a_force_is_carried_on() {
+        let (stride, mut v) = (Stride::new(0.5, 1.0), CompensatedVector::new([1.0]));
+        let (change, late, kicks) = (0.375, 0.375 * 0.01 * f64::EPSILON, 100_000);
+        for _ in 0..kicks {
+            let moved = stride.kick_and_drift(0.5, &mut v, [[change / -0.5], [late / -0.5]]);
+            assert!(moved[0] > 0.5 * v.hi[0] - change && moved[0] < 0.5 * v.hi[0]);
+        }
+        let kicks = f64::from(kicks);
+        let added = (v.hi[0] - 1.0 - kicks * change) + v.lo[0];
+        assert!((added / (kicks * late) - 1.0).abs() < 1e-3, "{added:e} of {:e}", kicks * late);
+    }
 
     /// In `f32` the product of the errors can be checked in `f64`, where it is exact.
     #[test]

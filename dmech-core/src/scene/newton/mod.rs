@@ -2,6 +2,8 @@
 
 mod chain;
 mod progress;
+#[cfg(test)]
+mod tests;
 
 use core::ops::Range;
 

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --example round_off                10⁵ steps of each scheme, some seconds
-//! cargo run --release --example round_off -- 7           10⁷ steps, half an hour
+//! cargo run --release --example round_off -- 7           10⁷ steps, hours, nearly all of them for the chain
 //! cargo run --release --example round_off -- 7 chain     of one motion: kepler, components, henon or chain
 //! ```
 //!

@@ -1,8 +1,9 @@
 //! How fast do rounding errors grow in the energy?
 //!
 //! ```text
-//! cargo run --release --example round_off          10⁵ steps of each scheme, some seconds
-//! cargo run --release --example round_off -- 7     10⁷ steps, a quarter of an hour
+//! cargo run --release --example round_off                10⁵ steps of each scheme, some seconds
+//! cargo run --release --example round_off -- 7           10⁷ steps, hours, nearly all of them for the chain
+//! cargo run --release --example round_off -- 7 chain     of one motion: kepler, components, henon or chain
 //! ```
 //!
 //! An energy-exact scheme keeps the energy but for rounding. If the rounding errors of steps are independent of each other
@@ -25,7 +26,12 @@ use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
 
 fn main() -> Drawn {
     let decades = std::env::args().nth(1).map_or(Ok(5), |n| n.parse())?;
-    for motion in Motion::ALL {
+    let wanted = std::env::args().nth(2).unwrap_or_default().to_lowercase();
+    let motions: Vec<_> = Motion::ALL.into_iter().filter(|motion| file(*motion).contains(&wanted)).collect();
+    if motions.is_empty() {
+        return Err(format!("no motion is called {wanted}: there are kepler, components, henon and chain").into());
+    }
+    for motion in motions {
         let lines = [
             motion.growth(DiscreteGradient, Invariant::Energy, decades)?,
             motion.growth(Kanatani, Invariant::DiscreteEnergy, decades)?,
@@ -37,6 +43,15 @@ fn main() -> Drawn {
         println!("Picture: {}\n", draw(motion, &lines)?.display());
     }
     Ok(())
+}
+
+fn file(motion: Motion) -> &'static str {
+    match motion {
+        Motion::Kepler => "round_off_kepler.svg",
+        Motion::Components => "round_off_components.svg",
+        Motion::HenonHeiles => "round_off_henon_heiles.svg",
+        Motion::Chain => "round_off_chain.svg",
+    }
 }
 
 fn print(motion: Motion, lines: &[Growth]) {
@@ -57,21 +72,16 @@ fn draw(motion: Motion, lines: &[Growth]) -> Drawn<PathBuf> {
     let logs = |line: &Growth| -> Vec<_> { line.points.iter().map(|(n, error)| (n.log10(), error.log10())).collect() };
     let end = lines[0].points.last().map_or(5.0, |point| point.0.log10());
     let highest = lines.iter().flat_map(logs).map(|point| point.1).fold(-14.0, f64::max);
-    let file = match motion {
-        Motion::Kepler => "round_off_kepler.svg",
-        Motion::HenonHeiles => "round_off_henon_heiles.svg",
-        Motion::Chain => "round_off_chain.svg",
-    };
-    picture::save(file, [860, 560], |area| {
+    picture::save(file(motion), [860, 560], |area| {
         let title = format!("{}: growth of the energy error by rounding", motion.name());
         let x = Axis::powers_of_ten("steps", 2.0..end);
         let y = Axis::powers_of_ten("relative error of the energy", -17.0..highest.ceil() + 0.5);
         let mut chart = picture::chart(area, &title, x, y, 150)?;
         // What a random walk would do.
-        picture::line(&mut chart, vec![(2.0, -16.5), (end, -16.5 + 0.5 * (end - 2.0))], picture::PALE, 2.0)?;
-        picture::label(&chart, (end, -16.5 + 0.5 * (end - 2.0)), (8, 14), "√n", INK)?;
+        let walk = (end, -16.5 + 0.5 * (end - 2.0));
+        picture::line(&mut chart, vec![(2.0, -16.5), walk], picture::PALE, 2.0)?;
         let names = ["DiscreteGradient", "Kanatani", "order 4", "order 6", "order 8"];
-        let mut ends = Vec::new();
+        let mut ends = vec![(walk, "√n", INK)];
         for ((line, name), colour) in lines.iter().zip(names).zip([RED, OCHRE, BLUE, GREEN, PURPLE]) {
             let points = logs(line);
             ends.push((*points.last().expect("points"), name, colour));

@@ -108,10 +108,7 @@ fn a_linear_step_is_one_correction() {
         calls += 1;
         let gradient = b.map(|x| 2.5 * x);
         let change = core::array::from_fn(|i| (e.increment(gradient)[i] - delta[i]) / (1.0 + 2.5 * e.g));
-        dmech_core::newton::Correction {
-            delta: change,
-            gradient: core::array::from_fn(|i| gradient[i] + 2.5 * change[i]),
-        }
+        dmech_core::newton::Correction::in_parts(change, gradient, change.map(|x| 2.5 * x))
     })
     .unwrap();
     assert_eq!((calls, found.evaluations, found.iterations), (1, 1, 0));

@@ -6,11 +6,13 @@ mod gravity;
 use dmech_core::prelude::*;
 use gravity::Gravity;
 
+/// A star and two planets that stay apart. Where bodies meet, the last digit of a step decides how closely, and whether the
+/// meeting is too fast for the step.
 fn triple() -> Scene<3> {
-    Scene::new().body(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0]).body(6.0, [0.0, 0.1, 0.0], [0.0, -0.15, 0.02]).body(
+    Scene::new().body(1.0, [1.2, 0.0, 0.2], [0.0, 2.4, 0.0]).body(6.0, [0.0, 0.1, 0.0], [0.0, -0.15, 0.02]).body(
         0.5,
         [0.0, 4.0, -0.5],
-        [-1.2, 0.0, 0.1],
+        [-1.4, 0.0, 0.1],
     )
 }
 

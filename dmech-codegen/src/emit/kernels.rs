@@ -344,7 +344,9 @@ impl Printer<'_> {
             });
             let needs_equation = known.is_some() || velocities.iter().chain(&scalars).any(Option::is_some);
             let closure_equation = underscored(&equation, needs_equation);
-            let (delta, gradient) = outputs.split_at(variables.q.len());
+            // δ, then G + J δ or both apart.
+            let constructor = ident(if between { "in_parts" } else { "rounded" });
+            let vectors = outputs.chunks(variables.q.len());
             quote! {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
                     #(#unpack)*
@@ -352,7 +354,7 @@ impl Printer<'_> {
                     #(#velocities)*
                     #(#scalars)*
                     #statements
-                    #runtime::newton::Correction { delta: [#(#delta),*], gradient: [#(#gradient),*] }
+                    #runtime::newton::Correction::#constructor(#([#(#vectors),*]),*)
                 })
             }
         };

@@ -89,17 +89,19 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
         let half_c2 = half * c2;
         let dc_over_p = ds * (u * half_c2).mul_add(ds, uc1);
         // Of the energy-exact steps it is not added to c: it is often less than half an ulp and of one sign, would be lost
-        // and become a drift of the energy (10⁻²⁰ a step, 2·10⁻¹³ in 10⁷). With the exact product it is lost at random.
+        // and become a drift of the energy (10⁻²⁰ a step, 2·10⁻¹³ in 10⁷).
         let correction = dc_over_p * (-g * uc1).mul_add(ds, R::ONE);
-        let gradient: [R; D] = core::array::from_fn(|i| {
+        let (mut gradient, mut parts) = ([R::ZERO; D], [[R::ZERO; D]; 2]);
+        for i in 0..D {
             let along = u * w[i];
             if BETWEEN {
                 let (main, rest) = exact_product(c, along);
-                main + correction.mul_add(along, rest)
+                let rest = correction.mul_add(along, rest);
+                (gradient[i], parts[0][i], parts[1][i]) = (main + rest, main, rest);
             } else {
-                (c + correction) * along
+                gradient[i] = (c + correction) * along;
             }
-        });
+        }
         delta = equation.increment(gradient);
 
         // Neglected: the third-order term of c, taken as the second in the ratio of the second to the first, and the
@@ -123,7 +125,7 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
             return Increment::apart(lengthen::<BETWEEN, D, R>(*equation, iteration, factor));
         }
         if exact.all() {
-            return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
+            return Ok(Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration });
         }
         last = size;
     }
@@ -162,5 +164,5 @@ fn rank_one<const D: usize, R: Real>(
     let p = R::ONE + g * c;
     let along = dot(x, residual) / (p + g * k * dot(x, sum));
     let change: [R; D] = core::array::from_fn(|i| (residual[i] - g * k * along * sum[i]) / p);
-    Correction { delta: change, gradient: core::array::from_fn(|i| gradient[i] + c * change[i] + k * along * sum[i]) }
+    Correction::in_parts(change, gradient, core::array::from_fn(|i| c * change[i] + k * along * sum[i]))
 }

@@ -67,8 +67,7 @@ pub fn dense_middle<const D: usize, R: Real>(
         let jacobian: [[R; D]; D] =
             from_fn(|i| from_fn(|j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j])));
         let change = elimination::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
-        let turned = from_fn(|i| (0..D).fold(R::ZERO, |sum, j| jacobian[i][j].mul_add(change[j], sum)));
-        let (correction, lost) = Correction::sum(change, slope, turned);
+        let (correction, lost) = Correction::sum(change, slope, turned(&jacobian, change));
         rest = lost;
         correction
     })?;
@@ -98,8 +97,12 @@ fn correction<const D: usize, R: Real>(
     let wanted = equation.increment(gradient);
     let residual = from_fn(|i| wanted[i] - delta[i]);
     let delta = elimination::solve(newton_matrix(equation.g, jacobian), residual);
-    let gradient = from_fn(|i| (0..D).fold(gradient[i], |sum, j| jacobian[i][j].mul_add(delta[j], sum)));
-    Correction { delta, gradient }
+    Correction::in_parts(delta, gradient, turned(jacobian, delta))
+}
+
+/// J δ.
+fn turned<const D: usize, R: Real>(jacobian: &[[R; D]; D], change: [R; D]) -> [R; D] {
+    from_fn(|i| (0..D).fold(R::ZERO, |sum, j| jacobian[i][j].mul_add(change[j], sum)))
 }
 
 /// 1 + g J.

@@ -81,7 +81,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let mut delta = equation.guess;
     let mut last = R::ZERO;
     for iteration in 1..=PATIENCE.min(equation.max_iterations) {
-        let Correction { delta: change, gradient } = correct(equation, delta, equation.end(delta));
+        let Correction { delta: change, gradient, parts } = correct(equation, delta, equation.end(delta));
         delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let size = length(&change);
         let step = length(&delta);
@@ -103,7 +103,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             astray = halved.not();
         }
         if settled.all() {
-            return Ok(Increment { delta, gradient, evaluations: iteration, iterations: iteration });
+            return Ok(Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration });
         }
         if astray.and(settled.not()).any() || !size.finite().all() {
             return Err(NotConverged { iterations: iteration.into(), residual: largest(&change) });

@@ -3,6 +3,7 @@
 use dmech_scalar::{Real, two_sum};
 
 use crate::scheme::exact_product;
+use crate::vector::difference;
 
 /// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  where G(b) is ∇Φ(b) (trapezoid) or ∇̄Φ(a, b) (energy-exact steps).
 ///
@@ -125,6 +126,11 @@ pub struct Increment<const D: usize, R: Real> {
     pub delta: [R; D],
     /// G at the solution.
     pub gradient: [R; D],
+    /// The same as a sum that is not rounded: G where the last correction was made, and J δ, by which it changed G.
+    ///
+    /// The second is often less than half an ulp of the first. As corrections keep their sign from step to step, it would be
+    /// lost in one sense at every step, and become a drift of the energy (1.2·10⁻¹³ in 10⁷ steps of Kepler in components).
+    pub parts: [[R; D]; 2],
     /// Evaluations of the force that it took.
     pub evaluations: u32,
     /// Newton corrections that it took; 0 where the step is linear.
@@ -132,11 +138,18 @@ pub struct Increment<const D: usize, R: Real> {
 }
 
 impl<const D: usize, R: Real> Increment<D, R> {
+    /// With G − `force` for G.
+    #[inline(always)]
+    pub(crate) fn less(self, force: [R; D]) -> Self {
+        let [slope, turned] = self.parts;
+        Increment { gradient: difference(self.gradient, force), parts: [difference(slope, force), turned], ..self }
+    }
+
     /// The result of a rare path, part by part: that of the usual path, which it is merged with, then stays in registers.
     #[inline(always)]
     pub(super) fn apart(found: Result<Self, NotConverged>) -> Result<Self, NotConverged> {
-        let Increment { delta, gradient, evaluations, iterations } = found?;
-        Ok(Increment { delta, gradient, evaluations, iterations })
+        let Increment { delta, gradient, parts, evaluations, iterations } = found?;
+        Ok(Increment { delta, gradient, parts, evaluations, iterations })
     }
 }
 
@@ -147,9 +160,24 @@ pub struct Correction<const D: usize, R: Real> {
     pub delta: [R; D],
     /// G + J δ.
     pub gradient: [R; D],
+    /// G and J δ.
+    pub parts: [[R; D]; 2],
 }
 
 impl<const D: usize, R: Real> Correction<D, R> {
+    /// The correction δ = `change` with G + J δ, for steps to which the rounding of that sum does not matter.
+    #[inline(always)]
+    pub fn rounded(change: [R; D], gradient: [R; D]) -> Self {
+        Correction { delta: change, gradient, parts: [gradient, [R::ZERO; D]] }
+    }
+
+    /// The correction δ = `change` with G and J δ, for steps that conserve the energy.
+    #[inline(always)]
+    pub fn in_parts(change: [R; D], slope: [R; D], turned: [R; D]) -> Self {
+        let gradient = core::array::from_fn(|i| slope[i] + turned[i]);
+        Correction { delta: change, gradient, parts: [slope, turned] }
+    }
+
     /// The correction δ = `change`, with G + J δ in its two parts; and what the rounding of that sum leaves out.
     #[inline(always)]
     pub fn sum(change: [R; D], slope: [R; D], turned: [R; D]) -> (Self, [R; D]) {
@@ -157,7 +185,7 @@ impl<const D: usize, R: Real> Correction<D, R> {
         for i in 0..D {
             (gradient[i], rest[i]) = two_sum(slope[i], turned[i]);
         }
-        (Correction { delta: change, gradient }, rest)
+        (Correction::rounded(change, gradient), rest)
     }
 }
 

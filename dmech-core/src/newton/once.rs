@@ -16,10 +16,10 @@ pub fn once<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    let Correction { gradient, .. } = correct(equation, [R::ZERO; D], equation.q);
+    let Correction { gradient, parts, .. } = correct(equation, [R::ZERO; D], equation.q);
     let delta = equation.increment(gradient);
     if finite(delta) {
-        Ok(Increment { delta, gradient, evaluations: 1, iterations: 0 })
+        Ok(Increment { delta, gradient, parts, evaluations: 1, iterations: 0 })
     } else {
         Err(NotConverged { iterations: 0, residual: largest(&delta) })
     }
@@ -52,10 +52,10 @@ pub fn once_middle<const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     let first = correct(equation, equation.a, [R::ZERO; D], equation.q);
     let first = equation.increment_and_rest(first.gradient).0;
-    let Correction { gradient, .. } = correct(equation, equation.a, first, equation.end(first));
+    let Correction { gradient, parts, .. } = correct(equation, equation.a, first, equation.end(first));
     let delta = equation.increment_and_rest(gradient).0;
     if finite(delta) {
-        Ok(Increment { delta, gradient, evaluations: 2, iterations: 0 })
+        Ok(Increment { delta, gradient, parts, evaluations: 2, iterations: 0 })
     } else {
         Err(NotConverged { iterations: 0, residual: largest(&delta) })
     }

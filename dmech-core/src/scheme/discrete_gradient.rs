@@ -105,7 +105,7 @@ pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
         return workless::step(law, stride, t, q, v, expected, newton);
     }
     let found = increment(law, stride, t, q.value(), v, expected, newton)?;
-    let delta = stride.kick_and_drift(R::from_f64(0.5), v, found.gradient);
+    let delta = stride.kick_and_drift(R::from_f64(0.5), v, found.parts);
     q.add(delta);
     Ok(Increment { delta, ..found })
 }
@@ -136,7 +136,7 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     let (frozen, t_end) = (scaled(-g, half_force), t + stride.dt);
     let equation = Equation { frozen, v: v.hi, rate: stride.rate, t_end, ..equation };
     let found = field.discrete_increment(&equation)?;
-    Ok(Increment { gradient: difference(found.gradient, half_force), ..found })
+    Ok(found.less(half_force))
 }
 
 impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient {

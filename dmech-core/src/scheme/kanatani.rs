@@ -7,7 +7,7 @@ use super::{Effort, Method, Newton, Scheme, Stride, discrete_gradient};
 use crate::State;
 use crate::invariant::{Invariant, Kept};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
-use crate::newton::{Equation, Increment, NotConverged};
+use crate::newton::{Equation, NotConverged};
 use crate::vector::{add_scaled, difference, finite, scaled, weighted};
 
 /// The energy-exact central difference (Kanatani (2.11)–(2.12) with the force of (3.7)).
@@ -171,13 +171,12 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
         let found = if <L::Field<'_> as Field<D, R>>::FORCED {
             // A force beside the potential is that at the position now.
             let force = scaled(R::from_f64(2.0), field.half_force(q.value(), z.value()));
-            let found = field.potential_increment(&Equation { frozen: scaled(-g, force), ..equation })?;
-            Increment { gradient: difference(found.gradient, force), ..found }
+            field.potential_increment(&Equation { frozen: scaled(-g, force), ..equation })?.less(force)
         } else {
             field.discrete_increment(&equation)?
         };
         let (mut q_next, mut z_next) = (q, z);
-        q_next.add(stride.kick_and_drift(R::ONE, &mut z_next, found.gradient));
+        q_next.add(stride.kick_and_drift(R::ONE, &mut z_next, found.parts));
         *memory = KanataniMemory {
             q_before: q.value(),
             q: q_next,

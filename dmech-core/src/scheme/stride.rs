@@ -57,7 +57,9 @@ impl<R: Real> Stride<R> {
         (drift, left)
     }
 
-    /// v −= `kick` G, and what the position moves in the meantime: h (v + share·change), with v as it was.
+    /// v −= `kick` G, and what the position moves in the meantime: h (v + share·change), with v as it was. G comes in two
+    /// parts ([`Increment::parts`](crate::newton::Increment::parts)); the second, which may be too small to change the first,
+    /// goes to the low part of v.
     ///
     /// For the mean velocity (v + v′)/2 the share is ½, for v′ it is 1. Both updates use one rounded change c, and the sum is
     /// formed before it is multiplied: the work G·Δq and the kinetic energy that c brings then differ by relative rounding
@@ -69,13 +71,13 @@ impl<R: Real> Stride<R> {
         &self,
         share: R,
         v: &mut CompensatedVector<D, R>,
-        gradient: [R; D],
+        [slope, turned]: [[R; D]; 2],
     ) -> [R; D] {
         let mut moved = [R::ZERO; D];
         for i in 0..D {
-            let change = -self.kick * gradient[i];
-            moved[i] = self.dt * (v.hi[i] + share.mul_add(change, v.lo[i]));
-            let (change, rest) = two_sum(change, v.lo[i]);
+            let (change, late) = (-self.kick * slope[i], -self.kick * turned[i]);
+            moved[i] = self.dt * (v.hi[i] + share.mul_add(change, share.mul_add(late, v.lo[i])));
+            let (change, rest) = two_sum(change, late + v.lo[i]);
             let (high, low) = two_sum(v.hi[i], change);
             (v.hi[i], v.lo[i]) = (high, low + rest);
         }
@@ -122,7 +124,23 @@ pub(crate) fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
 
 #[cfg(test)]
 mod tests {
-    use super::exact_product;
+    use dmech_scalar::CompensatedVector;
+
+    use super::{Stride, exact_product};
+
+    /// A hundredth of an ulp of each change, too small to change it, adds up.
+    #[test]
+    fn the_second_part_of_a_force_is_carried_on() {
+        let (stride, mut v) = (Stride::new(0.5, 1.0), CompensatedVector::new([1.0]));
+        let (change, late, kicks) = (0.375, 0.375 * 0.01 * f64::EPSILON, 100_000);
+        for _ in 0..kicks {
+            let moved = stride.kick_and_drift(0.5, &mut v, [[change / -0.5], [late / -0.5]]);
+            assert!(moved[0] > 0.5 * v.hi[0] - change && moved[0] < 0.5 * v.hi[0]);
+        }
+        let kicks = f64::from(kicks);
+        let added = (v.hi[0] - 1.0 - kicks * change) + v.lo[0];
+        assert!((added / (kicks * late) - 1.0).abs() < 1e-3, "{added:e} of {:e}", kicks * late);
+    }
 
     /// In `f32` the product of the errors can be checked in `f64`, where it is exact.
     #[test]

@@ -125,7 +125,7 @@ impl<const D: usize, R: Real> Potential<D, R> for Spring {
 fn linear<const D: usize, R: Real>(e: &Equation<D, R>, delta: [R; D], gradient: [R; D], j: R) -> Correction<D, R> {
     let wanted = e.increment(gradient);
     let delta: [R; D] = core::array::from_fn(|i| (wanted[i] - delta[i]) / (R::ONE + e.g * j));
-    Correction { delta, gradient: core::array::from_fn(|i| gradient[i] + j * delta[i]) }
+    Correction::in_parts(delta, gradient, delta.map(|x| j * x))
 }
 
 fn diagonal<const D: usize, R: Real>(x: R) -> [[R; D]; D] {

@@ -8,7 +8,7 @@ use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
-use super::{Variables, correction};
+use super::{Force, Variables, correction};
 
 /// Everything generated for a force.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ pub struct ForcedKernels {
 /// One Newton correction of the energy-exact step for a law with a force.
 #[derive(Clone, Debug)]
 pub enum ForcedStep {
-    /// ∇̄Φ and the mean force. Outputs: δ, G + J δ.
+    /// ∇̄Φ and the mean force. Outputs: δ, G, J δ.
     Mean(Program),
     /// A force that does no work, at the mean position and mean velocity.
     ///
@@ -95,7 +95,7 @@ impl ForcedKernels {
         let (implicit, implicit_is_linear) = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
             let (jacobian, linear) = by_increment(graph, &here, variables);
-            (correction(graph, &here, &jacobian, false, variables), linear)
+            (correction(graph, &here, &jacobian, false, Force::Rounded, variables), linear)
         };
         let (discrete, discrete_is_linear) = {
             let mut ends = TwoPoints::new(graph, q, a, b);
@@ -119,7 +119,7 @@ impl ForcedKernels {
                 let change = change(graph, &jacobian, variables);
                 ForcedStep::Middle { slope: Program::schedule(graph, &total), change }
             } else {
-                ForcedStep::Mean(correction(graph, &total, &jacobian, false, variables))
+                ForcedStep::Mean(correction(graph, &total, &jacobian, false, Force::InParts, variables))
             };
             (step, linear)
         };

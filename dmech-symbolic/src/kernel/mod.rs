@@ -50,9 +50,10 @@ pub struct Variables {
 /// How an implicit step is solved.
 #[derive(Clone, Debug)]
 pub enum Step {
-    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: δ, G + J δ.
+    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: as of Newton's method.
     Linear(Program),
-    /// Newton's method in all coordinates. Outputs of one correction: δ, G + J δ.
+    /// Newton's method in all coordinates. Outputs of one correction: δ, G + J δ of the trapezoidal step; δ, G, J δ of the
+    /// energy-exact steps.
     Newton(Program),
     /// One scalar unknown. Outputs: the coefficient of the force and its first two derivatives.
     Central(Program),
@@ -269,7 +270,7 @@ fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
     let force: Vec<_> = formulas.gradient.iter().map(|&e| moved.apply(graph, e)).collect();
     let jacobian: Vec<Vec<_>> =
         formulas.hessian.iter().map(|row| row.iter().map(|&e| moved.apply(graph, e)).collect()).collect();
-    let program = correction(graph, &force, &jacobian, true, variables);
+    let program = correction(graph, &force, &jacobian, true, Force::Rounded, variables);
     if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
 }
 
@@ -279,8 +280,8 @@ fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
         return Step::Central(with_two_derivatives(graph, coefficient, variables.s_b, variables.s_b));
     }
     let symmetric = structure.constant_hessian;
-    let program =
-        correction(graph, &formulas.discrete_gradient, &formulas.discrete_gradient_jacobian, symmetric, variables);
+    let (force, jacobian) = (&formulas.discrete_gradient, &formulas.discrete_gradient_jacobian);
+    let program = correction(graph, force, jacobian, symmetric, Force::InParts, variables);
     if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
 }
 
@@ -311,12 +312,22 @@ fn newton_matrix(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variable
         .collect()
 }
 
-/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it, G + J δ.
+/// How the force after a correction is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Force {
+    /// G + J δ.
+    Rounded,
+    /// G and J δ, which may be less than half an ulp of G: what conserves the energy must not lose it.
+    InParts,
+}
+
+/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it.
 fn correction(
     graph: &mut Graph,
     force: &[Expr],
     jacobian: &[Vec<Expr>],
     symmetric: bool,
+    given: Force,
     variables: &Variables,
 ) -> Program {
     let n = force.len();
@@ -331,12 +342,13 @@ fn correction(
         })
         .collect();
     let delta = linear::solve(graph, &matrix, &residual, symmetric);
-    let updated: Vec<_> = (0..n)
-        .map(|i| {
-            let mut terms = vec![force[i]];
-            terms.extend((0..n).map(|j| graph.mul(&[jacobian[i][j], delta[j]])));
-            graph.add(&terms)
-        })
-        .collect();
-    Program::schedule(graph, &[delta, updated].concat())
+    let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
+    let outputs = match given {
+        Force::InParts => [delta, force.to_vec(), turned].concat(),
+        Force::Rounded => {
+            let updated = force.iter().zip(&turned).map(|(&force, &turned)| graph.add(&[force, turned])).collect();
+            [delta, updated].concat()
+        }
+    };
+    Program::schedule(graph, &outputs)
 }

@@ -1,6 +1,6 @@
 //! Newton's method on a chain, in one sweep along it and one back.
 
-use dmech_scalar::{Lanes, Real};
+use dmech_scalar::{Lanes, Real, two_sum};
 
 use super::{Equation, Progress, Solver, Unknown, Verdict};
 use crate::newton::NotConverged;
@@ -16,13 +16,18 @@ use crate::scene::vectors::Vectors;
 pub(super) struct Chain<const D: usize> {
     /// Pᵢ⁻¹ Uᵢ, with Pᵢ the eliminated diagonal and −Uᵢ what is right of it.
     following: Vec<Block<D>>,
-    /// drift − g (G + known) − Δ.
+    /// drift − g (G + known) − Δ; after a step that conserves the energy, in its place what the rounding of G left out.
     residual: Vectors<D>,
 }
 
 impl<const D: usize> Chain<D> {
     pub(super) fn new(bodies: usize) -> Self {
         Chain { following: vec![[[0.0; D]; D]; bodies], residual: Vectors::zeros(bodies) }
+    }
+
+    /// What the rounding of the last G + J δ left out.
+    pub(super) fn rest(&mut self) -> &mut Vectors<D> {
+        &mut self.residual
     }
 }
 
@@ -47,7 +52,7 @@ impl<const D: usize> Solver<D> {
         let mut progress = Progress::default();
         for iteration in 1..=equation.limit() {
             let force = self.along(chain, equation, unknown, iteration == 1);
-            let [size, step] = self.back(chain, equation);
+            let [size, step] = self.back::<U>(chain, equation);
             match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
                 Verdict::Settled => return Ok(iteration),
                 Verdict::GoesOn => {}
@@ -111,7 +116,7 @@ impl<const D: usize> Solver<D> {
 
     /// δᵢ = yᵢ + (P⁻¹U)ᵢ δᵢ₊₁ from the last body to the first; Δ += δ, and G += J δ with J δ = (r − δ)/g.
     /// max |δ| and max |Δ| come back, not finite if a component is not.
-    fn back(&mut self, chain: &Chain<D>, equation: &Equation<'_, D>) -> [f64; 2] {
+    fn back<U: Unknown<D>>(&mut self, chain: &mut Chain<D>, equation: &Equation<'_, D>) -> [f64; 2] {
         let bodies = self.delta.bodies();
         let (mut size, mut step, mut odd) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
         let mut after = [0.0; D];
@@ -129,12 +134,16 @@ impl<const D: usize> Solver<D> {
                 let column = || k * bodies + range.start..k * bodies + range.end;
                 let of = |x: &Vectors<D>| load(x.flat(), column());
                 let delta = of(&self.delta) + change[k];
-                let (g, rest) = (of(equation.g), of(&chain.residual) - change[k]);
+                let (g, left) = (of(equation.g), of(&chain.residual) - change[k]);
                 // A pinned body has g = 0.
                 let pinned = g.abs().less_or_equal(Lanes::ZERO);
-                let gradient = of(&self.gradient) + Lanes::select(pinned, || Lanes::ZERO, || rest / g);
+                let turned = Lanes::select(pinned, || Lanes::ZERO, || left / g);
+                let (gradient, rest) = two_sum(of(&self.gradient), turned);
                 store(delta, self.delta.flat_mut(), column());
                 store(gradient, self.gradient.flat_mut(), column());
+                if U::EXACT {
+                    store(rest, chain.residual.flat_mut(), column());
+                }
                 size = size.max(change[k].abs());
                 step = step.max(delta.abs());
                 // max() drops a NaN, and 0·x is 0 for a finite x only.

@@ -2,10 +2,12 @@
 
 mod chain;
 mod progress;
+#[cfg(test)]
+mod tests;
 
 use core::ops::Range;
 
-use dmech_scalar::{Lanes, Real};
+use dmech_scalar::{Lanes, Real, two_sum};
 
 use self::chain::Chain;
 use self::progress::{Progress, Verdict};
@@ -87,6 +89,8 @@ pub(super) trait Unknown<const D: usize> {
     const LINEAR: bool;
     /// G depends on the velocity at the end of the step.
     const FORCED: bool;
+    /// The step conserves the energy: what rounding keeps from G, always of one sign where corrections are, is asked for.
+    const EXACT: bool;
 
     /// out ← G(b, v), for a part θ of the step.
     fn gradient(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>);
@@ -106,6 +110,8 @@ pub struct Solver<const D: usize> {
     pub(super) delta: Vectors<D>,
     /// G at the solution, G + J δ of the last correction.
     pub(super) gradient: Vectors<D>,
+    /// What the rounding of that sum left out, where the step conserves the energy.
+    pub(super) rest: Vectors<D>,
     /// The position at the end of the step, and then the residual and the correction, which do not need it any more: a
     /// long chain is as fast as little memory is touched.
     place: Vectors<D>,
@@ -124,6 +130,7 @@ impl<const D: usize> Solver<D> {
             chain: (*topology == Topology::Chain).then(|| Chain::new(bodies)),
             delta: zeros.clone(),
             gradient: zeros.clone(),
+            rest: zeros.clone(),
             place: zeros.clone(),
             velocity: zeros.clone(),
             first: zeros.clone(),
@@ -141,6 +148,9 @@ impl<const D: usize> Solver<D> {
         let settled = match self.chain.take() {
             Some(mut chain) if !U::FORCED => {
                 let settled = self.settle_chain(&mut chain, equation, unknown);
+                if U::EXACT {
+                    core::mem::swap(&mut self.rest, chain.rest());
+                }
                 self.chain = Some(chain);
                 settled
             }
@@ -179,7 +189,7 @@ impl<const D: usize> Solver<D> {
             since_factors += 1;
             let force = self.residual(equation, theta);
             self.solve_linear(equation, theta);
-            self.matrix.multiply_add(&self.place, &mut self.gradient);
+            self.turn::<U>();
             let [size, step] = self.correct();
             match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
                 Verdict::Settled => return Ok(iteration),
@@ -286,6 +296,19 @@ impl<const D: usize> Solver<D> {
             odd += 0.0 * *delta;
         }
         [size + odd, step + odd]
+    }
+
+    /// G += J δ.
+    fn turn<U: Unknown<D>>(&mut self) {
+        if !U::EXACT {
+            self.matrix.multiply_add(&self.place, &mut self.gradient);
+            return;
+        }
+        self.rest.clear();
+        self.matrix.multiply_add(&self.place, &mut self.rest);
+        for (gradient, rest) in self.gradient.flat_mut().iter_mut().zip(self.rest.flat_mut()) {
+            (*gradient, *rest) = two_sum(*gradient, *rest);
+        }
     }
 
     fn factorise(&mut self, equation: &Equation<'_, D>, theta: f64) -> bool {

@@ -46,6 +46,7 @@ struct Exact<'a, const D: usize, A> {
 impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
     const FORCED: bool = A::FORCED;
+    const EXACT: bool = true;
 
     fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
         self.acts.set_discrete_gradient(self.a, b, self.middle, out);
@@ -160,9 +161,9 @@ impl<const D: usize> Moving<'_, D> {
                 *found += half;
             }
         }
-        let (kick, found) = (setting.kick.flat(), solver.gradient.flat());
-        let change = |i: usize| -kick[i] * found[i];
-        CompensatedVectors::kick_and_drift(q, v, h, 0.5, change);
+        let (kick, found, rest) = (setting.kick.flat(), solver.gradient.flat(), solver.rest.flat());
+        let change = |i: usize| [-kick[i] * found[i], -kick[i] * rest[i]];
+        CompensatedVectors::kick_in_parts_and_drift(q, v, h, 0.5, change);
         Ok(effort)
     }
 }

@@ -42,6 +42,7 @@ struct AtEnd<'a, A> {
 impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
     const FORCED: bool = A::FORCED;
+    const EXACT: bool = false;
 
     fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
         self.acts.set_gradient(b, self.t, out);

@@ -58,6 +58,7 @@ impl<const D: usize, A: Acts<D>> Exact<'_, D, A> {
 impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const LINEAR: bool = A::LINEAR;
     const FORCED: bool = false;
+    const EXACT: bool = true;
 
     fn gradient(&self, theta: f64, b: &Vectors<D>, _: &Vectors<D>, out: &mut Vectors<D>) {
         if theta == 1.0 {
@@ -155,10 +156,10 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
                 *found += force;
             }
         }
-        let (kick, found) = (system.setting.kick.flat(), solver.gradient.flat());
-        let change = |i: usize| -kick[i] * found[i];
+        let (kick, found, rest) = (system.setting.kick.flat(), solver.gradient.flat(), solver.rest.flat());
+        let change = |i: usize| [-kick[i] * found[i], -kick[i] * rest[i]];
         q_before.clone_from(&q.hi);
-        CompensatedVectors::kick_and_drift(q, z, h, 1.0, change);
+        CompensatedVectors::kick_in_parts_and_drift(q, z, h, 1.0, change);
         shift(gradients, &mut solver.gradient);
         Ok(effort)
     }

@@ -1,0 +1,69 @@
+//! What a correction changes of a force is known to more digits than the force.
+
+use dmech_scalar::Lanes;
+
+use super::{Equation, Solver, Unknown};
+use crate::scene::matrix::Matrix;
+use crate::scene::terms::Topology;
+use crate::scene::terms::stencil::{Stencil, block, load};
+use crate::scene::vectors::Vectors;
+use crate::scheme::Newton;
+
+/// G = b − 1/16.
+struct Spring;
+
+impl Unknown<1> for Spring {
+    const LINEAR: bool = false;
+    const FORCED: bool = false;
+    const EXACT: bool = true;
+
+    fn gradient(&self, _: f64, b: &Vectors<1>, _: &Vectors<1>, out: &mut Vectors<1>) {
+        out.flat_mut().iter_mut().zip(b.flat()).for_each(|(out, b)| *out = b - 0.0625);
+    }
+
+    fn jacobian(&self, _: f64, b: &Vectors<1>, _: &Vectors<1>, _: f64, out: &mut Matrix<1>) {
+        (0..b.bodies()).for_each(|i| out.add_block(i, i, [[1.0]]));
+    }
+
+    fn stencil(&self, b: &Vectors<1>, first: usize, out: &mut Stencil<1>) {
+        out.own = [load(b.flat(), block(first, b.bodies())) - Lanes::splat(0.0625)];
+        out.own_jacobian = [[Lanes::splat(1.0)]];
+    }
+}
+
+/// All numbers are such that only G + J δ is rounded: G = 1, and J δ = −2⁻⁵⁵/(1 + g) does not change it.
+#[test]
+fn a_correction_too_small_to_change_the_force_is_left_beside_it() {
+    let two = |n: i32| f64::from(n).exp2();
+    let bodies = 11;
+    let all = |x: f64| {
+        let mut vectors = Vectors::<1>::zeros(bodies);
+        vectors.flat_mut().fill(x);
+        vectors
+    };
+    let (q, zero, g) = (all(1.0), all(0.0), all(two(-10)));
+    let (v, last) = (all(two(-4) + two(-10) + two(-56)), all(1.0 - two(-45)));
+    let newton = Newton::predicted();
+    let equation = Equation {
+        q: &q,
+        q_low: &zero,
+        h: 1.0,
+        known: None,
+        g: &g,
+        v: &v,
+        v_low: &zero,
+        rate: 0.0,
+        last: [&last; 3],
+        last_are_whole: true,
+        newton: &newton,
+    };
+    for topology in [Topology::Chain, Topology::Dense] {
+        let mut solver = Solver::new(bodies, &topology);
+        solver.solve(&equation, &Spring).unwrap();
+        let turned = -two(-55) / (1.0 + two(-10));
+        for (gradient, rest) in solver.gradient.flat().iter().zip(solver.rest.flat()) {
+            assert_eq!(*gradient, 1.0, "{topology:?}");
+            assert!((rest / turned - 1.0).abs() < 1e-10, "{topology:?}: {rest:e} for {turned:e}");
+        }
+    }
+}

@@ -190,7 +190,7 @@ fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
         let title = format!("{title}: time for an error");
         // Room for a name beyond the slowest and below the most accurate run.
         let x = Axis::powers_of_ten("time, seconds", fastest.floor()..slowest + 0.7);
-        let y = Axis::powers_of_ten("error of the final position", (least - 0.7).floor()..0.0);
+        let y = Axis::powers_of_ten("error of the final position", (least - 1.5).floor()..0.0);
         let mut chart = picture::chart(area, &title, x, y, 60)?;
         for (points, (_, colour)) in lines.iter().zip(LINES) {
             picture::line(&mut chart, points.clone(), colour, 1.5)?;
@@ -202,7 +202,7 @@ fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
         let names = lines.iter().zip(LINES).rev();
         let labels = names.filter_map(|(points, (name, colour))| Some((end(points)?, name.to_owned(), colour)));
         picture::label_clear(&chart, &obstacles, &labels.collect::<Vec<_>>())?;
-        let corner = (fastest.floor(), (least - 0.7).floor());
+        let corner = (fastest.floor(), (least - 1.5).floor());
         let key = [
             ("4, 6, 8: Composed(Leapfrog)", BLUE),
             ("4, 6, 8: Composed(DiscreteGradient)", RED),

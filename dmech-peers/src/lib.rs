@@ -18,7 +18,7 @@ mod schemes;
 mod twins;
 
 pub use entrant::{Crate, Entrant, Finish, tolerances};
-pub use measure::{Cost, Line, measure};
+pub use measure::{Line, measure};
 pub use problem::{Eight, Fput, Motion, Planet, Problem, Swing, eccentric, eight, fput, orbit, pendulum};
 pub use report::{GOALS, Report};
 pub use schemes::{ThreeBodies, chain_schemes, law_schemes, three_bodies};

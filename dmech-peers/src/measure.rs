@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use dmech::study::{Cost, cost_at};
+
 use crate::entrant::{Crate, Entrant, Finish};
 
 /// An entrant stops at the first run that takes longer.
@@ -26,24 +28,6 @@ pub struct Line {
     pub runs: Vec<(f64, Result<Finish, String>)>,
 }
 
-/// What an error costs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cost {
-    /// Between two runs.
-    About(f64),
-    /// That of the coarsest run, which already reaches the error.
-    AtMost(f64),
-}
-
-impl Cost {
-    /// In the unit that was asked for.
-    pub fn value(self) -> f64 {
-        match self {
-            Cost::About(cost) | Cost::AtMost(cost) => cost,
-        }
-    }
-}
-
 impl Line {
     /// Milliseconds to an error.
     pub fn time_at(&self, error: f64) -> Option<Cost> {
@@ -58,19 +42,6 @@ impl Line {
     fn cost_at(&self, error: f64, cost: fn(&Finish) -> f64) -> Option<Cost> {
         let reached = self.runs.iter().filter_map(|(_, run)| run.as_ref().ok());
         cost_at(error, &reached.map(|finish| (finish.error.max(1e-16), cost(finish))).collect::<Vec<_>>())
-    }
-}
-
-/// Linear in the logarithms of (error, cost). Of several neighbours that enclose the error the last counts, as a single
-/// small error among large ones is chance.
-fn cost_at(error: f64, points: &[(f64, f64)]) -> Option<Cost> {
-    let encloses = |pair: &&[(f64, f64)]| pair[0].0 > error && pair[1].0 <= error;
-    match points.windows(2).rev().find(encloses) {
-        Some(pair) => {
-            let [(e0, c0), (e1, c1)] = [pair[0], pair[1]].map(|(e, c)| (e.ln(), c.ln()));
-            Some(Cost::About((c0 + (c1 - c0) * (error.ln() - e0) / (e1 - e0)).exp()))
-        }
-        None => points.first().filter(|first| first.0 <= error).map(|first| Cost::AtMost(first.1)),
     }
 }
 

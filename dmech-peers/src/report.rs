@@ -3,8 +3,10 @@
 use core::fmt::Write as _;
 use std::io::{self, Write};
 
+use dmech::study::Cost;
+
 use crate::entrant::Crate;
-use crate::measure::{Cost, Line};
+use crate::measure::Line;
 
 /// The errors that are asked for.
 pub const GOALS: [f64; 3] = [1e-3, 1e-6, 1e-9];

@@ -16,6 +16,7 @@ mod truth;
 #[cfg(test)]
 mod tests;
 
+pub use interpolate::{Cost, cost_at};
 pub use reference::Reference;
 pub use report::StudyReport;
 pub use row::{Figures, StudyRow};

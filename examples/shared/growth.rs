@@ -126,22 +126,6 @@ impl Motion {
         })
     }
 
-    /// The mean over the starts of the error after `steps` steps, with its sign and relative, and the standard error of that
-    /// mean.
-    pub(crate) fn mean<S: Any + Send>(
-        self,
-        scheme: S,
-        invariant: Invariant,
-        steps: u64,
-    ) -> Result<[f64; 2], Box<dyn std::error::Error>> {
-        let drifts = self.drifts(scheme, invariant, steps)?;
-        let errors: Vec<_> = drifts.iter().map(|drift| (drift.last() - drift.start()) / drift.start().abs()).collect();
-        let n = errors.len() as f64;
-        let mean = errors.iter().sum::<f64>() / n;
-        let squares: f64 = errors.iter().map(|error| (error - mean).powi(2)).sum();
-        Ok([mean, (squares / (n * (n - 1.0))).sqrt()])
-    }
-
     /// Root mean squares over the starts, for numbers of steps from 10² to 10^decades.
     pub(crate) fn growth<S: Any + Send>(
         self,

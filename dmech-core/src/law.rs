@@ -17,6 +17,9 @@ pub trait Potential<const D: usize, R: Real = f64> {
     const CENTRAL: bool = false;
     /// The Hessian does not depend on q: the implicit steps are linear and need no iteration.
     const LINEAR: bool = false;
+    /// The gradient, or its derivative, jumps somewhere: a contact, a cut-off, |x|. Implicit steps then trust no extrapolation of
+    /// the force, which costs an evaluation in each.
+    const PIECEWISE: bool = false;
 
     /// Φ(q).
     fn potential(&self, q: [R; D]) -> R;
@@ -209,6 +212,7 @@ impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Law<D, R> for P
 impl<const D: usize, R: Real, P: Potential<D, R>> Potential<D, R> for &P {
     const CENTRAL: bool = P::CENTRAL;
     const LINEAR: bool = P::LINEAR;
+    const PIECEWISE: bool = P::PIECEWISE;
 
     #[inline(always)]
     fn potential(&self, q: [R; D]) -> R {

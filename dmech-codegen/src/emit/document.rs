@@ -166,11 +166,17 @@ fn structure(derivation: &Derivation) -> Vec<&'static str> {
             }
         }
         None if kernels.structure.constant_hessian => found.push("linear: implicit steps need no iteration"),
-        None if kernels.structure.central.is_some() => found.push("central: implicit steps have one scalar unknown"),
+        None if kernels.structure.one_unknown().is_some() => {
+            found.push("central: implicit steps have one scalar unknown");
+        }
+        None if kernels.structure.central.is_some() => found.push("central, with a choice: Newton in all coordinates"),
         None if kernels.structure.diagonal_hessian && kernels.formulas.gradient.len() > 1 => {
             found.push("the coordinates do not interact: implicit steps are solved one by one");
         }
         None => found.push("no special structure: Newton in all coordinates"),
+    }
+    if forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise) {
+        found.push("piecewise: across a seam the discrete gradient is the quotient of what it must make up");
     }
     if lowered.parameters.iter().any(|p| matches!(p.source, Source::Time)) {
         found.push("names the time: the energy is not kept");

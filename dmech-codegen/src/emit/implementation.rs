@@ -50,9 +50,16 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let (bare, momentary) = (printer(quote!(#receiver)), printer(quote!(#receiver.law)));
     let central = kernels.structure.central.is_some() && forced.is_none();
     let linear = kernels.structure.constant_hessian && forced.is_none();
+    let piecewise = forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise);
+    let piecewise = piecewise.then(|| {
+        quote!(
+            const PIECEWISE: bool = true;
+        )
+    });
     let constants = quote! {
         const CENTRAL: bool = #central;
         const LINEAR: bool = #linear;
+        #piecewise
     };
     let where_clause = &model.generics.where_clause;
     let text = super::document::derivation(derivation);

@@ -207,17 +207,24 @@ fn potential(
     derivation: &PairDerivation,
     documents: &Documents,
 ) -> (TokenStream, TokenStream) {
-    let (central, linear) = match potential {
-        PairPotential::None => (true, true),
-        PairPotential::Radial(radial) => (true, radial.linear),
-        PairPotential::Separation(separation) => (false, separation.linear),
+    let (central, linear, piecewise) = match potential {
+        PairPotential::None => (true, true, false),
+        PairPotential::Radial(radial) => (true, radial.linear, radial.piecewise),
+        PairPotential::Separation(separation) => (false, separation.linear, separation.piecewise),
     };
     // As for one body: with a force beside it nothing follows from the potential alone.
     let alone = derivation.kernels.force.is_none();
     let (central, linear) = (central && alone, linear && alone);
+    let piecewise = piecewise || derivation.kernels.force.as_ref().is_some_and(|force| force.piecewise);
+    let piecewise = piecewise.then(|| {
+        quote!(
+            const PIECEWISE: bool = true;
+        )
+    });
     let constants = quote! {
         const CENTRAL: bool = #central;
         const LINEAR: bool = #linear;
+        #piecewise
     };
     let functions = match potential {
         PairPotential::None => printer.no_potential(),

@@ -65,6 +65,9 @@ pub fn drive_middle<const D: usize, R: Real>(
 /// the last two corrections. Before there are two, the force is taken to vary over lengths no shorter than the step, so
 /// that G + J δ is off by |G| (|δ|/|Δ|)² at most.
 ///
+/// A piecewise force may bend between one iterate and the next, so that neither estimate holds: there the last correction
+/// itself must be below rounding.
+///
 /// The guess is left behind when the first correction is larger than the whole step, or when corrections do not halve
 /// (the affine-invariant monotonicity test; P. Deuflhard, Newton Methods for Nonlinear Problems, §3.2).
 #[inline]
@@ -88,7 +91,8 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         let settled;
         let astray;
         if iteration == 1 {
-            settled = size.less_or_equal(root_of_margin * step);
+            let small = if equation.piecewise { margin } else { root_of_margin };
+            settled = size.less_or_equal(small * step);
             let scale = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
             astray = (scale + length(&equation.guess)).less(size);
         } else {
@@ -97,7 +101,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             // What no longer shrinks is the rounding of b and of the known side.
             let noise = R::from_f64(64.0) * R::EPSILON * (step + length(&equation.q) + length(&equation.drift));
             let at_rest = halved.not().and(size.less_or_equal(noise));
-            let rate = size / last;
+            let rate = if equation.piecewise { R::ONE } else { size / last };
             let small = (size * rate * rate).less_or_equal(margin * pull).or(size.equal(R::ZERO));
             settled = small.or(at_rest);
             astray = halved.not();

@@ -40,6 +40,8 @@ pub struct Equation<const D: usize, R: Real> {
     pub guess: [R; D],
     /// How many iterations are allowed.
     pub max_iterations: u32,
+    /// The force may bend or jump between two iterates: [`Potential::PIECEWISE`](crate::Potential::PIECEWISE).
+    pub piecewise: bool,
 }
 
 impl<const D: usize, R: Real> Equation<D, R> {
@@ -57,6 +59,7 @@ impl<const D: usize, R: Real> Equation<D, R> {
             t_end: R::ZERO,
             guess: drift,
             max_iterations: 500,
+            piecewise: false,
         }
     }
 

@@ -127,7 +127,8 @@ pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
     let zero = [R::ZERO; D];
     let guess = newton.guess((stride.dt, v.hi), zero, g, expected);
     let field = law.field(stride.mass, half.mul_add(stride.dt, t));
-    let equation = Equation { guess, max_iterations: newton.limit(), ..Equation::new(q, drift, g) };
+    let piecewise = <L::Field<'_> as Potential<D, R>>::PIECEWISE;
+    let equation = Equation { guess, max_iterations: newton.limit(), piecewise, ..Equation::new(q, drift, g) };
     if !<L::Field<'_> as Field<D, R>>::FORCED {
         return field.discrete_increment(&equation);
     }

@@ -96,7 +96,8 @@ pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
     let frozen = scaled(g, gradient);
     let guess = newton.guess((stride.dt, *v), frozen, g, expected);
     let max_iterations = newton.limit();
-    let mut equation = Equation { frozen, guess, max_iterations, ..Equation::new(*q, drift, g) };
+    let piecewise = <L::Field<'_> as Potential<D, R>>::PIECEWISE;
+    let mut equation = Equation { frozen, guess, max_iterations, piecewise, ..Equation::new(*q, drift, g) };
     if <L::Field<'_> as Field<D, R>>::FORCED {
         equation = Equation { v: *v, rate: stride.rate, t_end, ..equation };
     }

@@ -165,8 +165,13 @@ impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R
         let drift = stride.drift(&z);
         let zero = [R::ZERO; D];
         let guess = self.newton.guess((stride.dt, z.value()), zero, g, continued(gradients));
-        let equation =
-            Equation { a: q_before, guess, max_iterations: self.newton.limit(), ..Equation::new(q.value(), drift, g) };
+        let equation = Equation {
+            a: q_before,
+            guess,
+            max_iterations: self.newton.limit(),
+            piecewise: <L::Field<'_> as Potential<D, R>>::PIECEWISE,
+            ..Equation::new(q.value(), drift, g)
+        };
         let field = law.field(stride.mass, t);
         let found = if <L::Field<'_> as Field<D, R>>::FORCED {
             // A force beside the potential is that at the position now.

@@ -6,7 +6,7 @@
 use dmech_scalar::{CompensatedVector, Real};
 
 use super::{Newton, Stride, exact_product};
-use crate::law::{Field, Law};
+use crate::law::{Field, Law, Potential};
 use crate::newton::{Equation, Increment, NotConverged};
 
 /// Moves q and v by one step.
@@ -31,6 +31,7 @@ pub(super) fn step<L: Law<D, R>, const D: usize, R: Real>(
         t_end: t + stride.dt,
         guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, expected),
         max_iterations: newton.limit(),
+        piecewise: <L::Field<'_> as Potential<D, R>>::PIECEWISE,
         ..Equation::new(start, drift, g)
     };
     let field = law.field(stride.mass, half.mul_add(stride.dt, t));

@@ -242,8 +242,8 @@ fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
     let sum = g.add(&[a, b]);
     let (zero, quotient) = (g.zero(), g.div(sum, below));
     let across = g.select(Condition::equal(below, zero), zero, quotient);
-    let signs = [g.unary(Unary::Signum, a), g.unary(Unary::Signum, b)];
-    let (product, sign) = (g.mul(&[a, b]), g.mean(signs[0], signs[1]));
+    // The sign of the sum: where rounding leaves a and b no certain sign, that of the larger.
+    let (product, sign) = (g.mul(&[a, b]), g.unary(Unary::Signum, sum));
     g.select(Condition::less(zero, product), sign, across)
 }
 

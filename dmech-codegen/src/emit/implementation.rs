@@ -3,7 +3,7 @@
 use dmech_symbolic::expression::Expr;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
-use syn::GenericParam;
+use syn::{GenericParam, Lifetime};
 
 use super::kernels::Printer;
 use super::names::{Names, ident, runtime};
@@ -139,7 +139,8 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         }
     });
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
-    let (moment, law, mass, t) = (ident("Moment"), ident("Law"), ident("mass"), ident("t"));
+    let moment = generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment");
+    let (held, law, mass, t) = (hidden_lifetime(model), ident("Law"), ident("mass"), ident("t"));
     quote! {
         #[allow(clippy::approx_constant)]
             const _: () = {
@@ -153,15 +154,15 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
 
             /// The law at one moment, for one mass.
             #[allow(dead_code)]
-            pub struct #moment<'law, #law, #scalar> {
-                law: &'law #law,
+            pub struct #moment<#held, #law, #scalar> {
+                law: &#held #law,
                 mass: #scalar,
                 t: #scalar,
             }
 
             #[automatically_derived]
             impl #generics #runtime::Law<#d, #scalar> for #self_ty #where_clause {
-                type Field<'law> = #moment<'law, Self, #scalar> where Self: 'law;
+                type Field<#held> = #moment<#held, Self, #scalar> where Self: #held;
                 const AUTONOMOUS: bool = #autonomous;
                 #[inline(always)]
                 fn field(&self, #mass: #scalar, #t: #scalar) -> Self::Field<'_> {
@@ -254,11 +255,19 @@ pub(super) fn scalar_name(model: &Model) -> Ident {
     generic_name(model, ["R", "Scalar", "__R", "__Scalar"], "__DmechScalar")
 }
 
-/// The first name that neither the user's own type nor its generics have.
+/// The lifetime of the law in a hidden struct: 'law, unless the user's generics have it.
+pub(super) fn hidden_lifetime(model: &Model) -> Lifetime {
+    let name = generic_name(model, ["law", "held", "__law", "__held"], "__dmech_law");
+    Lifetime::new(&format!("'{name}"), Span::mixed_site())
+}
+
+/// The first name that stands nowhere where the user's own text is printed beside it: not in the type of the law, its
+/// generics and their bounds, the data of the bodies, or the path of the facade.
 pub(super) fn generic_name(model: &Model, candidates: [&str; 4], last_resort: &str) -> Ident {
-    let (self_ty, generics, data) = (&model.self_ty, &model.generics, model.pair.as_ref().map(|pair| &pair.data));
+    let Model { self_ty, generics, krate, .. } = model;
+    let (bounds, data) = (&generics.where_clause, model.pair.as_ref().map(|pair| &pair.data));
     let data = data.into_iter().flatten();
-    let tokens = quote!(#self_ty #generics #(#data)*).to_string();
+    let tokens = quote!(#self_ty #generics #bounds #(#data)* #krate).to_string();
     let words: Vec<&str> = tokens.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let free = candidates.into_iter().find(|name| !words.contains(name));
     ident(free.unwrap_or(last_resort))

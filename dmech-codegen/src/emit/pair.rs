@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::body::{Body, body};
-use super::implementation::{generic_name, module, parameters_of, scalar_name};
+use super::implementation::{generic_name, hidden_lifetime, module, parameters_of, scalar_name};
 use super::kernels::{Printer, Shape, receiver, underscored};
 use super::names::{Names, ident, runtime};
 use super::pair_document::{self, Documents};
@@ -66,7 +66,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
     let reads = reads(&printer, &names, model, layout);
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
-    let (law, count) = (ident("Law"), Literal::usize_unsuffixed(layout.len()));
+    let (held, law, count) = (hidden_lifetime(model), ident("Law"), Literal::usize_unsuffixed(layout.len()));
     let (a, b, t) = (ident("a"), ident("b"), ident("t"));
     let numbers = quote!([#scalar; #count]);
     quote! {
@@ -86,8 +86,8 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
 
             /// The law between two bodies at one moment.
             #[allow(dead_code)]
-            pub struct #pair<'law, #law, #scalar> {
-                law: &'law #law,
+            pub struct #pair<#held, #law, #scalar> {
+                law: &#held #law,
                 a: #numbers,
                 b: #numbers,
                 t: #scalar,
@@ -95,7 +95,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
 
             #[automatically_derived]
             impl #with_data #runtime::PairLaw<#dimension, #data_type, #scalar> for #self_ty #where_clause {
-                type Between<'law> = #pair<'law, Self, #scalar> where Self: 'law;
+                type Between<#held> = #pair<#held, Self, #scalar> where Self: #held;
                 const AUTONOMOUS: bool = #autonomous;
                 #[inline(always)]
                 fn between(&self, #a: #numbers, #b: #numbers, #t: #scalar) -> Self::Between<'_> {
@@ -362,7 +362,7 @@ pub(crate) fn pair_stub(model: &Model) -> TokenStream {
     let parameters: Vec<_> = parameters_of(model).collect();
     let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none()).then(|| quote!(#data));
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
-    let (numbers, q) = (ident("_numbers"), ident("_d"));
+    let (held, numbers, q) = (hidden_lifetime(model), ident("_numbers"), ident("_d"));
     let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
     let unreachable = quote!({ ::core::unreachable!() });
     quote! {
@@ -383,7 +383,7 @@ pub(crate) fn pair_stub(model: &Model) -> TokenStream {
             pub struct #pair;
             #[automatically_derived]
             impl #with_data #runtime::PairLaw<#d, #data, #scalar> for #self_ty #where_clause {
-                type Between<'law> = #pair where Self: 'law;
+                type Between<#held> = #pair where Self: #held;
                 fn between(&self, _: [#scalar; 0], #numbers: [#scalar; 0], _: #scalar) -> #pair #unreachable
             }
             #[automatically_derived]

@@ -184,52 +184,50 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     }
 }
 
-/// An implementation without content, so that one mistake in the law shows as one error.
-pub(crate) fn stub(model: &Model) -> TokenStream {
+/// Potential and force without content, for a law of one body that has errors.
+pub(super) fn stub(model: &Model) -> TokenStream {
     let (scalar, runtime) = (scalar_name(model), module(model));
-    let d = Literal::usize_unsuffixed(model.dimension);
+    let (d, any_dimension) = dimension(model);
     let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
-    let parameters = parameters_of(model);
-    let own_parameters = parameters_of(model);
-    let function = |name: &str, arguments: &[&str], result: TokenStream| {
+    let parameters: Vec<_> = parameters_of(model).collect();
+    let function = |name: &str, arguments: &[&str], result: &TokenStream| {
         let name = ident(name);
         let arguments = arguments.iter().map(|a| ident(a));
         quote!(fn #name(&self, #(#arguments: [#scalar; #d]),*) -> #result { ::core::unreachable!() })
     };
     let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
     let functions = [
-        function("potential", &["_q"], quote!(#scalar)),
-        function("gradient", &["_q"], vector.clone()),
-        function("hessian", &["_q"], matrix.clone()),
-        function("discrete_gradient", &["_a", "_b"], vector),
-        function("discrete_gradient_jacobian", &["_a", "_b"], matrix),
+        function("potential", &["_q"], &quote!(#scalar)),
+        function("gradient", &["_q"], &vector),
+        function("hessian", &["_q"], &matrix),
+        function("discrete_gradient", &["_a", "_b"], &vector),
+        function("discrete_gradient_jacobian", &["_a", "_b"], &matrix),
     ];
-    let own_generics = quote!(<#(#own_parameters),*>);
-    let generics = quote!(<#(#parameters,)* #scalar: #runtime::Real>);
-    let force = model.force.is_some().then(|| {
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let names = ["force", "force_dq", "force_dv"].map(ident);
-        let results = [&vector, &matrix, &matrix];
-        quote! {
-            #[automatically_derived]
-            impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
-                #(fn #names(&self, _q: #vector, _v: #vector, _t: #scalar) -> #results { ::core::unreachable!() })*
-            }
-        }
-    });
+    let names = ["force", "force_dq", "force_dv"].map(ident);
+    let results = [&vector, &matrix, &matrix];
+    let generics = quote!(<#(#parameters,)* #any_dimension #scalar: #runtime::Real>);
     quote! {
         #[automatically_derived]
-        impl #own_generics #runtime::Derivation for #self_ty #where_clause {
-            fn derivation(&self) -> &'static ::core::primitive::str { ::core::unreachable!() }
-        }
-        #force
+        impl <#(#parameters),*> #runtime::Conservative for #self_ty #where_clause {}
         #[automatically_derived]
-        impl #own_generics #runtime::Conservative for #self_ty #where_clause {}
+        impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
+            #(fn #names(&self, _q: #vector, _v: #vector, _t: #scalar) -> #results { ::core::unreachable!() })*
+        }
         #[automatically_derived]
         impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
             #(#functions)*
         }
     }
+}
+
+/// The number of coordinates as it is printed, and the parameter that it is where it may be any.
+pub(super) fn dimension(model: &Model) -> (TokenStream, Option<TokenStream>) {
+    if model.dimension > 0 {
+        let d = Literal::usize_unsuffixed(model.dimension);
+        return (quote!(#d), None);
+    }
+    let name = generic_name(model, ["D", "Dim", "__D", "__Dim"], "__DmechDimension");
+    (quote!(#name), Some(quote!(const #name: usize,)))
 }
 
 /// The hidden module of the facade that generated code refers to.

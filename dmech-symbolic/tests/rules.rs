@@ -153,7 +153,7 @@ fn functions() {
             vec![|[x, ..]| x.powi(-2).sqrt(), |[x, ..]| (1.0 / (x * x)).sqrt(), |[x, ..]| 1.0 / x.powi(2).sqrt()],
         )
         .on(|[x, ..]| x != 0.0),
-        rule("1/|x|³", |[x, ..]| x.powi(-6).sqrt(), vec![|[x, ..]| x.powi(-6).sqrt(), |[x, ..]| x.powi(-3).abs()])
+        rule("1/|x|³", |[x, ..]| x.powi(-6).sqrt(), vec![|[x, ..]| x.powi(-6).sqrt(), |[x, ..]| x.abs().powi(-3)])
             .on(|[x, ..]| x != 0.0),
         // u^p by integer powers and roots
         rule("x²", |[x, ..]| x.powf(2.0), vec![|[x, ..]| x.powf(2.0)]),

@@ -8,13 +8,14 @@ use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::simulation::NoScheme;
 
-/// A scheme was chosen for what acts, `A`. Nothing implements it: it has the words for [`NoScheme`].
+/// A scheme was chosen for what acts. Nothing implements it: it has the words for [`NoScheme`], and stands on what acts
+/// because the compiler would not say them of the scheme itself.
 #[diagnostic::on_unimplemented(
     message = "`.scheme(...)` is missing: nothing says how this is to be stepped",
     label = "no scheme was chosen",
     note = "write `.scheme(DiscreteGradient)` to keep the energy exactly, `.scheme(Nystrom::order6())` for accurate positions, `.scheme(Leapfrog)` for a quick look"
 )]
-pub trait Chosen<A> {}
+pub trait WithScheme {}
 
 impl Method for NoScheme {
     const NAME: &'static str = "no scheme";
@@ -36,11 +37,8 @@ impl NeverBegun {
     }
 }
 
-/// Of no law, as [`Chosen`] never holds: so that the compiler says what is missing.
-impl<L, const D: usize, R: Real> Scheme<L, D, R> for NoScheme
-where
-    NoScheme: Chosen<L>,
-{
+/// Of no law, as [`WithScheme`] never holds: so that the compiler says what is missing.
+impl<L: WithScheme, const D: usize, R: Real> Scheme<L, D, R> for NoScheme {
     type Memory = NeverBegun;
 
     fn begin(&self, _: &L, _: &Stride<R>, _: &State<D, R>) -> Result<NeverBegun, NotConverged> {

@@ -29,7 +29,7 @@ pub use guess::{Guess, Newton};
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
-pub use missing::{Chosen, NeverBegun};
+pub use missing::{NeverBegun, WithScheme};
 pub use nystrom::Nystrom;
 #[cfg(feature = "scene")]
 pub(crate) use splitting::Splitting;

@@ -29,7 +29,7 @@ impl Instant {
 
 /// Its generics have the names of the hidden struct and of its lifetime.
 pub struct Borrowed<'law, 'held, Moment, Instant> {
-    pub k: &'law f64,
+    pub k: &'law [f64; 1],
     pub others: &'held (Moment, Instant),
 }
 
@@ -37,7 +37,7 @@ pub struct Borrowed<'law, 'held, Moment, Instant> {
 impl<'law, 'held, Moment: Clone, Instant: Clone> Borrowed<'law, 'held, Moment, Instant> {
     #[potential]
     fn energy(&self, q: [f64; 2], m: f64) -> f64 {
-        m * *self.k * q[0] * q[0] + q[1] * q[1]
+        m * self.k[0] * q[0] * q[0] + q[1] * q[1]
     }
 }
 
@@ -65,7 +65,7 @@ where
 
 /// Between two bodies that carry moments.
 pub struct Pair<'law, D> {
-    pub k: &'law f64,
+    pub k: &'law [f64; 1],
     pub label: D,
 }
 
@@ -73,7 +73,7 @@ pub struct Pair<'law, D> {
 impl<'law, D: Sync> Pair<'law, D> {
     #[pair]
     fn energy(&self, r: f64, a: &Moment, b: &Moment) -> f64 {
-        *self.k * r * r * a.k * b.k
+        self.k[0] * r * r * a.k * b.k
     }
 }
 
@@ -81,13 +81,13 @@ fn main() {
     let (start, k) = (State::new([1.0, 0.5], [0.0, 0.1]), 2.0);
     assert!(Simulation::new(Moment { k }, start).scheme(Leapfrog).dt(0.1).run(3).is_ok());
     assert!(Simulation::new(Instant { moment: Moment { k } }, start).scheme(Implicit).dt(0.1).run(3).is_ok());
-    let borrowed = Borrowed { k: &k, others: &(1, "one") };
+    let borrowed = Borrowed { k: &[k], others: &(1, "one") };
     assert_eq!(borrowed.others.1.len(), 3);
     assert!(Simulation::new(borrowed, start).scheme(Leapfrog).dt(0.1).run(3).is_ok());
     let bounded = Bounded { k, label: 1.0 };
     assert_eq!(bounded.label, 1.0);
     assert!(Simulation::new(bounded, start).scheme(Leapfrog).dt(0.1).run(3).is_ok());
-    let law = Pair { k: &k, label: 1 };
+    let law = Pair { k: &[k], label: 1 };
     assert_eq!(law.label, 1);
     let scene = Scene::new().body_with(1.0, [0.0, 0.0], [0.0, 0.0], Moment { k: 1.0 });
     let scene = scene.body_with(1.0, [1.0, 0.0], [0.0, 0.0], Moment { k: 2.0 }).pairs(law);

@@ -6,14 +6,11 @@ use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::Acts;
 use crate::scene::vectors::Vectors;
-use crate::scheme::{Chosen, Effort, NeverBegun};
+use crate::scheme::{Effort, NeverBegun, WithScheme};
 use crate::simulation::NoScheme;
 
-/// Of no scene, as [`Chosen`] never holds: so that the compiler says what is missing.
-impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for NoScheme
-where
-    NoScheme: Chosen<A>,
-{
+/// Of no scene, as [`WithScheme`] never holds: so that the compiler says what is missing.
+impl<const D: usize, A: Acts<D> + WithScheme> SceneScheme<D, A> for NoScheme {
     type Memory = NeverBegun;
 
     fn begin(&self, _: &System<D, A>, _: Start<'_, D>, _: &mut Solver<D>) -> Result<NeverBegun, NotConverged> {

@@ -235,7 +235,7 @@ fn tanh_in_binary32_over_any_distance() {
     let mut law = Law::build(1, |q, _| q[0].of(Unary::Tanh));
     let kernels = law.kernels();
     for [a, b] in [
-        [-3.0, 2.0],
+        [-3.0_f64, 2.0],
         [-30.0, 30.0],
         [-31.9, 32.1],
         [-40.0, 40.0],

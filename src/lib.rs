@@ -42,6 +42,10 @@
 //! assert_eq!(Spring { k: 4.0 }.gradient([0.5]), [2.0]);
 //! ```
 //!
+//! The generated code computes what the method computes, with one exception: `x.clamp(low, high)` panics in Rust where `low`
+//! lies above `high` or one of them is NaN. Bounds that the macro can see are checked when the program is compiled; for fields of
+//! the law, the generated code computes `x.max(low).min(high)`.
+//!
 //! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
 //! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog`,
 //! `Nystrom`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the program is compiled.

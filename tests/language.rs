@@ -3,6 +3,8 @@
 
 #[path = "language/constructs.rs"]
 mod constructs;
+#[path = "language/edges.rs"]
+mod edges;
 #[path = "language/functions.rs"]
 mod functions;
 #[path = "language/moments.rs"]

@@ -22,7 +22,7 @@ use dmech_symbolic::kernel::{ForcedKernels, Kernels, PairKernels, PairLaw};
 use proc_macro2::TokenStream;
 
 use diagnostics::Mistakes;
-use model::Parsed;
+use model::{Parsed, Refusal};
 
 /// A law with everything that follows from it, before it is printed.
 pub struct Derivation {
@@ -112,8 +112,8 @@ fn derive_all(model: Model) -> Result<Derived, (Box<Model>, Mistakes)> {
 }
 
 fn expand(Parsed { item, model, refused }: Parsed) -> TokenStream {
-    let (model, mistakes) = match model {
-        Err(mistakes) => (refused.filter(|model| model.dimension > 0 || model.pair.is_some()), mistakes),
+    let (model, refusal, mistakes) = match model {
+        Err(mistakes) => (refused, Refusal::Signature, mistakes),
         Ok(model) => match derive_all(model) {
             Ok(derived) => {
                 let mut tokens = item;
@@ -123,15 +123,11 @@ fn expand(Parsed { item, model, refused }: Parsed) -> TokenStream {
                 });
                 return tokens;
             }
-            Err((model, mistakes)) => (Some(model), mistakes),
+            Err((model, mistakes)) => (Some(model), Refusal::Formulas, mistakes),
         },
     };
     let mut tokens = emit::withheld(item, &mistakes.methods);
-    tokens.extend(model.map(|model| stub(&model)));
+    tokens.extend(model.map(|model| emit::stand_in(&model, refusal)));
     tokens.extend(mistakes.errors.iter().map(syn::Error::to_compile_error));
     tokens
-}
-
-fn stub(model: &Model) -> TokenStream {
-    if model.pair.is_some() { emit::pair_stub(model) } else { emit::stub(model) }
 }

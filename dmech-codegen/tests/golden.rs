@@ -71,6 +71,16 @@ const MOLECULAR: &str = "impl Molecular {
     }
 }";
 
+/// A wall, a force that saturates, a rope: choices of every kind.
+const CONTACT: &str = "impl Contact {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let [x, y] = q;
+        let wall = if x > 0.0 && y <= self.height { 0.5 * self.k * x * x } else { 0.0 };
+        wall + self.friction * y.abs() + (self.pull * y).min(self.top)
+    }
+}";
+
 fn expansion(law: &str) -> TokenStream {
     dmech_codegen::law(TokenStream::new(), law.parse().unwrap())
 }
@@ -118,8 +128,13 @@ fn molecular() {
 }
 
 #[test]
+fn contact() {
+    assert_golden("contact", CONTACT);
+}
+
+#[test]
 fn the_same_law_expands_to_the_same_tokens() {
-    for law in [KEPLER, OSCILLATOR, HENON_HEILES, BOTTLE, COULOMB, LENNARD_JONES, MOLECULAR] {
+    for law in [KEPLER, OSCILLATOR, HENON_HEILES, BOTTLE, COULOMB, LENNARD_JONES, MOLECULAR, CONTACT] {
         let once = expansion(law).to_string();
         for _ in 0..5 {
             assert_eq!(expansion(law).to_string(), once);

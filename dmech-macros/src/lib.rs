@@ -12,7 +12,7 @@ pub fn law(arguments: TokenStream, item: TokenStream) -> TokenStream {
 }
 
 /// The short form for a law of one line: `#[derive(dmech::Law)] #[potential(|q: [f64; 1]| …)] struct …`.
-#[proc_macro_derive(Law, attributes(potential, dmech))]
+#[proc_macro_derive(Law, attributes(potential, force, pair, pair_force, dmech))]
 pub fn derive_law(item: TokenStream) -> TokenStream {
     dmech_codegen::derive(item.into()).into()
 }

@@ -12,6 +12,7 @@ use common::laws::{Case, Law, cases};
 use common::notation::squared;
 use common::tree::{FUNCTIONS, Tree};
 use common::{U, Worst, for_all, ratio};
+use dmech_symbolic::expression::Unary;
 use dmech_symbolic::kernel::Kernels;
 
 const GAPS: [f64; 11] = [1.0, 0.3, 1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-12, 1e-14, 1e-16];
@@ -225,4 +226,32 @@ fn binary32_and_binary64_agree() {
     });
     gradient.at_most(4.0, "gradient in binary32, roundings");
     secant.at_most(4.0, "discrete gradient in binary32, roundings");
+}
+
+/// The secant of tanh between ends so far apart that sinh and cosh overflow in binary32, in which the closed form is ∞/∞.
+/// The rounding of b − a is that of an exponent there, and counts |b − a| times.
+#[test]
+fn tanh_in_binary32_over_any_distance() {
+    let mut law = Law::build(1, |q, _| q[0].of(Unary::Tanh));
+    let kernels = law.kernels();
+    for [a, b] in [
+        [-3.0_f64, 2.0],
+        [-30.0, 30.0],
+        [-31.9, 32.1],
+        [-40.0, 40.0],
+        [-44.5, 44.0],
+        [-50.0, 50.0],
+        [-1.0, 89.0],
+        [-200.0, 0.5],
+    ] {
+        for (a, b) in [(a, b), (b, a)] {
+            let [near, far] = [[a as f32], [b as f32]];
+            let slope = kernels.discrete_gradient.run(law.values(|x| x as f32, &near, &near, &far))[0];
+            let expected =
+                (f64::from(far[0]).tanh() - f64::from(near[0]).tanh()) / (f64::from(far[0]) - f64::from(near[0]));
+            let miss = (f64::from(slope) - expected).abs();
+            let allowed = f64::from(f32::EPSILON / 2.0) * (8.0 + (b - a).abs()) * expected;
+            assert!(miss <= allowed, "tanh from {a} to {b}: {slope:e} for {expected:e}");
+        }
+    }
 }

@@ -147,6 +147,14 @@ fn functions() {
             vec![|[x, y, _]| (2.25 * x.powi(2) * y.powi(4)).sqrt()],
         ),
         rule("√2·|x|", |[x, ..]| (2.0 * x * x).sqrt(), vec![|[x, ..]| (2.0 * x * x).sqrt()]),
+        rule(
+            "1/|x|",
+            |[x, ..]| (1.0 / (x * x)).sqrt(),
+            vec![|[x, ..]| x.powi(-2).sqrt(), |[x, ..]| (1.0 / (x * x)).sqrt(), |[x, ..]| 1.0 / x.powi(2).sqrt()],
+        )
+        .on(|[x, ..]| x != 0.0),
+        rule("1/|x|³", |[x, ..]| x.powi(-6).sqrt(), vec![|[x, ..]| x.powi(-6).sqrt(), |[x, ..]| x.abs().powi(-3)])
+            .on(|[x, ..]| x != 0.0),
         // u^p by integer powers and roots
         rule("x²", |[x, ..]| x.powf(2.0), vec![|[x, ..]| x.powf(2.0)]),
         rule("√x", |[x, ..]| x.powf(0.5), vec![|[x, ..]| x.powf(0.5)]).on(positive),

@@ -169,6 +169,17 @@ pub(crate) fn no_closure(name: &Ident) -> Error {
     at(name, format!("the potential of `{name}` is not stated; write `#[potential(|q: [f64; 2]| …)]` below the derive"))
 }
 
+pub(crate) fn role_on_a_struct(attribute: &syn::Attribute, name: &Ident, role: Role) -> Error {
+    let (role, takes) = (role.name(), role.example());
+    at(
+        attribute.path(),
+        format!(
+            "the derive knows a `#[potential]` and nothing else; write the methods of the law in a block instead of the \
+             derive: `#[dmech::law] impl {name} {{ #[{role}] fn {takes} {{ … }} }}`"
+        ),
+    )
+}
+
 pub(crate) fn not_a_closure(tokens: &impl ToTokens) -> Error {
     at(
         tokens,

@@ -3,7 +3,7 @@
 use dmech_symbolic::expression::Expr;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
-use syn::GenericParam;
+use syn::{GenericParam, Lifetime};
 
 use super::kernels::Printer;
 use super::names::{Names, ident, runtime};
@@ -146,7 +146,8 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         }
     });
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
-    let (moment, law, mass, t) = (ident("Moment"), ident("Law"), ident("mass"), ident("t"));
+    let moment = generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment");
+    let (held, law, mass, t) = (hidden_lifetime(model), ident("Law"), ident("mass"), ident("t"));
     quote! {
         #[allow(clippy::approx_constant)]
             const _: () = {
@@ -160,15 +161,15 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
 
             /// The law at one moment, for one mass.
             #[allow(dead_code)]
-            pub struct #moment<'law, #law, #scalar> {
-                law: &'law #law,
+            pub struct #moment<#held, #law, #scalar> {
+                law: &#held #law,
                 mass: #scalar,
                 t: #scalar,
             }
 
             #[automatically_derived]
             impl #generics #runtime::Law<#d, #scalar> for #self_ty #where_clause {
-                type Field<'law> = #moment<'law, Self, #scalar> where Self: 'law;
+                type Field<#held> = #moment<#held, Self, #scalar> where Self: #held;
                 const AUTONOMOUS: bool = #autonomous;
                 #[inline(always)]
                 fn field(&self, #mass: #scalar, #t: #scalar) -> Self::Field<'_> {
@@ -190,52 +191,50 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     }
 }
 
-/// An implementation without content, so that one mistake in the law shows as one error.
-pub(crate) fn stub(model: &Model) -> TokenStream {
+/// Potential and force without content, for a law of one body that has errors.
+pub(super) fn stub(model: &Model) -> TokenStream {
     let (scalar, runtime) = (scalar_name(model), module(model));
-    let d = Literal::usize_unsuffixed(model.dimension);
+    let (d, any_dimension) = dimension(model);
     let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
-    let parameters = parameters_of(model);
-    let own_parameters = parameters_of(model);
-    let function = |name: &str, arguments: &[&str], result: TokenStream| {
+    let parameters: Vec<_> = parameters_of(model).collect();
+    let function = |name: &str, arguments: &[&str], result: &TokenStream| {
         let name = ident(name);
         let arguments = arguments.iter().map(|a| ident(a));
         quote!(fn #name(&self, #(#arguments: [#scalar; #d]),*) -> #result { ::core::unreachable!() })
     };
     let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
     let functions = [
-        function("potential", &["_q"], quote!(#scalar)),
-        function("gradient", &["_q"], vector.clone()),
-        function("hessian", &["_q"], matrix.clone()),
-        function("discrete_gradient", &["_a", "_b"], vector),
-        function("discrete_gradient_jacobian", &["_a", "_b"], matrix),
+        function("potential", &["_q"], &quote!(#scalar)),
+        function("gradient", &["_q"], &vector),
+        function("hessian", &["_q"], &matrix),
+        function("discrete_gradient", &["_a", "_b"], &vector),
+        function("discrete_gradient_jacobian", &["_a", "_b"], &matrix),
     ];
-    let own_generics = quote!(<#(#own_parameters),*>);
-    let generics = quote!(<#(#parameters,)* #scalar: #runtime::Real>);
-    let force = model.force.is_some().then(|| {
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let names = ["force", "force_dq", "force_dv"].map(ident);
-        let results = [&vector, &matrix, &matrix];
-        quote! {
-            #[automatically_derived]
-            impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
-                #(fn #names(&self, _q: #vector, _v: #vector, _t: #scalar) -> #results { ::core::unreachable!() })*
-            }
-        }
-    });
+    let names = ["force", "force_dq", "force_dv"].map(ident);
+    let results = [&vector, &matrix, &matrix];
+    let generics = quote!(<#(#parameters,)* #any_dimension #scalar: #runtime::Real>);
     quote! {
         #[automatically_derived]
-        impl #own_generics #runtime::Derivation for #self_ty #where_clause {
-            fn derivation(&self) -> &'static ::core::primitive::str { ::core::unreachable!() }
-        }
-        #force
+        impl <#(#parameters),*> #runtime::Conservative for #self_ty #where_clause {}
         #[automatically_derived]
-        impl #own_generics #runtime::Conservative for #self_ty #where_clause {}
+        impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
+            #(fn #names(&self, _q: #vector, _v: #vector, _t: #scalar) -> #results { ::core::unreachable!() })*
+        }
         #[automatically_derived]
         impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
             #(#functions)*
         }
     }
+}
+
+/// The number of coordinates as it is printed, and the parameter that it is where it may be any.
+pub(super) fn dimension(model: &Model) -> (TokenStream, Option<TokenStream>) {
+    if model.dimension > 0 {
+        let d = Literal::usize_unsuffixed(model.dimension);
+        return (quote!(#d), None);
+    }
+    let name = generic_name(model, ["D", "Dim", "__D", "__Dim"], "__DmechDimension");
+    (quote!(#name), Some(quote!(const #name: usize,)))
 }
 
 /// The hidden module of the facade that generated code refers to.
@@ -261,11 +260,19 @@ pub(super) fn scalar_name(model: &Model) -> Ident {
     generic_name(model, ["R", "Scalar", "__R", "__Scalar"], "__DmechScalar")
 }
 
-/// The first name that neither the user's own type nor its generics have.
+/// The lifetime of the law in a hidden struct: 'law, unless the user's generics have it.
+pub(super) fn hidden_lifetime(model: &Model) -> Lifetime {
+    let name = generic_name(model, ["law", "held", "__law", "__held"], "__dmech_law");
+    Lifetime::new(&format!("'{name}"), Span::mixed_site())
+}
+
+/// The first name that stands nowhere where the user's own text is printed beside it: not in the type of the law, its
+/// generics and their bounds, the data of the bodies, or the path of the facade.
 pub(super) fn generic_name(model: &Model, candidates: [&str; 4], last_resort: &str) -> Ident {
-    let (self_ty, generics, data) = (&model.self_ty, &model.generics, model.pair.as_ref().map(|pair| &pair.data));
+    let Model { self_ty, generics, krate, .. } = model;
+    let (bounds, data) = (&generics.where_clause, model.pair.as_ref().map(|pair| &pair.data));
     let data = data.into_iter().flatten();
-    let tokens = quote!(#self_ty #generics #(#data)*).to_string();
+    let tokens = quote!(#self_ty #generics #bounds #(#data)* #krate).to_string();
     let words: Vec<&str> = tokens.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let free = candidates.into_iter().find(|name| !words.contains(name));
     ident(free.unwrap_or(last_resort))

@@ -10,8 +10,10 @@ mod operation;
 mod pair;
 mod pair_document;
 mod region;
+mod stand_in;
 mod withheld;
 
-pub(crate) use implementation::{implementation, stub};
-pub(crate) use pair::{pair_implementation, pair_stub};
+pub(crate) use implementation::implementation;
+pub(crate) use pair::pair_implementation;
+pub(crate) use stand_in::stand_in;
 pub(crate) use withheld::withheld;

@@ -5,9 +5,10 @@ use dmech_symbolic::kernel::{PairForce, PairPotential, Radial, Separation};
 use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use syn::parse_quote;
 
 use super::body::{Body, body};
-use super::implementation::{generic_name, module, parameters_of, scalar_name};
+use super::implementation::{dimension, generic_name, hidden_lifetime, module, parameters_of, scalar_name};
 use super::kernels::{Printer, Shape, receiver, underscored};
 use super::names::{Names, ident, runtime};
 use super::pair_document::{self, Documents};
@@ -66,7 +67,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
     let reads = reads(&printer, &names, model, layout);
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
-    let (law, count) = (ident("Law"), Literal::usize_unsuffixed(layout.len()));
+    let (held, law, count) = (hidden_lifetime(model), ident("Law"), Literal::usize_unsuffixed(layout.len()));
     let (a, b, t) = (ident("a"), ident("b"), ident("t"));
     let numbers = quote!([#scalar; #count]);
     quote! {
@@ -86,8 +87,8 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
 
             /// The law between two bodies at one moment.
             #[allow(dead_code)]
-            pub struct #pair<'law, #law, #scalar> {
-                law: &'law #law,
+            pub struct #pair<#held, #law, #scalar> {
+                law: &#held #law,
                 a: #numbers,
                 b: #numbers,
                 t: #scalar,
@@ -95,7 +96,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
 
             #[automatically_derived]
             impl #with_data #runtime::PairLaw<#dimension, #data_type, #scalar> for #self_ty #where_clause {
-                type Between<'law> = #pair<'law, Self, #scalar> where Self: 'law;
+                type Between<#held> = #pair<#held, Self, #scalar> where Self: #held;
                 const AUTONOMOUS: bool = #autonomous;
                 #[inline(always)]
                 fn between(&self, #a: #numbers, #b: #numbers, #t: #scalar) -> Self::Between<'_> {
@@ -137,17 +138,7 @@ impl Generics {
     fn of(model: &Model) -> Self {
         let runtime = module(model);
         let scalar = scalar_name(model);
-        let any_dimension = model.dimension == 0;
-        let dimension = match any_dimension {
-            true => {
-                let name = generic_name(model, ["D", "Dim", "__D", "__Dim"], "__DmechDimension");
-                quote!(#name)
-            }
-            false => {
-                let d = Literal::usize_unsuffixed(model.dimension);
-                quote!(#d)
-            }
-        };
+        let (dimension, any_dimension) = dimension(model);
         let data = match model.pair.as_ref().and_then(|pair| pair.data.as_ref()) {
             Some(data) => quote!(#data),
             None => {
@@ -157,7 +148,6 @@ impl Generics {
         };
         let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
         let parameters: Vec<_> = parameters_of(model).collect();
-        let any_dimension = any_dimension.then(|| quote!(const #dimension: usize,));
         let any_data = any_data.then(|| quote!(#data,));
         Self {
             own: quote!(<#(#parameters),*>),
@@ -362,26 +352,26 @@ impl Printer<'_> {
     }
 }
 
-/// An implementation without content, so that one mistake in the law shows as one error.
-pub(crate) fn pair_stub(model: &Model) -> TokenStream {
+/// What acts between two bodies without content, for a law that has errors.
+pub(super) fn pair_stub(model: &Model) -> TokenStream {
     let Generics { scalar, own, foreign, with_data, data, dimension: d, .. } = Generics::of(model);
     let (runtime, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
     let parameters: Vec<_> = parameters_of(model).collect();
     let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none()).then(|| quote!(#data));
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
-    let (numbers, q) = (ident("_numbers"), ident("_d"));
+    let (held, numbers, q) = (hidden_lifetime(model), ident("_numbers"), ident("_d"));
     let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
     let unreachable = quote!({ ::core::unreachable!() });
+    // Where it is not known that the law was meant for two bodies, its generics need not be `Sync`.
+    let mut generics = model.generics.clone();
+    if generics.type_params().next().is_some() {
+        generics.make_where_clause().predicates.push(parse_quote!(#self_ty: ::core::marker::Sync));
+    }
+    let shared = &generics.where_clause;
     quote! {
         const _: () = {
             #[automatically_derived]
-            impl #own #runtime::Derivation for #self_ty #where_clause {
-                fn derivation(&self) -> &'static ::core::primitive::str #unreachable
-            }
-            #[automatically_derived]
             impl #own #runtime::Symmetric for #self_ty #where_clause {}
-            #[automatically_derived]
-            impl #own #runtime::VelocityIndependent for #self_ty #where_clause {}
             #[automatically_derived]
             impl <#(#parameters,)* #any_data> #runtime::Reads<#data> for #self_ty #where_clause {
                 type Numbers = [::core::primitive::f64; 0];
@@ -389,8 +379,8 @@ pub(crate) fn pair_stub(model: &Model) -> TokenStream {
             }
             pub struct #pair;
             #[automatically_derived]
-            impl #with_data #runtime::PairLaw<#d, #data, #scalar> for #self_ty #where_clause {
-                type Between<'law> = #pair where Self: 'law;
+            impl #with_data #runtime::PairLaw<#d, #data, #scalar> for #self_ty #shared {
+                type Between<#held> = #pair where Self: #held;
                 fn between(&self, _: [#scalar; 0], #numbers: [#scalar; 0], _: #scalar) -> #pair #unreachable
             }
             #[automatically_derived]

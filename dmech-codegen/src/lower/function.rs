@@ -1,5 +1,7 @@
 //! The functions of `f64`, and the few of integers.
 
+use std::cmp::Ordering;
+
 use dmech_symbolic::expression::{Binary, Unary};
 use proc_macro2::Ident;
 use syn::Expr;
@@ -56,9 +58,16 @@ impl<'m> Interpreter<'m> {
         if text == "powf" {
             return self.real_power(x, &arguments[0]);
         }
+        let places: Vec<_> = arguments.iter().map(|a| a.at).collect();
         let others: Vec<_> = arguments.into_iter().map(|a| self.number(a.value, a.at)).collect();
         let others: Option<Vec<Formula>> = others.into_iter().collect();
         let (Some(x), Some(others)) = (x, others) else { return Value::Unknown };
+        if let ("clamp", &[low, high], &[low_at, high_at]) = (text.as_str(), &others[..], &places[..])
+            && let (Some(low), Some(high)) = (self.known_number(low, low_at), self.known_number(high, high_at))
+            && !matches!(low.partial_cmp(&high), Some(Ordering::Less | Ordering::Equal))
+        {
+            return self.refuse(body::clamped_the_wrong_way(e, low, high));
+        }
         let graph = &mut self.graph;
         Value::Number(match (text.as_str(), &others[..]) {
             ("recip", []) => graph.recip(x),
@@ -108,7 +117,7 @@ impl<'m> Interpreter<'m> {
     }
 
     fn real_power(&mut self, x: Option<Formula>, exponent: &Given<'m>) -> Value {
-        let known = self.constant_exponent(exponent.at);
+        let known = self.named_constant(exponent.at);
         let p = match (known, &exponent.value) {
             (Some(p), _) => Some(p),
             (None, Value::Integer(_)) => {
@@ -123,8 +132,14 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    /// x^`Self::P`: powers become roots and products where the exponent is known.
-    fn constant_exponent(&mut self, at: &'m Expr) -> Option<Formula> {
+    /// The value of an expression that does not depend on anything, as far as the macro can see it.
+    fn known_number(&mut self, e: Formula, at: &'m Expr) -> Option<f64> {
+        let named = self.named_constant(at);
+        self.graph.as_number(named.unwrap_or(e))
+    }
+
+    /// `Self::P`: powers become roots and products where the exponent is known.
+    fn named_constant(&mut self, at: &'m Expr) -> Option<Formula> {
         let Expr::Path(path) = bare(at) else { return None };
         let mut segments = path.path.segments.iter();
         let (owner, name) = (segments.next()?, segments.next()?);

@@ -46,6 +46,10 @@ impl Interpreter<'_> {
                 Value::Items(self.merge_all(condition, before, yes, no)?)
             }
             (Value::Truth(Truth::Known(yes)), Value::Truth(Truth::Known(no))) if yes == no => Value::known(yes),
+            // A condition that neither branch has touched stays as it was: joined with itself it would double at every `if`.
+            (Value::Truth(Truth::When(yes)), Value::Truth(Truth::When(no))) if yes == no => {
+                Value::Truth(Truth::When(yes))
+            }
             (Value::Truth(yes), Value::Truth(no)) => {
                 let merged = merged_truth(condition, yes, no);
                 if merged.operands().len() > 2 * MAX_COMPARISONS {

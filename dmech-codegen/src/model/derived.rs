@@ -21,10 +21,10 @@ pub(crate) fn from_derive(item: TokenStream) -> Parsed {
 fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {
     let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item));
     match parsed {
-        Ok(Item::Struct(item)) => model(item, errors),
+        Ok(Item::Struct(item)) => Some(model(item, errors)),
         Ok(other) => {
             errors.push(law::not_a_struct(&other));
-            None
+            Model::of_declared(other, arguments::default_crate())
         }
         Err(error) => {
             errors.push(error);
@@ -33,9 +33,10 @@ fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {
     }
 }
 
-fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
+fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
     let mut krate = arguments::default_crate();
     let mut potential = None;
+    let mut other_role = false;
     for attribute in &item.attrs {
         if attribute.path().is_ident("dmech") {
             match attribute.meta.require_list() {
@@ -48,13 +49,21 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
             } else {
                 potential = Some((attribute, closure(attribute, errors)));
             }
+        } else if let Some(role) = Role::of(attribute) {
+            errors.push(law::role_on_a_struct(attribute, &item.ident, role));
+            other_role = true;
         }
     }
+    let (_, ty_generics, _) = item.generics.split_for_impl();
+    let ident = &item.ident;
+    let (self_ty, name) = (parse_quote!(#ident #ty_generics), ident.to_string());
     let Some((attribute, closure)) = potential else {
-        errors.push(law::no_closure(&item.ident));
-        return None;
+        if !other_role {
+            errors.push(law::no_closure(&item.ident));
+        }
+        return Model::unread(self_ty, item.generics, krate, name);
     };
-    let closure = closure?;
+    let Some(closure) = closure else { return Model::unread(self_ty, item.generics, krate, name) };
     check_closure(&closure, errors);
     let typed: Vec<PatType> = closure.inputs.iter().filter_map(|input| typed(input, errors)).collect();
     let mut arguments = signature::arguments(typed.iter(), Role::Potential, &BTreeMap::new(), errors);
@@ -63,12 +72,10 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
     if arguments.dimension == 0 && !arguments.names(ArgumentRole::Refused) {
         errors.push(law::no_position(&closure));
     }
-    let (_, ty_generics, _) = item.generics.split_for_impl();
-    let ident = &item.ident;
-    Some(Model {
-        self_ty: parse_quote!(#ident #ty_generics),
+    Model {
+        self_ty,
         krate,
-        name: ident.to_string(),
+        name,
         dimension: arguments.dimension,
         names_mass: arguments.names(ArgumentRole::Mass),
         names_time: arguments.names(ArgumentRole::Time),
@@ -85,7 +92,7 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Option<Model> {
         constants: BTreeMap::new(),
         fields: Some(fields(&item.fields)),
         generics: item.generics,
-    })
+    }
 }
 
 fn closure(attribute: &Attribute, errors: &mut Vec<syn::Error>) -> Option<ExprClosure> {

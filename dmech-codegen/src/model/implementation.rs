@@ -16,26 +16,24 @@ use super::{
 pub(crate) fn from_impl(attribute: TokenStream, item: TokenStream) -> Parsed {
     let mut mistakes = Mistakes::default();
     let krate = arguments::parse(attribute, &mut mistakes.errors);
-    let block = read(item.clone(), &mut mistakes.errors);
-    let misspelt = block.as_ref().and_then(Misspelt::of);
+    let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item.clone()));
+    let misspelt = match &parsed {
+        Ok(Item::Impl(block)) => Misspelt::of(block),
+        _ => None,
+    };
     let item = roles::strip(item, misspelt.as_ref().map(|misspelt| misspelt.name.as_str()));
-    let model = block.and_then(|block| model(block, misspelt, krate, &mut mistakes));
-    finish(item, model, mistakes)
-}
-
-fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<ItemImpl> {
-    let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item));
-    match parsed {
-        Ok(Item::Impl(block)) => Some(block),
+    let model = match parsed {
+        Ok(Item::Impl(block)) => model(block, misspelt, krate, &mut mistakes),
         Ok(other) => {
-            errors.push(law::not_an_impl(&other));
-            None
+            mistakes.errors.push(law::not_an_impl(&other));
+            Model::of_declared(other, krate)
         }
         Err(error) => {
-            errors.push(error);
+            mistakes.errors.push(error);
             None
         }
-    }
+    };
+    finish(item, model, mistakes)
 }
 
 fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mut Mistakes) -> Option<Model> {
@@ -60,7 +58,7 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
         if !had_role {
             errors.push(law::no_role(&self_ty));
         }
-        return None;
+        return Some(Model::unread(*self_ty, generics, krate, name));
     }
     let docs = potential.iter().chain(&force).flat_map(|method| method.attrs.clone());
     let docs = docs.filter(|a| a.path().is_ident("doc")).collect();

@@ -17,7 +17,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use proc_macro2::TokenStream;
-use syn::{Attribute, Block, Generics, Ident, ImplItemConst, ImplItemFn, Pat, Path, Type};
+use syn::{Attribute, Block, Generics, Ident, ImplItemConst, ImplItemFn, Item, Pat, Path, Type, parse_quote};
 
 use crate::diagnostics::Mistakes;
 use crate::lower;
@@ -38,6 +38,15 @@ pub(crate) struct Parsed {
     pub(crate) model: Result<Model, Mistakes>,
     /// What could be read of a law that is wrong: what its author calls need not look missing.
     pub(crate) refused: Option<Box<Model>>,
+}
+
+/// What of a law is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Refusal {
+    /// Where the attribute stands, which roles there are, what their methods take and return.
+    Signature,
+    /// Its formulas alone.
+    Formulas,
 }
 
 /// A law that has been checked.
@@ -129,6 +138,39 @@ pub(crate) enum Sibling<T> {
 }
 
 impl Model {
+    /// A law of which nothing but its type can be read.
+    fn unread(self_ty: Type, generics: Generics, krate: Path, name: String) -> Self {
+        Self {
+            self_ty,
+            generics,
+            krate,
+            name,
+            dimension: 0,
+            names_mass: false,
+            names_time: false,
+            docs: vec![],
+            pair: None,
+            potential: None,
+            force: None,
+            methods: BTreeMap::new(),
+            constants: BTreeMap::new(),
+            fields: None,
+        }
+    }
+
+    /// Likewise for the type that an item declares.
+    fn of_declared(item: Item, krate: Path) -> Option<Self> {
+        let (ident, generics) = match item {
+            Item::Struct(item) => (item.ident, item.generics),
+            Item::Enum(item) => (item.ident, item.generics),
+            Item::Union(item) => (item.ident, item.generics),
+            _ => return None,
+        };
+        let (_, arguments, _) = generics.split_for_impl();
+        let self_ty = parse_quote!(#ident #arguments);
+        Some(Self::unread(self_ty, generics, krate, ident.to_string()))
+    }
+
     /// The methods with a role.
     pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
         self.potential.iter().chain(self.force.iter().map(|(force, _)| force))
@@ -140,13 +182,16 @@ impl Model {
     }
 }
 
-/// The body of a law that is refused is read all the same, so that its mistakes show in the same run.
+/// The body of a law that is refused is read all the same, so that its mistakes show in the same run. What its signature
+/// says of coordinates and data is not relied on.
 fn finish(item: TokenStream, model: Option<Model>, mut mistakes: Mistakes) -> Parsed {
     match model {
         Some(model) if mistakes.errors.is_empty() => Parsed { item, model: Ok(model), refused: None },
         Some(model) => {
             mistakes.extend(lower::mistakes(&model));
-            Parsed { item, model: Err(mistakes), refused: Some(Box::new(model)) }
+            let pair = model.pair.as_ref().map(|_| PairSignature { data: None });
+            let refused = Model { dimension: 0, pair, ..model };
+            Parsed { item, model: Err(mistakes), refused: Some(Box::new(refused)) }
         }
         None => Parsed { item, model: Err(mistakes), refused: None },
     }

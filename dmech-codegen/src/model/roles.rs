@@ -82,6 +82,16 @@ impl Role {
         }
     }
 
+    /// The signature of a method with this role.
+    pub(crate) fn example(self) -> &'static str {
+        match self {
+            Self::Potential => "energy(&self, q: [f64; 2]) -> f64",
+            Self::Force => "force(&self, v: [f64; 2]) -> [f64; 2]",
+            Self::Pair => "energy(&self, r: f64) -> f64",
+            Self::PairForce => "force(&self, d: [f64; 2]) -> [f64; 2]",
+        }
+    }
+
     /// Whether it knows an argument of this name.
     pub(crate) fn knows(self, name: &str) -> bool {
         self.arguments().iter().any(|known| known.name == name)

@@ -10,6 +10,7 @@ mod guess;
 mod implicit;
 mod kanatani;
 mod leapfrog;
+mod missing;
 mod name;
 mod nystrom;
 mod splitting;
@@ -28,6 +29,7 @@ pub use guess::{Guess, Newton};
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::{Leapfrog, LeapfrogMemory};
+pub use missing::{NeverBegun, WithScheme};
 pub use nystrom::Nystrom;
 #[cfg(feature = "scene")]
 pub(crate) use splitting::Splitting;

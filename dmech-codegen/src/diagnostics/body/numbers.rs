@@ -202,3 +202,15 @@ pub(crate) fn exponent_too_large(e: &impl ToTokens, most: i32) -> Error {
 pub(crate) fn not_finite(e: &impl ToTokens, name: &str) -> Error {
     at(e, format!("a law is finite; `{name}` has no place in it"))
 }
+
+pub(crate) fn clamped_the_wrong_way(e: &impl ToTokens, low: f64, high: f64) -> Error {
+    at(
+        e,
+        format!(
+            "nothing lies between {low} and {high}, and Rust's `clamp` panics there; the lower bound comes first: \
+             `x.clamp({:?}, {:?})`",
+            low.min(high),
+            low.max(high)
+        ),
+    )
+}

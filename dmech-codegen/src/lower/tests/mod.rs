@@ -3,6 +3,7 @@
 
 mod consequences;
 mod constructs;
+mod edges;
 mod functions;
 mod limits;
 mod pairs;

@@ -137,6 +137,14 @@ fn functions_without_a_derivative() {
         "q[0].«sqrt»(1.0) + q[1].«clamp»(0.0)",
         &["`sqrt` takes 0 arguments here, not 1", "`clamp` takes 2 arguments here, not 1"],
     );
+    refused_block(
+        "impl Law { const LOW: f64 = 0.5; #[potential] fn energy(&self, q: [f64; 2]) -> f64 { \
+         «q[0].clamp(1.0, -1.0)» + «f64::clamp(q[1], 2.5, Self::LOW)» + q[0].clamp(1.0, 1.0) + q[1].clamp(self.a, self.b) } }",
+        &[
+            "nothing lies between 1 and -1, and Rust's `clamp` panics there; the lower bound comes first: `x.clamp(-1.0, 1.0)`",
+            "nothing lies between 2.5 and 0.5, and Rust's `clamp` panics there; the lower bound comes first: `x.clamp(0.5, 2.5)`",
+        ],
+    );
     refused("f64::«sqrt»()", &["`f64::sqrt` is given nothing to work on; write `x.sqrt()` or `f64::sqrt(x)`"]);
     refused("q[0] «&» q[1]", &["`&` works on bits, not on numbers; conditions are joined with `&&`, `||` and `!`"]);
 }

@@ -22,6 +22,7 @@ mod explicit;
 mod implicit;
 mod kanatani;
 mod leapfrog;
+mod missing;
 mod splitting;
 
 use super::newton::Solver;
@@ -44,8 +45,10 @@ pub struct Start<'a, const D: usize> {
 
 /// A scheme for scenes in which the terms `A` act.
 #[diagnostic::on_unimplemented(
-    message = "the scheme `{Self}` cannot step this scene",
-    note = "`Leapfrog`, `Nystrom` and `Kanatani` need forces that do not depend on velocities"
+    message = "scenes do not have the scheme `{Self}` yet",
+    label = "not for scenes yet",
+    note = "scenes have `Explicit`, `Leapfrog`, `Implicit`, `DiscreteGradient`, `Kanatani`, `Nystrom` and compositions of `Leapfrog` and `DiscreteGradient`, all in equal steps, `.dt(h)`",
+    note = "in place of `CompensatedLeapfrog` use `Leapfrog`; of a `ForceGradient` a `Nystrom` of its order; of a composition of `Implicit` one of `DiscreteGradient`; of `.adaptive(tolerance)` a step that is short enough for the closest encounter"
 )]
 pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
     /// What is carried from step to step.

@@ -10,7 +10,7 @@ use crate::scheme::{Composed, DiscreteGradient, ForceGradient, Implicit, Leapfro
 /// Energy-exact schemes keep the energy whatever the steps. Splittings are no longer symplectic when the steps differ, but stay
 /// reversible: on regular motions their energy error goes to and fro and does not drift.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` needs equal steps, and `.adaptive(tolerance)` makes them differ",
+    message = "`.adaptive(tolerance)` makes steps that differ, and `{Self}` cannot take such",
     label = "cannot follow the time scale of the motion",
     note = "`Leapfrog` and `Kanatani` join positions at equal distances in time, and `Explicit` is not symmetric",
     note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, a composition of these or of `Leapfrog`, a `Nystrom` or a `ForceGradient` scheme; or give the step with `.dt(h)`"

@@ -1,0 +1,300 @@
+//! What is promised of a law, tried at points.
+//!
+//! | | |
+//! |---|---|
+//! | secant | \|∇̄Φ·(b − a) − (Φ(b) − Φ(a))\| within 8 ulp of S (see [`Scale`]), Φ and the sum in double-double |
+//! | symmetry | ∇̄Φ(a, b) = ∇̄Φ(b, a) to the bit |
+//! | limit | ∇̄Φ(a, a) = ∇Φ(a) within 8 ulp of S for a unit step, unless a lies on a seam |
+//! | finite | ∇̄Φ wherever S is, ∇Φ, Hessian and Jacobian wherever differences settle |
+//! | slopes | ∇Φ against differences of Φ, Hessian of ∇Φ, Jacobian of ∇̄Φ, where differences settle |
+//! | structure | a law called linear has ∇Φ(b) − ∇Φ(a) = H (b − a); one called apart or central, a gradient that is |
+
+use dmech_scalar::{DoubleDouble, Real};
+
+use super::engine::Engine;
+use super::grow::Law;
+use super::points::Place;
+use super::scale::{ROUNDING, Scale};
+
+/// What was not kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[allow(missing_docs)]
+pub enum Promise {
+    Secant,
+    Finite,
+    Symmetry,
+    Limit,
+    Gradient,
+    Hessian,
+    Jacobian,
+    Structure,
+}
+
+/// A promise that was not kept, with both sides.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    /// Which one.
+    pub promise: Promise,
+    /// What was computed and what it should be.
+    pub words: String,
+}
+
+/// What a pair of points showed.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// The first promise that was not kept.
+    pub failure: Option<Failure>,
+    /// The error of the secant identity in ulp of its scale.
+    pub ulps: f64,
+    /// The law, or the scale, is not finite there: nothing was tried.
+    pub unbounded: bool,
+    /// Whether the ends lie in different branches.
+    pub crosses: bool,
+    /// How many derivatives had differences that settle.
+    pub slopes: usize,
+}
+
+/// What the secant identity may miss, in ulp of its scale.
+pub const ULPS: f64 = 8.0;
+
+/// Below this nothing is asked for: products that underflow lose more than roundings.
+const UNDERFLOW: f64 = 1e-250;
+
+fn lift(q: &[f64]) -> Vec<DoubleDouble> {
+    q.iter().map(|&x| x.into()).collect()
+}
+
+fn all_finite(values: &[f64]) -> bool {
+    values.iter().all(|x| x.is_finite())
+}
+
+/// Tries a law between two points; derivatives too, if `slopes` says so.
+pub fn try_pair(law: &Law, engine: &Engine, a: &[f64], b: &[f64], slopes: bool) -> Outcome {
+    let mut outcome = Outcome::default();
+    let step: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
+    let scale = Scale::of(&law.tree, a, b, &step);
+    if !scale.is_finite() {
+        outcome.unbounded = true;
+        return outcome;
+    }
+    outcome.crosses = scale.crosses;
+    outcome.failure = (|| {
+        secant(law, engine, a, b, &scale, &mut outcome.ulps)?;
+        if a == b {
+            limit(law, engine, a)?;
+        }
+        structure(engine, a, b)?;
+        if slopes { derivatives(law, engine, a, b, &mut outcome.slopes) } else { Ok(()) }
+    })()
+    .err();
+    outcome
+}
+
+fn failed(promise: Promise, words: String) -> Result<(), Failure> {
+    Err(Failure { promise, words })
+}
+
+fn secant(law: &Law, engine: &Engine, a: &[f64], b: &[f64], scale: &Scale, ulps: &mut f64) -> Result<(), Failure> {
+    let g = engine.between(&engine.discrete_gradient, a, b);
+    // Where a root is vertical at both ends and nothing moves, the slope itself is infinite.
+    let vertical = a == b && (0..a.len()).any(|i| !along(law, a, i).is_finite());
+    if vertical {
+        return Ok(());
+    }
+    if !all_finite(&g) {
+        return failed(Promise::Finite, format!("the discrete gradient is {g:?}"));
+    }
+    let exchanged = engine.between(&engine.discrete_gradient, b, a);
+    if g.iter().zip(&exchanged).any(|(x, y)| x.to_bits() != y.to_bits()) {
+        return failed(Promise::Symmetry, format!("from a to b {g:?}, from b to a {exchanged:?}"));
+    }
+    let (wide_a, wide_b) = (lift(a), lift(b));
+    let rise = law.tree.value(&wide_b) - law.tree.value(&wide_a);
+    let work = (0..a.len()).fold(DoubleDouble::ZERO, |sum, i| sum + DoubleDouble::from(g[i]) * (wide_b[i] - wide_a[i]));
+    let error = (work - rise).to_f64().abs();
+    *ulps = if error <= UNDERFLOW { 0.0 } else { error / (2.0 * ROUNDING * scale.error) };
+    if !(*ulps <= ULPS) {
+        let (work, rise) = (work.to_f64(), rise.to_f64());
+        return failed(
+            Promise::Secant,
+            format!(
+                "the discrete gradient {g:?} makes {work:e} of a rise of {rise:e}: off by {error:e}, {ulps:.3e} ulp of {:e}",
+                scale.error
+            ),
+        );
+    }
+    Ok(())
+}
+
+/// The figures of ∂Φ/∂xᵢ.
+fn along(law: &Law, q: &[f64], i: usize) -> Scale {
+    let mut unit = vec![0.0; q.len()];
+    unit[i] = 1.0;
+    Scale::of(&law.tree, q, q, &unit)
+}
+
+fn limit(law: &Law, engine: &Engine, a: &[f64]) -> Result<(), Failure> {
+    let (g, gradient) = (engine.between(&engine.discrete_gradient, a, a), engine.at(&engine.gradient, a));
+    for i in 0..a.len() {
+        let scale = along(law, a, i);
+        if !scale.is_finite() || scale.doubtful {
+            continue;
+        }
+        let miss = (g[i] - gradient[i]).abs();
+        if !(miss <= ULPS * 2.0 * ROUNDING * scale.error + UNDERFLOW) {
+            return failed(
+                Promise::Limit,
+                format!("at a = b the discrete gradient is {g:?}, the gradient {gradient:?}, scale {:e}", scale.error),
+            );
+        }
+    }
+    Ok(())
+}
+
+/// A law that is called linear, apart or central must be so between any two points.
+fn structure(engine: &Engine, a: &[f64], b: &[f64]) -> Result<(), Failure> {
+    let d = a.len();
+    let structure = &engine.structure;
+    let separate = structure.diagonal_hessian && d > 1;
+    if !structure.constant_hessian && !separate && structure.central.is_none() {
+        return Ok(());
+    }
+    let (at_a, at_b) = (engine.at(&engine.gradient, a), engine.at(&engine.gradient, b));
+    let size = |x: &[f64]| x.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let reach = size(a) + size(b);
+    if structure.constant_hessian {
+        let hessian = engine.at(&engine.hessian, a);
+        let allowed = 1e-12 * (size(&at_a) + size(&at_b) + size(&hessian) * reach);
+        for i in 0..d {
+            let turn: f64 = (0..d).map(|j| hessian[i * d + j] * (b[j] - a[j])).sum();
+            let change = at_b[i] - at_a[i];
+            if !((turn - change).abs() <= allowed) {
+                let words = format!("called linear, but ∇Φ changes by {change:e} where H (b − a) is {turn:e}");
+                return failed(Promise::Structure, words);
+            }
+        }
+    }
+    if separate {
+        // What happens in one coordinate may not depend on where the others are.
+        let mut mixed = b.to_vec();
+        mixed[0] = a[0];
+        let slope = engine.at(&engine.gradient, &mixed)[0];
+        if all_finite(&[slope, at_a[0]]) && (slope - at_a[0]).abs() > 1e-12 * (size(&at_a) + size(&at_b)) {
+            let words = format!("called apart, but ∂Φ/∂x at the same x is {:e} and {slope:e}", at_a[0]);
+            return failed(Promise::Structure, words);
+        }
+    }
+    if structure.central.is_some() {
+        for i in 1..d {
+            let twist = at_a[0] * a[i] - at_a[i] * a[0];
+            if all_finite(&at_a) && twist.abs() > 1e-12 * size(&at_a) * size(a) {
+                let words = format!("called central, but ∇Φ = {at_a:?} is not along the position");
+                return failed(Promise::Structure, words);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// ∂f/∂xⱼ by differences, and how far they may be off; none where they do not settle: at a kink, at the edge of a domain.
+fn difference<R: Real>(f: &dyn Fn(R) -> R, x: f64, h: f64, noise: f64) -> Option<(f64, f64)> {
+    let at = |s: f64| f(R::from_f64(x) + R::from_f64(s));
+    let middle = at(0.0);
+    let slope = |s: f64| ((at(s) - middle) / R::from_f64(s)).to_f64();
+    let [up, down] = [slope(h), slope(-h)];
+    let [up_near, down_near] = [slope(h / 16.0), slope(-h / 16.0)];
+    if !all_finite(&[up, down, up_near, down_near]) {
+        return None;
+    }
+    let grain = noise * middle.to_f64().abs() / h + UNDERFLOW / h;
+    let (bend, bend_near) = ((up - down).abs(), (up_near - down_near).abs());
+    if bend_near > 0.7 * bend + 64.0 * grain {
+        return None;
+    }
+    let (coarse, fine) = (0.5 * (up + down), 0.5 * (up_near + down_near));
+    let size = up_near.abs().max(down_near.abs());
+    Some((fine, 4.0 * (fine - coarse).abs() + 0.5 * bend_near.min(bend) + 64.0 * grain + 1e-11 * size))
+}
+
+/// Derivatives against differences of what they are derivatives of: first in binary64, where that is in doubt in
+/// double-double.
+fn derivatives(law: &Law, engine: &Engine, a: &[f64], b: &[f64], settled: &mut usize) -> Result<(), Failure> {
+    let d = a.len();
+    let moved = |q: &[f64], j: usize, x: f64| {
+        let mut q = q.to_vec();
+        q[j] = x;
+        q
+    };
+    let moved_wide = |q: &[f64], j: usize, x: DoubleDouble| {
+        let mut q = lift(q);
+        q[j] = x;
+        q
+    };
+    let wide_a = lift(a);
+    let gradient = engine.at(&engine.gradient, a);
+    let hessian = engine.at(&engine.hessian, a);
+    let jacobian = engine.between(&engine.jacobian, a, b);
+    let mut check = |promise: Promise,
+                     place: String,
+                     computed: f64,
+                     x: f64,
+                     f: &dyn Fn(f64) -> f64,
+                     wide: &dyn Fn(DoubleDouble) -> DoubleDouble|
+     -> Result<(), Failure> {
+        let size = x.abs().max(1e-3);
+        if let Some((slope, allowed)) = difference::<f64>(f, x, 1e-4 * size, 1e-15)
+            && (slope - computed).abs() <= allowed
+        {
+            *settled += 1;
+            return Ok(());
+        }
+        let Some((slope, allowed)) = difference::<DoubleDouble>(wide, x, 1e-9 * size, 1e-30) else { return Ok(()) };
+        *settled += 1;
+        // The value itself is rounded, and may be where a little more moves the branch.
+        if (slope - computed).abs() <= allowed + 1e-8 * slope.abs() {
+            return Ok(());
+        }
+        failed(promise, format!("{place} is {computed:e}; by differences {slope:e} ± {allowed:.1e}"))
+    };
+    for j in 0..d {
+        check(
+            Promise::Gradient,
+            format!("∂Φ/∂x{j} at a"),
+            gradient[j],
+            a[j],
+            &|x| law.tree.value(&moved(a, j, x)),
+            &|x| law.tree.value(&moved_wide(a, j, x)),
+        )?;
+    }
+    for i in 0..d {
+        for j in 0..d {
+            check(
+                Promise::Hessian,
+                format!("∂²Φ/∂x{i}∂x{j} at a"),
+                hessian[i * d + j],
+                a[j],
+                &|x| engine.at(&engine.gradient, &moved(a, j, x))[i],
+                &|x| engine.at(&engine.gradient, &moved_wide(a, j, x))[i],
+            )?;
+            check(
+                Promise::Jacobian,
+                format!("∂∇̄Φ{i}/∂b{j}"),
+                jacobian[i * d + j],
+                b[j],
+                &|x| engine.between(&engine.discrete_gradient, a, &moved(b, j, x))[i],
+                &|x| engine.between(&engine.discrete_gradient, &wide_a, &moved_wide(b, j, x))[i],
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether derivatives are tried at a pair of this kind: they cost twenty times as much as the rest.
+pub fn tries_derivatives(place: Place, k: u64) -> bool {
+    match place {
+        Place::Generic | Place::Near => k % 2 == 0,
+        Place::Round | Place::SameOnSeam | Place::Origin => k % 4 == 1,
+        Place::Far | Place::Same => k % 8 == 3,
+        _ => false,
+    }
+}

@@ -8,7 +8,7 @@ use super::grow::Law;
 use super::points::{Place, pairs};
 use super::random::Random;
 use super::shrink::shrunk;
-use super::trial::{Failure, Outcome, Promise, tries_derivatives, try_pair};
+use super::trial::{Failure, Outcome, Promise, takes_differences, tries_second, try_pair};
 
 /// A law that does not keep a promise, as small as it was found.
 #[derive(Clone, Debug)]
@@ -86,10 +86,11 @@ impl Tally {
         kinds.dedup();
         kinds.into_iter().for_each(|kind| *self.kinds.entry(kind).or_default() += 1);
         self.absent += u64::from((0..law.dimension).any(|i| !law.tree.contains(i)));
-        let engine = Engine::new(&law);
+        let second = tries_second(k);
+        let engine = Engine::new(&law, second);
         let mut crossed = false;
         for (place, a, b) in pairs(&law, &mut random) {
-            let slopes = tries_derivatives(place, k);
+            let slopes = takes_differences(place);
             let outcome = try_pair(&law, &engine, &a, &b, slopes);
             let counts = self.places.entry(place).or_default();
             let Outcome { failure, ulps, unbounded, crosses, slopes: settled } = outcome;
@@ -105,7 +106,7 @@ impl Tally {
             let promise = failure.promise;
             *self.broken.entry(promise).or_default() += 1;
             if self.findings.iter().filter(|f| f.failure.promise == promise).count() < shown {
-                self.findings.push(shrunk(Finding { k, law: law.clone(), place, ends: [a, b], failure }, slopes));
+                self.findings.push(shrunk(Finding { k, law: law.clone(), place, ends: [a, b], failure }, second, slopes));
             }
             break;
         }

@@ -14,23 +14,29 @@ use super::tree::PARAMETERS;
 pub struct Engine {
     variables: Variables,
     parameters: Vec<Symbol>,
-    /// What was detected.
-    pub structure: Structure,
     /// Φ(q).
     pub potential: Program,
     /// ∇Φ(q).
     pub gradient: Program,
-    /// The Hessian, row by row.
-    pub hessian: Program,
     /// ∇̄Φ(a, b).
     pub discrete_gradient: Program,
+    /// What costs most to derive.
+    pub second: Option<Second>,
+}
+
+/// Second derivatives, and what they show.
+pub struct Second {
+    /// What was detected.
+    pub structure: Structure,
+    /// The Hessian, row by row.
+    pub hessian: Program,
     /// ∂∇̄Φ/∂b, row by row.
     pub jacobian: Program,
 }
 
 impl Engine {
-    /// Derives what is tried of a law.
-    pub fn new(law: &Law) -> Self {
+    /// Derives what is tried of a law; second derivatives too, if `second` says so.
+    pub fn new(law: &Law, second: bool) -> Self {
         let mut graph = Graph::new();
         let g = &mut graph;
         let variables = Variables::new(g, law.dimension);
@@ -39,19 +45,23 @@ impl Engine {
         let (q, p) = (list(&variables.q), list(&parameters));
         let phi = law.tree.build(g, &q, &p);
         let gradient = calculus::gradient(g, phi, &variables.q);
-        let hessian = calculus::hessian(g, phi, &variables.q);
-        let structure = Structure::of(g, phi, &hessian, &variables.q);
         let mut ends = TwoPoints::new(g, &variables.q, &variables.a, &variables.b);
         let discrete_gradient = calculus::discrete_gradient(g, phi, &mut ends);
-        let jacobian = calculus::jacobian(g, &discrete_gradient, &variables.b).concat();
+        let second = second.then(|| {
+            let hessian = calculus::hessian(g, phi, &variables.q);
+            let jacobian = calculus::jacobian(g, &discrete_gradient, &variables.b).concat();
+            Second {
+                structure: Structure::of(g, phi, &hessian, &variables.q),
+                hessian: Program::schedule(g, &hessian.concat()),
+                jacobian: Program::schedule(g, &jacobian),
+            }
+        });
         let exchange = exchange(g, &variables);
         Self {
-            structure,
             potential: Program::schedule(g, &[phi]),
             gradient: Program::schedule(g, &gradient),
-            hessian: Program::schedule(g, &hessian.concat()),
             discrete_gradient: Program::schedule_symmetric(g, &discrete_gradient, exchange),
-            jacobian: Program::schedule(g, &jacobian),
+            second,
             variables,
             parameters,
         }

@@ -72,9 +72,10 @@ impl Law {
             spectators.push(active.swap_remove(random.below(active.len())));
         }
         let mut grower = Grower { random, active };
-        let mut tree = grower.term(2);
+        let depth = grower.random.pick(&[0, 1, 1, 2]);
+        let mut tree = grower.term(depth);
         if grower.random.once_in(3) {
-            let other = grower.term(1);
+            let other = grower.term(0);
             tree = grower.joined(tree, other);
         }
         for i in spectators {
@@ -106,9 +107,11 @@ impl Grower<'_> {
         }
     }
 
-    /// Where a seam lies.
-    fn seam(&mut self) -> Tree {
+    /// Where the seam of a choice on u lies: not where u is least, or one branch would be a point.
+    fn seam(&mut self, u: &Tree) -> Tree {
+        let has_least = matches!(u, Tree::Powi(..) | Tree::Unary(Unary::Sqrt, _) | Tree::Add(..));
         match self.random.below(6) {
+            _ if has_least => number(self.random.pick(&[1.0, 0.25, 0.7, 2.0])),
             0 => Tree::Parameter(0),
             1 | 2 => number(0.0),
             _ => number(self.random.pick(&[1.0, -0.5, 0.25, 0.3, 2.0, 1.1])),
@@ -128,7 +131,10 @@ impl Grower<'_> {
             10 | 11 => of(Unary::Sqrt, self.squares()),
             12 => add(x, div(powi(y, 2), number(2.0))),
             13 => of(Unary::Sin, x),
-            _ => sub(x, self.seam()),
+            _ => {
+                let c = self.seam(&x);
+                sub(x, c)
+            },
         }
     }
 
@@ -191,7 +197,8 @@ impl Grower<'_> {
             11 => self.far_out(),
             12 => {
                 let u = self.inner();
-                let distance = of(Unary::Abs, sub(u, self.seam()));
+                let c = self.seam(&u);
+                let distance = of(Unary::Abs, sub(u, c));
                 self.sharpened(distance)
             }
             13 | 14 => {
@@ -227,7 +234,8 @@ impl Grower<'_> {
 
     /// `if u <= c { f } else { f + k (u − c)ⁿ }`.
     fn spring(&mut self, depth: usize) -> Tree {
-        let (u, c) = (self.inner(), self.seam());
+        let u = self.inner();
+        let c = self.seam(&u);
         let f = if self.random.once_in(2) { number(0.0) } else { self.function_or_leaf(depth) };
         let n = self.random.pick(&[1, 2, 2, 3]);
         let k = if self.random.once_in(4) { self.smooth(0) } else { self.constant() };
@@ -239,7 +247,8 @@ impl Grower<'_> {
 
     /// Two slopes that meet at u = c.
     fn tent(&mut self) -> Tree {
-        let (u, c) = (self.inner(), self.seam());
+        let u = self.inner();
+        let c = self.seam(&u);
         let rise = sub(u.clone(), c.clone());
         let (left, right) = (self.constant(), self.constant());
         let test = self.below(&u, &c);
@@ -279,7 +288,8 @@ impl Grower<'_> {
 
     /// (u − c)(w − d) in a corner of the plane, 0 elsewhere.
     fn corner(&mut self) -> Tree {
-        let (u, c, w, d) = (self.inner(), self.seam(), self.inner(), self.seam());
+        let (u, w) = (self.inner(), self.inner());
+        let (c, d) = (self.seam(&u), self.seam(&w));
         let inside = mul(sub(u.clone(), c.clone()), sub(w.clone(), d.clone()));
         let (one, two) = (self.below(&u, &c), self.below(&w, &d));
         if self.random.once_in(2) {
@@ -291,7 +301,8 @@ impl Grower<'_> {
 
     /// A choice in a branch of a choice.
     fn nested(&mut self, depth: usize) -> Tree {
-        let (u, c) = (self.inner(), self.seam());
+        let u = self.inner();
+        let c = self.seam(&u);
         let (f, g) = (self.spring(depth.saturating_sub(1)), self.tent());
         let beyond = add(f.clone(), mul(sub(u.clone(), c.clone()), g));
         let test = self.below(&u, &c);
@@ -308,7 +319,8 @@ impl Grower<'_> {
 
     /// k (u − c)₊ᵖ.
     fn contact(&mut self) -> Tree {
-        let (u, c) = (self.inner(), self.seam());
+        let u = self.inner();
+        let c = self.seam(&u);
         let depth = if self.random.once_in(2) { sub(u, c) } else { sub(c, u) };
         let depth = binary(Binary::Max, depth, number(0.0));
         let power = match self.random.below(8) {

@@ -23,7 +23,7 @@ mod tree;
 mod trial;
 
 pub use campaign::{Finding, Tally, campaign};
-pub use engine::Engine;
+pub use engine::{Engine, Second};
 pub use grow::{FUNCTIONS, Law};
 pub use points::{Place, pairs};
 pub use random::Random;

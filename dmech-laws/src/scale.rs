@@ -37,7 +37,8 @@ pub struct Scale {
     pub error: f64,
     /// Whether the ends lie in different branches of some choice.
     pub crosses: bool,
-    /// Whether some end lies so near to a seam that rounding may put it on either side.
+    /// Whether some end lies on a seam, so near to it that rounding may put it on either side, or on a vertical root that does
+    /// not move.
     pub doubtful: bool,
     /// The largest value on the way.
     pub largest: f64,
@@ -133,7 +134,9 @@ fn of_function(u: &Scale, jet: &dyn Fn(f64) -> [f64; 3]) -> Scale {
         });
         (s.abs(), change.sum())
     };
-    node(jets.map(|j| j[0]), &[Edge { child: u, factor, factor_error, moves }])
+    let mut all = node(jets.map(|j| j[0]), &[Edge { child: u, factor, factor_error, moves }]);
+    all.doubtful |= !factor.is_finite();
+    all
 }
 
 fn of_sum(u: &Scale, w: &Scale, sign: f64) -> Scale {
@@ -199,7 +202,7 @@ impl Truth {
         let holds = [0, 1].map(|k| comparison.holds(left.ends[k], right.ends[k]));
         let certain = [0, 1].map(|k| {
             let error = left.value_error[k] + right.value_error[k];
-            error == 0.0 || (left.ends[k] - right.ends[k]).abs() > 8.0 * ROUNDING * error
+            (left.ends[k] - right.ends[k]).abs() > 8.0 * ROUNDING * error
         });
         Self { holds, certain }
     }

@@ -9,12 +9,12 @@ use super::tree::Tree;
 use super::trial::try_pair;
 
 /// The smallest law that was found to fail as this one does.
-pub(crate) fn shrunk(mut finding: Finding, slopes: bool) -> Finding {
+pub(crate) fn shrunk(mut finding: Finding, second: bool, slopes: bool) -> Finding {
     for _ in 0..200 {
         let Some(smaller) = candidates(&finding.law.tree).into_iter().find_map(|tree| {
             let law = Law { tree, dimension: finding.law.dimension };
             let [a, b] = &finding.ends;
-            let failure = try_pair(&law, &Engine::new(&law), a, b, slopes).failure?;
+            let failure = try_pair(&law, &Engine::new(&law, second), a, b, slopes).failure?;
             (failure.promise == finding.failure.promise && is_continuous(&law)).then_some((law, failure))
         }) else {
             break;

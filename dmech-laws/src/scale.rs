@@ -11,10 +11,17 @@
 //! With step = b − a this is the scale of the secant identity; it vanishes with the gap. With b = a and step = the unit vector
 //! of coordinate i it is the scale of ∂n/∂xᵢ.
 //!
-//! **Choices.** Where both ends lie in one branch the figures are that branch's. Across a seam no secant factor serves, and what
-//! is asked for is what the plain quotient gives: S = E(a) + E(b) + |n(a)| + |n(b)|, W = |n(a)| + |n(b)|, each end in the branch
-//! that it lies in; a branch that is not taken may be huge or no number. At an end so near to the seam that rounding may put it
-//! on either side, both are added, with the difference of the branches there.
+//! **Choices.** Where both ends lie in one branch the figures are that branch's. Across a seam no secant factor serves. What is
+//! allowed there is what the plain quotient loses, S = E(a) + E(b) + |n(a)| + |n(b)| and W = |n(a)| + |n(b)|, each end in the
+//! branch that it lies in, and what the way between the ends has:
+//!
+//! - for `if`, the figures of each branch up to the seam and from there on, on the straight line from a to b;
+//! - for `min` and `max` of u and w, with g = u − w, those of ω u + (1 − ω) w, ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger;
+//!   an error of gₐ moves them by itself, one of g_b by itself, each less by its end's own share in |gₐ| + |g_b|.
+//!
+//! A branch that is not taken may be huge or no number: ω is then small, and what is not finite is left out. At an end so near to
+//! the seam that rounding may put it on either side, both branches are added, with their difference there; what is computed of
+//! such an end has the errors E of values.
 
 use dmech_symbolic::expression::{Binary, Unary};
 
@@ -37,9 +44,10 @@ pub struct Scale {
     pub error: f64,
     /// Whether the ends lie in different branches of some choice.
     pub crosses: bool,
-    /// Whether some end lies on a seam, so near to it that rounding may put it on either side, or on a vertical root that does
-    /// not move.
+    /// Whether some end lies on a seam, or so near to it that rounding may put it on either side.
     pub doubtful: bool,
+    /// Whether the argument of some root is 0 at both ends.
+    pub vertical: bool,
     /// The largest value on the way.
     pub largest: f64,
 }
@@ -57,7 +65,7 @@ impl Scale {
 
     fn leaf(ends: [f64; 2], width: f64) -> Self {
         let largest = ends[0].abs().max(ends[1].abs());
-        Self { ends, value_error: [0.0; 2], width, error: 0.0, crosses: false, doubtful: false, largest }
+        Self { ends, value_error: [0.0; 2], width, error: 0.0, crosses: false, doubtful: false, vertical: false, largest }
     }
 
     /// Whether all of it is a number, and nothing on the way was near to overflow.
@@ -94,6 +102,7 @@ fn node(ends: [f64; 2], edges: &[Edge<'_>]) -> Scale {
         all.error += times(factor.abs(), child.error) + times(factor.abs() + factor_error, child.width);
         all.crosses |= child.crosses;
         all.doubtful |= child.doubtful;
+        all.vertical |= child.vertical;
         // NaN stays.
         if !(child.largest <= all.largest) {
             all.largest = child.largest;
@@ -135,7 +144,10 @@ fn of_function(u: &Scale, jet: &dyn Fn(f64) -> [f64; 3]) -> Scale {
         (s.abs(), change.sum())
     };
     let mut all = node(jets.map(|j| j[0]), &[Edge { child: u, factor, factor_error, moves }]);
-    all.doubtful |= !factor.is_finite();
+    all.vertical |= !factor.is_finite();
+    if all.doubtful {
+        all.error += all.value_error[0] + all.value_error[1];
+    }
     all
 }
 
@@ -159,7 +171,11 @@ fn of_product(u: &Scale, w: &Scale) -> Scale {
         factor_error: error(other),
         moves: [0, 1].map(|k| times(other.ends[k].abs(), its.value_error[k])),
     };
-    node([0, 1].map(|k| u.ends[k] * w.ends[k]), &[edge(u, w, u), edge(w, u, w)])
+    let mut product = node([0, 1].map(|k| u.ends[k] * w.ends[k]), &[edge(u, w, u), edge(w, u, w)]);
+    if product.doubtful {
+        product.error += product.value_error[0] + product.value_error[1];
+    }
+    product
 }
 
 /// The angle by its closed form K (mean(w) Δu − mean(u) Δw); how K moves is taken by differences.
@@ -207,6 +223,11 @@ impl Truth {
         Self { holds, certain }
     }
 
+    /// Whether the ends may lie in different branches.
+    fn apart(self) -> bool {
+        self.holds[0] != self.holds[1] || self.certain != [true; 2]
+    }
+
     /// One that decides alone, with this truth, makes the other irrelevant.
     fn joined(self, other: Self, alone: bool) -> Self {
         let both = |k: usize| if alone { self.holds[k] || other.holds[k] } else { self.holds[k] && other.holds[k] };
@@ -220,23 +241,24 @@ impl Truth {
     }
 }
 
-/// Where both ends lie in one branch, that branch; otherwise what the plain quotient gives.
+/// Where both ends lie in one branch, that branch; otherwise what the plain quotient loses.
 fn of_choice(truth: Truth, yes: &Scale, no: &Scale) -> Scale {
     let taken = [0, 1].map(|k| if truth.holds[k] { yes } else { no });
-    if truth.holds[0] == truth.holds[1] && truth.certain == [true; 2] {
+    if !truth.apart() {
         return taken[0].clone();
     }
     let mut all = Scale::leaf([0, 1].map(|k| taken[k].ends[k]), 0.0);
     all.largest = taken[0].largest.max(taken[1].largest);
     all.crosses = truth.holds[0] != truth.holds[1] || taken.iter().any(|t| t.crosses);
     all.doubtful = truth.certain != [true; 2] || taken.iter().any(|t| t.doubtful);
+    all.vertical = taken.iter().any(|t| t.vertical);
     for k in 0..2 {
         all.value_error[k] = taken[k].value_error[k];
         if !truth.certain[k] {
             let other = if truth.holds[k] { no } else { yes };
             all.value_error[k] += other.value_error[k] + (yes.ends[k] - no.ends[k]).abs() / ROUNDING;
         }
-        all.width += all.ends[k].abs();
+        all.width += all.ends[k].abs() + ROUNDING * all.value_error[k];
         all.error += all.ends[k].abs() + all.value_error[k];
     }
     if truth.holds[0] == truth.holds[1] {
@@ -244,6 +266,23 @@ fn of_choice(truth: Truth, yes: &Scale, no: &Scale) -> Scale {
         all.error += taken[0].error;
     }
     all
+}
+
+/// The figures of ω u + (1 − ω) w between gaps g = u − w of different signs, if they are finite.
+fn of_mixture(u: &Scale, w: &Scale, larger: bool) -> Option<(f64, f64)> {
+    let gaps = [0, 1].map(|k| if larger { u.ends[k] - w.ends[k] } else { w.ends[k] - u.ends[k] });
+    let total = gaps[0].abs() + gaps[1].abs();
+    let toward_u = if total > 0.0 { (gaps[0].max(0.0) + gaps[1].max(0.0)) / total } else { 0.5 };
+    let width = times(toward_u, u.width) + times(1.0 - toward_u, w.width);
+    let inner = times(toward_u, u.error) + times(1.0 - toward_u, w.error);
+    let moved: f64 = (0..2)
+        .map(|k| {
+            let others = if total > 0.0 { 1.0 - gaps[k].abs() / total } else { 1.0 };
+            times(others, u.value_error[k] + w.value_error[k] + gaps[k].abs())
+        })
+        .sum();
+    let error = inner + 2.0 * width + moved;
+    (width.is_finite() && error.is_finite()).then_some((width, error))
 }
 
 impl Analysis<'_> {
@@ -263,11 +302,21 @@ impl Analysis<'_> {
                 let turned = Scale { ends: u.ends.map(|x| -x), ..u.clone() };
                 of_choice(Truth::of(Comparison::AtLeast, &u, &zero), &u, &turned)
             }
-            Tree::Unary(f, u) => of_function(&of(u), &|x| of_unary(*f, x)),
+            Tree::Unary(f, u) => {
+                let u = of(u);
+                let mut all = of_function(&u, &|x| of_unary(*f, x));
+                if *f == Unary::Tanh && (u.ends[1] - u.ends[0]).abs() > 1.0 {
+                    // Where it saturates, the difference of two values that are nearly 1 is all there is.
+                    all.error += all.ends[0].abs() + all.ends[1].abs();
+                }
+                all
+            }
             Tree::Binary(Binary::Powf, u, w) => {
                 let (u, w) = (of(u), of(w));
                 if w.width == 0.0 && w.ends[0] == w.ends[1] {
                     let mut power = of_function(&u, &|x| of_power(x, w.ends[0]));
+                    power.doubtful |= w.doubtful;
+                    power.vertical |= w.vertical;
                     for k in 0..2 {
                         power.value_error[k] += times(times(power.ends[k], u.ends[k].ln()).abs(), w.value_error[k]);
                     }
@@ -289,17 +338,48 @@ impl Analysis<'_> {
             Tree::Select(test, yes, no) => {
                 let truth = self.truth(test);
                 // The branch that neither end takes is not looked at.
-                if truth.holds[0] == truth.holds[1] && truth.certain == [true; 2] {
+                if !truth.apart() {
                     return of(if truth.holds[0] { yes } else { no });
                 }
-                of_choice(truth, &of(yes), &of(no))
+                let mut all = of_choice(truth, &of(yes), &of(no));
+                if let Some((width, error)) = self.of_parts(test, yes, no, truth.holds) {
+                    all.width += width;
+                    all.error += error;
+                }
+                all
             }
         }
     }
 
     fn of_extremum(&self, u: Scale, w: Scale, larger: bool) -> Scale {
         let comparison = if larger { Comparison::AtLeast } else { Comparison::AtMost };
-        of_choice(Truth::of(comparison, &u, &w), &u, &w)
+        let truth = Truth::of(comparison, &u, &w);
+        let mut all = of_choice(truth, &u, &w);
+        if truth.apart()
+            && let Some((width, error)) = of_mixture(&u, &w, larger)
+        {
+            all.width += width;
+            all.error += error;
+        }
+        all
+    }
+
+    /// The figures of a choice up to its seam and from there on, if they are finite.
+    fn of_parts(&self, test: &Test, yes: &Tree, no: &Tree, holds: [bool; 2]) -> Option<(f64, f64)> {
+        let seams = [self.a, self.b].map(|q| test.seam(q).abs());
+        let total = seams[0] + seams[1];
+        let share = if total > 0.0 { seams[0] / total } else { 0.5 };
+        let at: Vec<f64> = self.a.iter().zip(self.b).map(|(a, b)| a + share * (b - a)).collect();
+        let branch = |k: usize| if holds[k] { yes } else { no };
+        let [up_to, from] = [(self.a, &at[..], share), (&at[..], self.b, 1.0 - share)];
+        let part = |(a, b, share): (&[f64], &[f64], f64), tree: &Tree| {
+            let step: Vec<f64> = self.step.iter().map(|s| share * s).collect();
+            Scale::of(tree, a, b, &step)
+        };
+        let (up_to, from) = (part(up_to, branch(0)), part(from, branch(1)));
+        let width = up_to.width + from.width;
+        let error = up_to.error + from.error + width;
+        (width.is_finite() && error.is_finite()).then_some((width, error))
     }
 
     fn truth(&self, test: &Test) -> Truth {

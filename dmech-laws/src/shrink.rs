@@ -15,7 +15,7 @@ pub(crate) fn shrunk(mut finding: Finding, second: bool, slopes: bool) -> Findin
             let law = Law { tree, dimension: finding.law.dimension };
             let [a, b] = &finding.ends;
             let failure = try_pair(&law, &Engine::new(&law, second), a, b, slopes).failure?;
-            (failure.promise == finding.failure.promise && is_continuous(&law)).then_some((law, failure))
+            (failure.promise == finding.failure.promise && is_continuous(&law) && is_defined(&law)).then_some((law, failure))
         }) else {
             break;
         };
@@ -52,9 +52,10 @@ fn replaced(tree: &Tree, old: &Tree, new: &Tree) -> Tree {
 /// Whether the law does not jump at the seams that random segments cross.
 pub fn is_continuous(law: &Law) -> bool {
     let mut random = Random::new(1);
-    for _ in 0..24 {
+    for k in 0..32 {
         let mut point = || (0..law.dimension).map(|_| random.within(-2.5, 2.5)).collect::<Vec<_>>();
-        let (a, b) = (point(), point());
+        // Every other one from the origin: what is chosen on a distance has its seam around it.
+        let (a, b) = (if k % 2 == 0 { point() } else { vec![0.0; law.dimension] }, point());
         let Some((before, after)) = seam_between(law, &a, &b) else { continue };
         let (left, right): (f64, f64) = (law.tree.value(&before), law.tree.value(&after));
         // Roots are vertical somewhere: 1e-16 in the argument is 1e-4 in a fourth root.
@@ -63,4 +64,15 @@ pub fn is_continuous(law: &Law) -> bool {
         }
     }
     true
+}
+
+/// Whether every expression in the law has a value at random points, as it has in the laws that are grown.
+fn is_defined(law: &Law) -> bool {
+    let mut random = Random::new(2);
+    (0..12).all(|_| {
+        let q: Vec<f64> = (0..law.dimension).map(|_| random.within(-2.5, 2.5)).collect();
+        let mut defined = true;
+        law.tree.visit(&mut |t| defined &= !t.value(&q).is_nan());
+        defined
+    })
 }

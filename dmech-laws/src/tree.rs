@@ -259,6 +259,17 @@ impl Test {
         }
     }
 
+    /// Negative where it holds, positive where it does not, 0 on the seam between.
+    pub(crate) fn seam(&self, q: &[f64]) -> f64 {
+        match self {
+            Self::Compare(Comparison::Less | Comparison::AtMost, left, right) => left.value(q) - right.value(q),
+            Self::Compare(_, left, right) => right.value(q) - left.value(q),
+            Self::Not(inner) => -inner.seam(q),
+            Self::And(one, two) => one.seam(q).max(two.seam(q)),
+            Self::Or(one, two) => one.seam(q).min(two.seam(q)),
+        }
+    }
+
     fn build(&self, g: &mut Graph, q: &[Expr], p: &[Expr]) -> Condition {
         match self {
             Self::Compare(comparison, left, right) => {

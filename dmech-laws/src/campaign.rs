@@ -55,7 +55,7 @@ pub struct Tally {
     pub broken: BTreeMap<Promise, u64>,
     /// The first of each promise, a few.
     pub findings: Vec<Finding>,
-    /// Time spent.
+    /// Time spent on trials; making findings smaller comes on top.
     pub time: Duration,
     /// The longest time for one law, and which it was.
     pub slowest: (Duration, u64),
@@ -88,7 +88,7 @@ impl Tally {
         self.absent += u64::from((0..law.dimension).any(|i| !law.tree.contains(i)));
         let second = tries_second(k);
         let engine = Engine::new(&law, second);
-        let mut crossed = false;
+        let (mut crossed, mut found) = (false, None);
         for (place, a, b) in pairs(&law, &mut random) {
             let slopes = takes_differences(place);
             let outcome = try_pair(&law, &engine, &a, &b, slopes);
@@ -106,7 +106,7 @@ impl Tally {
             let promise = failure.promise;
             *self.broken.entry(promise).or_default() += 1;
             if self.findings.iter().filter(|f| f.failure.promise == promise).count() < shown {
-                self.findings.push(shrunk(Finding { k, law: law.clone(), place, ends: [a, b], failure }, second, slopes));
+                found = Some((Finding { k, law: law.clone(), place, ends: [a, b], failure }, slopes));
             }
             break;
         }
@@ -114,6 +114,7 @@ impl Tally {
         let spent = clock.elapsed();
         self.time += spent;
         self.slowest = self.slowest.max((spent, k));
+        self.findings.extend(found.map(|(finding, slopes)| shrunk(finding, second, slopes)));
     }
 
     /// Adds what another thread counted.

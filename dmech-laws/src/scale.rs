@@ -46,7 +46,7 @@ pub struct Scale {
     pub crosses: bool,
     /// Whether some end lies on a seam, or so near to it that rounding may put it on either side.
     pub doubtful: bool,
-    /// Whether the argument of some root is 0 at both ends.
+    /// Whether the argument of some root is 0 at an end.
     pub vertical: bool,
     /// The largest value on the way.
     pub largest: f64,
@@ -144,7 +144,7 @@ fn of_function(u: &Scale, jet: &dyn Fn(f64) -> [f64; 3]) -> Scale {
         (s.abs(), change.sum())
     };
     let mut all = node(jets.map(|j| j[0]), &[Edge { child: u, factor, factor_error, moves }]);
-    all.vertical |= !factor.is_finite();
+    all.vertical |= jets.iter().any(|j| !j[1].is_finite());
     if all.doubtful {
         all.error += all.value_error[0] + all.value_error[1];
     }
@@ -296,7 +296,17 @@ impl Analysis<'_> {
             Tree::Sub(u, w) => of_sum(&of(u), &of(w), -1.0),
             Tree::Mul(u, w) => of_product(&of(u), &of(w)),
             Tree::Div(u, w) => of_product(&of(u), &of_function(&of(w), &|x| of_integer_power(x, -1))),
-            Tree::Powi(u, n) => of_function(&of(u), &|x| of_integer_power(x, *n)),
+            Tree::Powi(u, n) => {
+                let mut all = of_function(&of(u), &|x| of_integer_power(x, *n));
+                if let Tree::Mul(u, w) = &**u {
+                    // The engine multiplies powers, (u w)ⁿ = uⁿ wⁿ.
+                    let power = |t: &Tree| of(&Tree::Powi(t.clone().into(), *n));
+                    let product = of_product(&power(u), &power(w));
+                    all.width += product.width;
+                    all.error += product.error;
+                }
+                all
+            }
             Tree::Unary(Unary::Abs, u) => {
                 let (u, zero) = (of(u), Scale::leaf([0.0; 2], 0.0));
                 let turned = Scale { ends: u.ends.map(|x| -x), ..u.clone() };

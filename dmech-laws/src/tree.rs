@@ -231,13 +231,14 @@ impl Tree {
         self.children().into_iter().for_each(|c| c.visit(see));
     }
 
-    /// On which side of each of its choices a point lies: `if`, `abs`, `min`, `max`, `clamp`, in the order of `visit`.
+    /// On which side of each of its choices a point lies (`if`, `abs`, `min`, `max`, `clamp`, in the order of `visit`);
+    /// 0 on a seam that is no side's own.
     pub fn sides_taken(&self, q: &[f64]) -> Vec<i8> {
         let mut sides = vec![];
         self.visit(&mut |t| match t {
             Self::Select(test, ..) => sides.push(i8::from(test.holds(q))),
-            Self::Unary(Unary::Abs, u) => sides.push(i8::from(u.value(q) < 0.0)),
-            Self::Binary(Binary::Min | Binary::Max, u, w) => sides.push(i8::from(u.value(q) < w.value(q))),
+            Self::Unary(Unary::Abs, u) => sides.push(sign(u.value(q))),
+            Self::Binary(Binary::Min | Binary::Max, u, w) => sides.push(sign(u.value(q) - w.value(q))),
             Self::Clamp(u, low, high) => {
                 let u = u.value(q);
                 sides.push(i8::from(u > *high) - i8::from(u < *low));
@@ -246,6 +247,10 @@ impl Tree {
         });
         sides
     }
+}
+
+fn sign(x: f64) -> i8 {
+    i8::from(x > 0.0) - i8::from(x < 0.0)
 }
 
 impl Test {

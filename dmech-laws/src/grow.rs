@@ -25,15 +25,15 @@ pub const FUNCTIONS: [Unary; 22] = {
     ]
 };
 
-pub(crate) fn add(u: Tree, w: Tree) -> Tree {
+fn add(u: Tree, w: Tree) -> Tree {
     Tree::Add(u.into(), w.into())
 }
 
-pub(crate) fn sub(u: Tree, w: Tree) -> Tree {
-    Tree::Sub(u.into(), w.into())
+fn sub(u: Tree, w: Tree) -> Tree {
+    if w == number(0.0) { u } else { Tree::Sub(u.into(), w.into()) }
 }
 
-pub(crate) fn mul(u: Tree, w: Tree) -> Tree {
+fn mul(u: Tree, w: Tree) -> Tree {
     Tree::Mul(u.into(), w.into())
 }
 
@@ -134,7 +134,7 @@ impl Grower<'_> {
             _ => {
                 let c = self.seam(&x);
                 sub(x, c)
-            },
+            }
         }
     }
 

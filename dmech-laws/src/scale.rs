@@ -15,7 +15,8 @@
 //! allowed there is what the plain quotient loses, S = E(a) + E(b) + |n(a)| + |n(b)| and W = |n(a)| + |n(b)|, each end in the
 //! branch that it lies in, and what the way between the ends has:
 //!
-//! - for `if`, the figures of each branch up to the seam and from there on, on the straight line from a to b;
+//! - for `if`, the figures of each branch up to the seam and from there on, on the straight line from a to b, and how far the
+//!   values on that line range;
 //! - for `min` and `max` of u and w, with g = u − w, those of ω u + (1 − ω) w, ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger;
 //!   an error of gₐ moves them by itself, one of g_b by itself, each less by its end's own share in |gₐ| + |g_b|.
 //!
@@ -65,7 +66,16 @@ impl Scale {
 
     fn leaf(ends: [f64; 2], width: f64) -> Self {
         let largest = ends[0].abs().max(ends[1].abs());
-        Self { ends, value_error: [0.0; 2], width, error: 0.0, crosses: false, doubtful: false, vertical: false, largest }
+        Self {
+            ends,
+            value_error: [0.0; 2],
+            width,
+            error: 0.0,
+            crosses: false,
+            doubtful: false,
+            vertical: false,
+            largest,
+        }
     }
 
     /// Whether all of it is a number, and nothing on the way was near to overflow.
@@ -234,9 +244,7 @@ impl Truth {
         let decides = |t: &Self, k: usize| t.certain[k] && t.holds[k] == alone;
         Self {
             holds: [0, 1].map(both),
-            certain: [0, 1].map(|k| {
-                decides(&self, k) || decides(&other, k) || (self.certain[k] && other.certain[k])
-            }),
+            certain: [0, 1].map(|k| decides(&self, k) || decides(&other, k) || (self.certain[k] && other.certain[k])),
         }
     }
 }
@@ -255,8 +263,9 @@ fn of_choice(truth: Truth, yes: &Scale, no: &Scale) -> Scale {
     for k in 0..2 {
         all.value_error[k] = taken[k].value_error[k];
         if !truth.certain[k] {
-            let other = if truth.holds[k] { no } else { yes };
-            all.value_error[k] += other.value_error[k] + (yes.ends[k] - no.ends[k]).abs() / ROUNDING;
+            // Where 8 roundings decide, 8 may be off.
+            let both = yes.value_error[k] + no.value_error[k];
+            all.value_error[k] = 8.0 * both + (yes.ends[k] - no.ends[k]).abs() / ROUNDING;
         }
         all.width += all.ends[k].abs() + ROUNDING * all.value_error[k];
         all.error += all.ends[k].abs() + all.value_error[k];
@@ -308,9 +317,9 @@ impl Analysis<'_> {
                 all
             }
             Tree::Unary(Unary::Abs, u) => {
-                let (u, zero) = (of(u), Scale::leaf([0.0; 2], 0.0));
+                let u = of(u);
                 let turned = Scale { ends: u.ends.map(|x| -x), ..u.clone() };
-                of_choice(Truth::of(Comparison::AtLeast, &u, &zero), &u, &turned)
+                self.of_extremum(u, turned, true)
             }
             Tree::Unary(f, u) => {
                 let u = of(u);
@@ -387,9 +396,14 @@ impl Analysis<'_> {
             Scale::of(tree, a, b, &step)
         };
         let (up_to, from) = (part(up_to, branch(0)), part(from, branch(1)));
-        let width = up_to.width + from.width;
-        let error = up_to.error + from.error + width;
-        (width.is_finite() && error.is_finite()).then_some((width, error))
+        let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|share| {
+            let q: Vec<f64> = self.a.iter().zip(self.b).map(|(a, b)| a + share * (b - a)).collect();
+            if test.holds(&q) { yes.value(&q) } else { no.value(&q) }
+        });
+        let way: f64 = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
+        let finite = [up_to.width, from.width, up_to.error, from.error].iter().all(|x| x.is_finite());
+        let (width, error) = if finite { (up_to.width + from.width, up_to.error + from.error) } else { (0.0, 0.0) };
+        way.is_finite().then_some((width + way, error + width + 2.0 * way))
     }
 
     fn truth(&self, test: &Test) -> Truth {

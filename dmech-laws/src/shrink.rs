@@ -15,7 +15,8 @@ pub(crate) fn shrunk(mut finding: Finding, second: bool, slopes: bool) -> Findin
             let law = Law { tree, dimension: finding.law.dimension };
             let [a, b] = &finding.ends;
             let failure = try_pair(&law, &Engine::new(&law, second), a, b, slopes).failure?;
-            (failure.promise == finding.failure.promise && is_continuous(&law) && is_defined(&law)).then_some((law, failure))
+            (failure.promise == finding.failure.promise && is_continuous(&law) && is_defined(&law))
+                .then_some((law, failure))
         }) else {
             break;
         };

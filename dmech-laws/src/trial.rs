@@ -306,7 +306,14 @@ impl Derivative<'_> {
 
 /// Derivatives against differences of what they are derivatives of. On a seam the gradient is asked for if the law has one, and
 /// second derivatives, which are those of one branch, to be finite if all of them settle.
-fn derivatives(law: &Law, engine: &Engine, a: &[f64], b: &[f64], scale: &Scale, settled: &mut usize) -> Result<(), Failure> {
+fn derivatives(
+    law: &Law,
+    engine: &Engine,
+    a: &[f64],
+    b: &[f64],
+    scale: &Scale,
+    settled: &mut usize,
+) -> Result<(), Failure> {
     let d = a.len();
     let gradient = engine.at(&engine.gradient, a);
     let special = scale.doubtful || scale.vertical;
@@ -340,7 +347,8 @@ fn derivatives(law: &Law, engine: &Engine, a: &[f64], b: &[f64], scale: &Scale, 
             Promise::Jacobian if scale.crosses || gap > 1e-2 => (size_of(&discrete) + scale.error / gap) / gap,
             _ => 0.0,
         };
-        let rounding = 64.0 * ROUNDING * (size_of(computed) + quotient);
+        let rounding =
+            64.0 * ROUNDING * (size_of(computed) + quotient) + 1e-10 * (size_of(&discrete) + size_of(&gradient));
         for (i, j) in (0..d).flat_map(|i| (0..d).map(move |j| (i, j))) {
             let narrow = |x: f64| match promise {
                 Promise::Hessian => engine.at(&engine.gradient, &moved(a, j, x))[i],

@@ -6,9 +6,11 @@ use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct Structure {
-    /// The Hessian does not depend on the coordinates: implicit steps are linear.
+    /// There is a choice by the coordinates: the gradient or its derivatives may jump.
+    pub piecewise: bool,
+    /// The Hessian does not depend on the coordinates, and nowhere jumps: implicit steps are linear.
     pub constant_hessian: bool,
-    /// The Hessian is diagonal: the coordinates do not interact.
+    /// The Hessian is diagonal and no choice takes several coordinates: they do not interact.
     pub diagonal_hessian: bool,
     /// Φ is a function of s = |q|² alone, for at least two coordinates.
     pub central: Option<Central>,
@@ -27,11 +29,20 @@ impl Structure {
     /// Looks at Φ and its Hessian in the given coordinates.
     pub fn of(graph: &mut Graph, phi: Expr, hessian: &[Vec<Expr>], coordinates: &[Symbol]) -> Self {
         let moves = graph.dependence(coordinates);
-        let constant_hessian = hessian.iter().flatten().all(|e| !moves[e.index()]);
-        let diagonal_hessian =
-            (0..coordinates.len()).all(|i| (0..coordinates.len()).all(|j| i == j || graph.is_zero(hessian[i][j])));
+        let choices = graph.choices(phi, coordinates);
+        let piecewise = !choices.is_empty();
+        let constant_hessian = !piecewise && hessian.iter().flatten().all(|e| !moves[e.index()]);
+        let couples = |&e: &Expr| coordinates.iter().filter(|&&q| graph.depends_on(e, &[q])).count() > 1;
+        let diagonal_hessian = !choices.iter().any(couples)
+            && (0..coordinates.len()).all(|i| (0..coordinates.len()).all(|j| i == j || graph.is_zero(hessian[i][j])));
         let central = if coordinates.len() > 1 { central(graph, phi, coordinates) } else { None };
-        Self { constant_hessian, diagonal_hessian, central }
+        Self { piecewise, constant_hessian, diagonal_hessian, central }
+    }
+
+    /// Φ(s), where an implicit step is one equation in s that is not linear. Across a seam its solver, which takes s ↦ c to
+    /// be smooth, does not apply.
+    pub fn one_unknown(&self) -> Option<&Central> {
+        self.central.as_ref().filter(|_| !self.constant_hessian && !self.piecewise)
     }
 }
 

@@ -1,53 +1,138 @@
 //! Gradients by reverse accumulation.
 
-use crate::expression::{Binary, Condition, Expr, Graph, Node, Symbol, Unary};
+use std::collections::HashMap;
+
+use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Symbol, Unary};
 
 /// ∂e/∂xᵢ for each symbol: one walk from the expression down to the symbols.
 pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
-    let depends = graph.dependence(symbols);
-    let order = graph.reachable(&[e]);
-    // What arrives at a node: the derivative of e with respect to its value, as a list of summands.
-    let mut arriving: Vec<Vec<Expr>> = vec![Vec::new(); depends.len()];
-    let one = graph.one();
-    arriving[e.index()].push(one);
-    let mut found = vec![graph.zero(); symbols.len()];
-    for &node in order.iter().rev() {
-        if !depends[node.index()] {
-            continue;
-        }
-        let summands = std::mem::take(&mut arriving[node.index()]);
-        let adjoint = graph.add(&summands);
-        if graph.is_zero(adjoint) {
-            continue;
-        }
-        if let Node::Symbol(symbol) = graph.node(node) {
-            if let Some(i) = symbols.iter().position(|s| s == symbol) {
-                found[i] = adjoint;
+    Walk { symbols, of_slope: false, choices: HashMap::new() }.gradient(graph, e)
+}
+
+/// As [`gradient`], of an expression that is a slope itself: where a root in it vanishes and has no slope, 0 stands for that.
+///
+/// Newton's method then makes a plain iteration there, where ∞·0 would end it; and where the product does have a limit, as
+/// r·x has at the origin, it is this one.
+pub fn tangent(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
+    Walk { symbols, of_slope: true, choices: HashMap::new() }.gradient(graph, e)
+}
+
+struct Walk<'a> {
+    symbols: &'a [Symbol],
+    /// The expression is a slope.
+    of_slope: bool,
+    /// The slopes of the branches of a choice, which may be wanted in many places.
+    choices: HashMap<Expr, [Vec<Expr>; 2]>,
+}
+
+impl Walk<'_> {
+    fn gradient(&mut self, graph: &mut Graph, e: Expr) -> Vec<Expr> {
+        let symbols = self.symbols;
+        let depends = graph.dependence(symbols);
+        let order = graph.reachable(&[e]);
+        // What arrives at a node: the derivative of e with respect to its value, as a list of summands.
+        let mut arriving: Vec<Vec<Expr>> = vec![Vec::new(); depends.len()];
+        let one = graph.one();
+        arriving[e.index()].push(one);
+        let mut found = vec![graph.zero(); symbols.len()];
+        for &node in order.iter().rev() {
+            if !depends[node.index()] {
+                continue;
             }
-            continue;
-        }
-        if let Node::Select(condition, yes, no) = graph.node(node).clone() {
-            // Straight to the symbols: 0 times the slope of the branch not taken might be 0·∞.
-            let (yes, no) = (gradient(graph, yes, symbols), gradient(graph, no, symbols));
-            for (i, (&yes, &no)) in yes.iter().zip(&no).enumerate() {
-                let chosen = graph.select(condition.clone(), yes, no);
-                let share = graph.mul(&[adjoint, chosen]);
-                if !graph.is_zero(share) {
-                    let symbol = graph.symbol(symbols[i]);
-                    arriving[symbol.index()].push(share);
+            let summands = std::mem::take(&mut arriving[node.index()]);
+            let adjoint = graph.add(&summands);
+            if graph.is_zero(adjoint) {
+                continue;
+            }
+            if let Node::Symbol(symbol) = graph.node(node) {
+                if let Some(i) = symbols.iter().position(|s| s == symbol) {
+                    found[i] = adjoint;
                 }
+                continue;
             }
-            continue;
+            if let Some(Choice { condition, yes, no }) = graph.choice(node) {
+                // Straight to the symbols, the adjoint within the branches: 0·∞ of the branch not taken must not arise.
+                let slopes = match self.choices.get(&node) {
+                    Some(slopes) => slopes.clone(),
+                    None => {
+                        let slopes = [yes, no].map(|branch| self.gradient(graph, branch));
+                        self.choices.insert(node, slopes.clone());
+                        slopes
+                    }
+                };
+                for (i, (&yes, &no)) in slopes[0].iter().zip(&slopes[1]).enumerate() {
+                    let (yes, no) = (graph.mul(&[adjoint, yes]), graph.mul(&[adjoint, no]));
+                    let share = graph.select(condition.clone(), yes, no);
+                    if !graph.is_zero(share) {
+                        let symbol = graph.symbol(symbols[i]);
+                        arriving[symbol.index()].push(share);
+                    }
+                }
+                continue;
+            }
+            for (child, partial) in self.partials(graph, node, &|c: Expr| depends[c.index()], node == e) {
+                // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
+                // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
+                let summands = if is_cardinal_slope(graph, node) { &summands[..] } else { &[adjoint] };
+                let shares: Vec<_> = summands.iter().map(|&summand| graph.mul(&[summand, partial])).collect();
+                arriving[child.index()].push(graph.add(&shares));
+            }
         }
-        for (child, partial) in partials(graph, node, &|c: Expr| depends[c.index()]) {
-            // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
-            // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
-            let summands = if is_cardinal_slope(graph, node) { &summands[..] } else { &[adjoint] };
-            let shares: Vec<_> = summands.iter().map(|&summand| graph.mul(&[summand, partial])).collect();
-            arriving[child.index()].push(graph.add(&shares));
+        found
+    }
+
+    /// The children that depend on a symbol, each with ∂node/∂child; of roots that may vanish, what is below them.
+    fn partials(
+        &self,
+        graph: &mut Graph,
+        node: Expr,
+        depends: &dyn Fn(Expr) -> bool,
+        is_whole: bool,
+    ) -> Vec<(Expr, Expr)> {
+        match graph.node(node).clone() {
+            Node::Number(_) | Node::Symbol(_) => Vec::new(),
+            Node::Sum { terms, .. } => {
+                let moving = terms.iter().filter(|(_, t)| depends(*t));
+                let partial = |&(c, t): &(Number, Expr)| match graph.root(t) {
+                    Some((root, u)) if self.of_slope && c.value().abs() != 1.0 => {
+                        let slope = unless_vanishing(graph, root, u);
+                        (u, graph.scale(c.value(), slope))
+                    }
+                    _ => (t, graph.number(c.value())),
+                };
+                moving.map(partial).collect()
+            }
+            Node::Product { coefficient, factors } => {
+                let mut found = vec![];
+                for (i, &(f, n)) in factors.iter().enumerate().filter(|(_, (f, _))| depends(*f)) {
+                    let mut rest = factors.to_vec();
+                    rest.remove(i);
+                    let (child, order, slope) = match graph.root(f) {
+                        Some((root, u)) if self.of_slope && n == 1 => {
+                            (u, 1.0, vec![(unless_vanishing(graph, root, u), 1)])
+                        }
+                        _ => power_slope(graph, f, n),
+                    };
+                    rest.extend(slope);
+                    let rest = graph.product_of(coefficient, rest);
+                    found.push((child, graph.scale(order, rest)));
+                }
+                found
+            }
+            Node::Unary(f, u) => match graph.root(node) {
+                Some((root, u)) if self.of_slope && is_whole => vec![(u, unless_vanishing(graph, root, u))],
+                _ => vec![(u, slope(graph, f, u))],
+            },
+            Node::Binary(f, u, w) => {
+                let mut both = binary_slopes(graph, f, u, w);
+                if self.of_slope && f == Binary::Powf {
+                    both.0 = unless_infinite(graph, both.0, u, w);
+                }
+                [(u, both.0), (w, both.1)].into_iter().filter(|(c, _)| depends(*c)).collect()
+            }
+            Node::Select(..) => unreachable!("choices are taken as a whole"),
         }
     }
-    found
 }
 
 fn is_cardinal_slope(graph: &Graph, e: Expr) -> bool {
@@ -60,9 +145,9 @@ pub fn derivative(graph: &mut Graph, e: Expr, symbol: Symbol) -> Expr {
     gradient(graph, e, &[symbol])[0]
 }
 
-/// ∂eᵢ/∂xⱼ.
+/// ∂eᵢ/∂xⱼ of components that are slopes: see [`tangent`].
 pub fn jacobian(graph: &mut Graph, components: &[Expr], symbols: &[Symbol]) -> Vec<Vec<Expr>> {
-    components.iter().map(|&e| gradient(graph, e, symbols)).collect()
+    components.iter().map(|&e| tangent(graph, e, symbols)).collect()
 }
 
 /// ∂²e/∂xᵢ∂xⱼ; both halves are the same expressions.
@@ -77,30 +162,44 @@ pub fn hessian(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Vec<Expr>>
     second
 }
 
-/// The children that depend on a symbol, each with ∂node/∂child.
-fn partials(graph: &mut Graph, node: Expr, depends: &dyn Fn(Expr) -> bool) -> Vec<(Expr, Expr)> {
-    match graph.node(node).clone() {
-        Node::Number(_) | Node::Symbol(_) => Vec::new(),
-        Node::Sum { terms, .. } => {
-            let moving = terms.iter().filter(|(_, t)| depends(*t));
-            moving.map(|&(c, t)| (t, graph.number(c.value()))).collect()
-        }
-        Node::Product { coefficient, factors } => {
-            let mut found = vec![];
-            for (i, &(f, n)) in factors.iter().enumerate().filter(|(_, (f, _))| depends(*f)) {
-                let mut rest = factors.to_vec();
-                rest[i].1 -= 1;
-                let rest = graph.product_of(coefficient, rest);
-                found.push((f, graph.scale(f64::from(n), rest)));
+/// The slope of a root, 0 where the root vanishes.
+fn unless_vanishing(graph: &mut Graph, root: Unary, u: Expr) -> Expr {
+    let (zero, slope) = (graph.zero(), slope(graph, root, u));
+    graph.select(Condition::equal(u, zero), zero, slope)
+}
+
+/// The slope of u^w, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < 1.
+fn unless_infinite(graph: &mut Graph, slope: Expr, u: Expr, w: Expr) -> Expr {
+    let (zero, one) = (graph.zero(), graph.one());
+    let vanishes = Condition::equal(u, zero);
+    match graph.as_number(w) {
+        Some(w) if w <= 0.0 || w >= 1.0 => slope,
+        Some(_) => graph.select(vanishes, zero, slope),
+        None => graph.select(vanishes.and(Condition::less(w, one)), zero, slope),
+    }
+}
+
+/// The derivative of fⁿ as a number and factors, and the expression by which it is taken.
+///
+/// Powers of roots are powers of what is below the root: taken by the root and then by what is below, the derivative
+/// would be 0/0 where that vanishes. So would that of sechⁿ far out, ∞·0.
+fn power_slope(graph: &mut Graph, f: Expr, n: i32) -> (Expr, f64, Vec<(Expr, i32)>) {
+    if let Some((root, u)) = graph.vanishing_root(f, n) {
+        let degree = if root == Unary::Sqrt { 2 } else { 3 };
+        return match degree {
+            2 => (u, f64::from(n) / 2.0, vec![(f, n - degree)]),
+            _ => {
+                let three = graph.number(3.0);
+                (u, f64::from(n), vec![(f, n - degree), (three, -1)])
             }
-            found
+        };
+    }
+    match *graph.node(f) {
+        Node::Unary(Unary::Cosh, u) if n < 0 => {
+            let tanh = graph.unary(Unary::Tanh, u);
+            (u, f64::from(n), vec![(f, n), (tanh, 1)])
         }
-        Node::Unary(f, u) => vec![(u, slope(graph, f, u))],
-        Node::Binary(f, u, w) => {
-            let both = binary_slopes(graph, f, u, w);
-            [(u, both.0), (w, both.1)].into_iter().filter(|(c, _)| depends(*c)).collect()
-        }
-        Node::Select(..) => unreachable!("handled by the walk itself"),
+        _ => (f, f64::from(n), vec![(f, n - 1)]),
     }
 }
 
@@ -227,8 +326,8 @@ pub(super) fn logarithm(g: &mut Graph, base: f64) -> Expr {
 }
 
 /// (∂f/∂u, ∂f/∂w).
-pub(super) fn binary_slopes(g: &mut Graph, f: Binary, u: Expr, w: Expr) -> (Expr, Expr) {
-    let (zero, one) = (g.zero(), g.one());
+fn binary_slopes(g: &mut Graph, f: Binary, u: Expr, w: Expr) -> (Expr, Expr) {
+    let one = g.one();
     match f {
         Binary::Powf => {
             let lowered = g.sub(w, one);
@@ -243,13 +342,6 @@ pub(super) fn binary_slopes(g: &mut Graph, f: Binary, u: Expr, w: Expr) -> (Expr
             let toward_w = g.div(u, r2);
             (g.div(w, r2), g.neg(toward_w))
         }
-        Binary::Min => {
-            let condition = Condition::less_or_equal(u, w);
-            (g.select(condition.clone(), one, zero), g.select(condition, zero, one))
-        }
-        Binary::Max => {
-            let condition = Condition::less_or_equal(w, u);
-            (g.select(condition.clone(), one, zero), g.select(condition, zero, one))
-        }
+        Binary::Min | Binary::Max => unreachable!("choices are taken as a whole"),
     }
 }

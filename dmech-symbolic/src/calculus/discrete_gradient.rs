@@ -4,10 +4,13 @@
 //! its derivative. Because the secant identity holds at every node, Δnode = Σ factor·Δchild, it holds for the whole:
 //! ∇̄Φ(a, b)·(b − a) = Φ(b) − Φ(a). Because every factor is symmetric in a and b, so is ∇̄Φ.
 
+use std::collections::HashMap;
+use std::rc::Rc;
+
 use crate::expression::{Binary, Condition, Expr, Graph, Node, Substitution, Symbol, Unary};
 
-use super::divided_difference::{abs_secant, divided_difference, of_logarithm, of_power};
-use super::piecewise;
+use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_power, of_root};
+use super::piecewise::{self, Placed};
 
 /// The two ends of a step: what the coordinates become at each.
 pub struct TwoPoints {
@@ -19,6 +22,8 @@ pub struct TwoPoints {
     pub b: Vec<Symbol>,
     at_a: Substitution,
     at_b: Substitution,
+    /// Choices that have been taken apart before.
+    pub(super) choices: HashMap<Expr, Rc<Placed>>,
 }
 
 impl TwoPoints {
@@ -29,7 +34,8 @@ impl TwoPoints {
             Substitution::new(graph, pairs)
         };
         let (at_a, at_b) = (end(a), end(b));
-        Self { coordinates: coordinates.to_vec(), a: a.to_vec(), b: b.to_vec(), at_a, at_b }
+        let choices = HashMap::new();
+        Self { coordinates: coordinates.to_vec(), a: a.to_vec(), b: b.to_vec(), at_a, at_b, choices }
     }
 
     /// The values of an expression at the two ends.
@@ -41,6 +47,15 @@ impl TwoPoints {
     pub(super) fn mean(&mut self, graph: &mut Graph, e: Expr) -> Expr {
         let (a, b) = self.values(graph, e);
         graph.mean(a, b)
+    }
+
+    /// a ↔ b.
+    pub fn exchange(&self, graph: &mut Graph) -> Substitution {
+        let mut pairs = vec![];
+        for (&a, &b) in self.a.iter().zip(&self.b) {
+            pairs.extend([(a, graph.symbol(b)), (b, graph.symbol(a))]);
+        }
+        Substitution::new(graph, pairs)
     }
 
     /// A condition at the two ends.
@@ -72,11 +87,16 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             }
             continue;
         }
-        let shares = match graph.node(node).clone() {
-            Node::Select(condition, yes, no) => piecewise::secants(graph, &condition, yes, no, ends),
-            _ => secants(graph, node, ends, &|c: Expr| depends[c.index()]),
-        };
-        for (child, secant) in shares {
+        if graph.choice(node).is_some() {
+            for (i, share) in piecewise::shares(graph, node, adjoint, ends).into_iter().enumerate() {
+                if !graph.is_zero(share) {
+                    let coordinate = graph.symbol(ends.coordinates[i]);
+                    arriving[coordinate.index()].push(share);
+                }
+            }
+            continue;
+        }
+        for (child, secant) in secants(graph, node, ends, &|c: Expr| depends[c.index()]) {
             let share = graph.mul(&[adjoint, secant]);
             arriving[child.index()].push(share);
         }
@@ -113,12 +133,20 @@ fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut
     let mut found = vec![];
     let mut outside = fixed;
     for (i, &(f, n)) in moving.iter().enumerate() {
-        let (a, b) = ends.values(graph, f);
-        let secant = of_power(graph, a, b, n);
+        let (target, secant) = match graph.vanishing_root(f, n) {
+            Some((root, u)) => {
+                let (a, b) = ends.values(graph, u);
+                (u, of_root(graph, root, a, b, n))
+            }
+            None => {
+                let (a, b) = ends.values(graph, f);
+                (f, of_power(graph, a, b, n))
+            }
+        };
         let rest: Vec<_> = moving[i + 1..].iter().map(|&(f, n)| graph.powi(f, n)).collect();
         let rest = graph.mul(&rest);
         let mean_of_rest = ends.mean(graph, rest);
-        found.push((f, graph.mul(&[outside, secant, mean_of_rest])));
+        found.push((target, graph.mul(&[outside, secant, mean_of_rest])));
         let power = graph.powi(f, n);
         let mean = ends.mean(graph, power);
         outside = graph.mul(&[outside, mean]);
@@ -158,15 +186,7 @@ fn of_binary(
             let toward_w = graph.mul(&[mean_u, k]);
             vec![(u, graph.mul(&[mean_w, k])), (w, graph.neg(toward_w))]
         }
-        Binary::Min | Binary::Max => {
-            // max = (u + w)/2 + |u − w|/2, and min with a minus.
-            let (gap_a, gap_b) = (graph.sub(ua, wa), graph.sub(ub, wb));
-            let secant = abs_secant(graph, gap_a, gap_b);
-            let one = graph.one();
-            let (more, less) = (graph.add(&[one, secant]), graph.sub(one, secant));
-            let (more, less) = (graph.scale(0.5, more), graph.scale(0.5, less));
-            if f == Binary::Max { vec![(u, more), (w, less)] } else { vec![(u, less), (w, more)] }
-        }
+        Binary::Min | Binary::Max => unreachable!("choices are taken as a whole"),
     }
 }
 
@@ -185,8 +205,9 @@ fn of_powf(
         let (log_a, log_b) = (graph.mul(&[half_a, ln_a]), graph.mul(&[half_b, ln_b]));
         let delta = graph.sub(log_b, log_a);
         let roots = [graph.binary(Binary::Powf, ua, half_a), graph.binary(Binary::Powf, ub, half_b)];
-        let cardinal = graph.unary(Unary::Sinhc, delta);
-        let exp = graph.mul(&[roots[0], roots[1], cardinal]);
+        let middle = graph.mul(&roots);
+        let values = [graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb)];
+        let exp = of_exponential(graph, middle, delta, values);
         let (mean_w, mean_ln) = (graph.mean(wa, wb), graph.mean(ln_a, ln_b));
         return vec![(u, graph.mul(&[exp, mean_w, ln])), (w, graph.mul(&[exp, mean_ln]))];
     }
@@ -199,13 +220,17 @@ fn of_powf(
     let closed = graph.mul(&[power, wa, ln, cardinal]);
     // Far apart the powers do not cancel; and at u = 0 the logarithm is not finite but the power may be.
     let one = graph.one();
+    let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
+    let rise = graph.sub(value_b, value_a);
+    let quotient = graph.div(rise, gap);
     let lowered = graph.sub(wa, one);
     let both = graph.mean(ua, ub);
     let power = graph.binary(Binary::Powf, both, lowered);
     let limit = graph.mul(&[wa, power]);
-    let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
-    let rise = graph.sub(value_b, value_a);
-    let quotient = graph.div(rise, gap);
+    // With derivative 0 where that of the limit is infinite.
+    let zero = graph.zero();
+    let vanishes = Condition::equal(both, zero).and(Condition::less(zero, lowered));
+    let limit = graph.select(vanishes, zero, limit);
     let far = graph.select(Condition::equal(ua, ub), limit, quotient);
     let size = graph.unary(Unary::Abs, delta);
     vec![(u, graph.select(Condition::less_or_equal(size, one), closed, far))]

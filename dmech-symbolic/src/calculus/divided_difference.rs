@@ -20,7 +20,7 @@
 //! artanh loses digits near 1, that is when a and b are far apart. There artanh t = arsinh(t/√(1 − t²)) takes over in the
 //! logarithms and inverse hyperbolic functions, with t/√(1 − t²) in closed form: (b − a)/(2√a√b) for ln. The difference of the
 //! logarithms themselves would cancel, ln 1e22 and ln 4e22 are nearly equal. In atan (beyond a right angle) and atanh
-//! the plain quotient serves.
+//! the plain quotient serves, and so it does in eᵘ, where sinhc δ may overflow while eᵇ does not.
 
 use crate::expression::{Condition, Expr, Graph, Unary};
 
@@ -43,15 +43,16 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
         }
         Exp | ExpM1 => {
             let (m, delta) = midpoint_and_half_gap(g, a, b);
-            let factors = [g.unary(Exp, m), g.unary(Sinhc, delta)];
-            g.mul(&factors)
+            let (middle, values) = (g.unary(Exp, m), [g.unary(Exp, a), g.unary(Exp, b)]);
+            of_exponential(g, middle, delta, values)
         }
         Exp2 => {
             let ln_2 = logarithm(g, 2.0);
             let (m, delta) = midpoint_and_half_gap(g, a, b);
             let scaled = g.mul(&[ln_2, delta]);
-            let factors = [ln_2, g.unary(Exp2, m), g.unary(Sinhc, scaled)];
-            g.mul(&factors)
+            let (middle, values) = (g.unary(Exp2, m), [g.unary(Exp2, a), g.unary(Exp2, b)]);
+            let natural = of_exponential(g, middle, scaled, values);
+            g.mul(&[ln_2, natural])
         }
         Ln | Log2 | Log10 => {
             let natural = of_logarithm(g, a, b);
@@ -197,9 +198,39 @@ pub(super) fn of_power(g: &mut Graph, a: Expr, b: Expr, n: i32) -> Expr {
     }
 }
 
+/// (√u)ⁿ or (∛u)ⁿ between a and b, where its exponent in u is above 1.
+///
+/// Formed of roots it would divide by them where one end is 0, and its derivative even where none is. Where the ends are
+/// that far apart the powers themselves do not cancel; between 0 and 0 it is 0.
+pub(super) fn of_root(g: &mut Graph, root: Unary, a: Expr, b: Expr, n: i32) -> Expr {
+    let roots = [g.unary(root, a), g.unary(root, b)];
+    let (power, of_root) = (of_power(g, roots[0], roots[1], n), divided_difference(g, root, a, b));
+    let closed = g.mul(&[power, of_root]);
+    let values = roots.map(|root| g.powi(root, n));
+    let (rise, gap) = (g.sub(values[1], values[0]), g.sub(b, a));
+    let (zero, quotient) = (g.zero(), g.div(rise, gap));
+    let far = g.select(Condition::equal(a, b), zero, quotient);
+    let sum = g.add(&[a, b]);
+    let (half, distance) = (g.scale(0.5, sum), g.unary(Unary::Abs, gap));
+    let size = g.unary(Unary::Abs, half);
+    g.select(Condition::less(distance, size), closed, far)
+}
+
+/// (eᵝ − eᵅ)/(β − α) = e^m sinhc δ, given e^m, δ = (β − α)/2 and the values at the ends, which do not cancel where δ is
+/// so large that sinhc δ overflows.
+pub(super) fn of_exponential(g: &mut Graph, middle: Expr, delta: Expr, values: [Expr; 2]) -> Expr {
+    let cardinal = g.unary(Unary::Sinhc, delta);
+    let closed = g.mul(&[middle, cardinal]);
+    let rise = g.sub(values[1], values[0]);
+    let quotient = g.div(rise, delta);
+    let quotient = g.scale(0.5, quotient);
+    let (distance, bound) = (g.unary(Unary::Abs, delta), g.number(8.0));
+    g.select(Condition::less_or_equal(distance, bound), closed, quotient)
+}
+
 /// (a + b)/(|a| + |b|), 0 at 0: the divided difference of |u|. On one side of 0 it is ±1, and chosen rather than divided,
 /// because a + b is flattened where a and b are sums and may round otherwise than |a| + |b|.
-pub(super) fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
+fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
     let magnitudes = [g.unary(Unary::Abs, a), g.unary(Unary::Abs, b)];
     let below = g.add(&magnitudes);
     let sum = g.add(&[a, b]);

@@ -3,8 +3,9 @@
 mod derivative;
 mod discrete_gradient;
 mod divided_difference;
+mod gateways;
 mod piecewise;
 
-pub use derivative::{derivative, gradient, hessian, jacobian};
+pub use derivative::{derivative, gradient, hessian, jacobian, tangent};
 pub use discrete_gradient::{TwoPoints, discrete_gradient};
 pub use divided_difference::divided_difference;

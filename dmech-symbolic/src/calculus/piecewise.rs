@@ -1,97 +1,237 @@
-//! Discrete gradients across the seam of a piecewise expression.
+//! Discrete gradients of choices.
 //!
-//! Where both ends lie in one branch, that branch's own form; otherwise a form that still satisfies the secant
-//! identity exactly: if everything depends on the coordinates through one inner expression u (a distance, a
-//! coordinate), the plain quotient in u, which keeps central laws central; else Gonzalez' correction of the gradient at
-//! the midpoint (J. Nonlinear Sci. 6 (1996) 449).
+//! A choice is taken as a function of its [gateways](super::gateways). Where both ends lie in one branch, it has that
+//! branch's own form. Otherwise the seam lies between them, and the form must satisfy the secant identity and become that
+//! of a branch as an end comes to the seam, or the equation of a step has no root there:
+//!
+//! - in one variable it is the plain quotient, which cannot cancel there;
+//! - for `min` and `max` of u and w, with the gaps g = u − w at the ends, it is ω ∇̄u + (1 − ω) ∇̄w with
+//!   ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger: max = (u + w)/2 + |u − w|/2;
+//! - for `if` the step is cut where the seam is crossed, at p = a + λ (b − a) with λ = cₐ/(cₐ − c_b), where c is 0 on
+//!   the seam: λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b). Where the seam is curved, the rest of the rise goes along b − a, as
+//!   in Gonzalez' correction (J. Nonlinear Sci. 6 (1996) 449).
 
-use crate::expression::{Condition, Expr, Graph, Node, Substitution};
+use std::rc::Rc;
 
-use super::derivative::gradient;
+use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Relation, Substitution, Symbol, Unary};
+
 use super::discrete_gradient::{TwoPoints, discrete_gradient};
+use super::gateways::Gateways;
 
-/// The coordinates, each with its factor in Δ{yes if condition, else no}.
-pub(super) fn secants(
-    graph: &mut Graph,
-    condition: &Condition,
-    yes: Expr,
-    no: Expr,
-    ends: &mut TwoPoints,
-) -> Vec<(Expr, Expr)> {
-    let in_yes = discrete_gradient(graph, yes, ends);
-    let in_no = discrete_gradient(graph, no, ends);
-    let whole = graph.select(condition.clone(), yes, no);
-    let (at_a, at_b) = ends.conditions(graph, condition);
-    let across = if at_a == at_b { in_no.clone() } else { across(graph, condition, whole, ends) };
-    let coordinates = ends.coordinates.clone();
-    let mut found = vec![];
-    for (i, &coordinate) in coordinates.iter().enumerate() {
-        let neither = at_a.clone().or(at_b.clone());
-        let not_both_yes = graph.select(neither, across[i], in_no[i]);
-        let secant = graph.select(at_a.clone().and(at_b.clone()), in_yes[i], not_both_yes);
-        found.push((graph.symbol(coordinate), secant));
+/// A choice between two ends of the step: what its discrete gradient is made of, for each gateway.
+pub(super) struct Placed {
+    at_a: Condition,
+    at_b: Condition,
+    /// Where the condition holds at both ends; at neither; at a but not at b; at b but not at a.
+    forms: Vec<[Expr; 4]>,
+    /// The discrete gradient of the gateway itself.
+    toward: Vec<Vec<Expr>>,
+}
+
+/// `adjoint`·∇̄e of a choice e, one component for each coordinate.
+///
+/// The adjoint is multiplied within the branches: where one does not depend on the coordinates, 0·∞ must not arise.
+pub(super) fn shares(graph: &mut Graph, e: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Vec<Expr> {
+    let placed = match ends.choices.get(&e) {
+        Some(placed) => placed.clone(),
+        None => {
+            let placed = Rc::new(Placed::new(graph, e, ends));
+            ends.choices.insert(e, placed.clone());
+            placed
+        }
+    };
+    let Placed { at_a, at_b, forms, toward } = &*placed;
+    let mut found = vec![graph.zero(); ends.coordinates.len()];
+    for (form, toward) in forms.iter().zip(toward) {
+        let [yes, no, out, back] = form.map(|secant| graph.mul(&[adjoint, secant]));
+        let across = if out == back { out } else { graph.select(at_a.clone(), out, back) };
+        let not_both = graph.select(at_a.clone().or(at_b.clone()), across, no);
+        let share = graph.select(at_a.clone().and(at_b.clone()), yes, not_both);
+        for (sum, &toward) in found.iter_mut().zip(toward) {
+            let summand = graph.mul(&[share, toward]);
+            *sum = graph.add(&[*sum, summand]);
+        }
     }
     found
 }
 
-/// A discrete gradient for ends on different sides of the seam.
-fn across(graph: &mut Graph, condition: &Condition, whole: Expr, ends: &mut TwoPoints) -> Vec<Expr> {
-    let (value_a, value_b) = ends.values(graph, whole);
-    let rise = graph.sub(value_b, value_a);
-    if let Some(gateway) = gateway(graph, condition, whole, ends) {
-        let (u_a, u_b) = ends.values(graph, gateway);
-        let run = graph.sub(u_b, u_a);
-        let quotient = graph.div(rise, run);
-        let toward_u = discrete_gradient(graph, gateway, ends);
-        return toward_u.into_iter().map(|secant| graph.mul(&[quotient, secant])).collect();
+impl Placed {
+    fn new(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Self {
+        let choice = graph.choice(e).expect("the expression is a choice");
+        let mut gateways = Gateways::of(graph, &choice.roots(), &ends.coordinates);
+        let forms = Inside::new(graph, e, choice, &mut gateways).forms(graph);
+        let mut pairs = vec![];
+        for (k, &u) in gateways.inner.iter().enumerate() {
+            let (at_a, at_b) = ends.values(graph, u);
+            pairs.extend([(forms.a[k], at_a), (forms.b[k], at_b)]);
+        }
+        let mut place = Substitution::new(graph, pairs);
+        let [at_a, at_b] = [&forms.at_a, &forms.at_b].map(|c| c.map(&mut |e| place.apply(graph, e)));
+        let all = [forms.yes, forms.no, forms.out, forms.back];
+        let forms = (0..gateways.inner.len()).map(|k| [0, 1, 2, 3].map(|i| place.apply(graph, all[i][k])));
+        let forms = forms.collect();
+        let toward = gateways.inner.iter().map(|&u| discrete_gradient(graph, u, ends)).collect();
+        Self { at_a, at_b, forms, toward }
     }
-    let (a, b): (Vec<_>, Vec<_>) =
-        (ends.a.iter().map(|&s| graph.symbol(s)).collect(), ends.b.iter().map(|&s| graph.symbol(s)).collect());
-    let midpoint: Vec<_> = a.iter().zip(&b).map(|(&a, &b)| graph.mean(a, b)).collect();
-    let gap: Vec<_> = a.iter().zip(&b).map(|(&a, &b)| graph.sub(b, a)).collect();
-    let mut at_midpoint = Substitution::new(graph, ends.coordinates.iter().copied().zip(midpoint));
-    let slopes: Vec<_> =
-        gradient(graph, whole, &ends.coordinates).into_iter().map(|slope| at_midpoint.apply(graph, slope)).collect();
-    let along: Vec<_> = slopes.iter().zip(&gap).map(|(&s, &d)| graph.mul(&[s, d])).collect();
-    let along = graph.add(&along);
-    let squares: Vec<_> = gap.iter().map(|&d| graph.square(d)).collect();
-    let length2 = graph.add(&squares);
-    let missing = graph.sub(rise, along);
-    let missing = graph.div(missing, length2);
-    slopes
-        .iter()
-        .zip(&gap)
-        .map(|(&slope, &d)| {
-            let correction = graph.mul(&[missing, d]);
-            graph.add(&[slope, correction])
-        })
-        .collect()
 }
 
-/// The outermost inner expression through which condition and value depend on the coordinates.
-fn gateway(graph: &Graph, condition: &Condition, whole: Expr, ends: &TwoPoints) -> Option<Expr> {
-    let moves = graph.dependence(&ends.coordinates);
-    let operands = condition.operands();
-    let inner = graph.reachable(&[whole]);
-    let candidates = inner.iter().rev().filter(|c| **c != whole && moves[c.index()]);
-    candidates.copied().find(|&candidate| {
-        let roots = operands.iter().copied().chain(graph.children(whole));
-        roots.into_iter().all(|root| only_through(graph, root, candidate, &moves))
-    })
+/// A choice in the variables of its gateways.
+struct Inside {
+    choice: Choice,
+    whole: Expr,
+    /// It is the smaller or the larger of the two.
+    extremum: bool,
+    ends: TwoPoints,
 }
 
-/// Whether every way from the root to a coordinate passes the candidate.
-fn only_through(graph: &Graph, root: Expr, candidate: Expr, moves: &[bool]) -> bool {
-    let mut stack = vec![root];
-    let mut seen = vec![false; graph.len()];
-    while let Some(e) = stack.pop() {
-        if e == candidate || !moves[e.index()] || std::mem::replace(&mut seen[e.index()], true) {
-            continue;
-        }
-        if matches!(graph.node(e), Node::Symbol(_)) {
-            return false;
-        }
-        stack.extend(graph.children(e));
+/// Its discrete gradient between the ends a and b, component by component.
+struct Forms {
+    a: Vec<Symbol>,
+    b: Vec<Symbol>,
+    at_a: Condition,
+    at_b: Condition,
+    /// Where the condition holds at both ends,
+    yes: Vec<Expr>,
+    /// at neither,
+    no: Vec<Expr>,
+    /// at a but not at b,
+    out: Vec<Expr>,
+    /// at b but not at a.
+    back: Vec<Expr>,
+}
+
+impl Inside {
+    fn new(graph: &mut Graph, e: Expr, choice: Choice, gateways: &mut Gateways) -> Self {
+        let mut inside = |e: Expr| gateways.inside(graph, e);
+        let choice =
+            Choice { condition: choice.condition.map(&mut inside), yes: inside(choice.yes), no: inside(choice.no) };
+        let whole = inside(e);
+        let extremum = matches!(graph.node(e), Node::Binary(Binary::Min | Binary::Max, ..));
+        let [a, b] = ["ua", "ub"].map(|end| {
+            let names = 0..gateways.symbols.len();
+            names.map(|k| graph.coordinate(&format!("{end}{k}"))).collect::<Vec<_>>()
+        });
+        let ends = TwoPoints::new(graph, &gateways.symbols, &a, &b);
+        Self { choice, whole, extremum, ends }
     }
-    true
+
+    fn forms(mut self, graph: &mut Graph) -> Forms {
+        let (at_a, at_b) = self.ends.conditions(graph, &self.choice.condition);
+        let yes = discrete_gradient(graph, self.choice.yes, &mut self.ends);
+        let no = discrete_gradient(graph, self.choice.no, &mut self.ends);
+        let [a, b] = [self.ends.a.clone(), self.ends.b.clone()];
+        let (out, back) = if let [_] = a[..] {
+            let quotient = vec![self.quotient(graph)];
+            (quotient.clone(), quotient)
+        } else if self.extremum {
+            let mixed = self.mixed(graph, &yes, &no);
+            (mixed.clone(), mixed)
+        } else {
+            let out = self.cut(graph, &yes, &no);
+            let mut exchanged = self.ends.exchange(graph);
+            let back = out.iter().map(|&e| exchanged.apply(graph, e)).collect();
+            (out, back)
+        };
+        Forms { a, b, at_a, at_b, yes, no, out, back }
+    }
+
+    /// (Φ(b) − Φ(a))/(b − a) in the one variable.
+    fn quotient(&mut self, graph: &mut Graph) -> Expr {
+        let (value_a, value_b) = self.ends.values(graph, self.whole);
+        let rise = graph.sub(value_b, value_a);
+        let [a, b] = [self.ends.a[0], self.ends.b[0]].map(|end| graph.symbol(end));
+        let run = graph.sub(b, a);
+        or_zero(graph, rise, run)
+    }
+
+    /// ω ∇̄yes + (1 − ω) ∇̄no, both weights without cancellation.
+    fn mixed(&mut self, graph: &mut Graph, yes: &[Expr], no: &[Expr]) -> Vec<Expr> {
+        let seam = seam(graph, &self.choice.condition);
+        let (gap_a, gap_b) = self.ends.values(graph, seam);
+        let zero = graph.zero();
+        // The seam is negative where the condition holds.
+        let mut outside = |gap: Expr| graph.binary(Binary::Max, gap, zero);
+        let toward_no = [outside(gap_a), outside(gap_b)];
+        let opposite = [graph.neg(gap_a), graph.neg(gap_b)];
+        let mut inside = |gap: Expr| graph.binary(Binary::Max, gap, zero);
+        let toward_yes = [inside(opposite[0]), inside(opposite[1])];
+        let (toward_yes, toward_no) = (graph.add(&toward_yes), graph.add(&toward_no));
+        let total = graph.add(&[toward_yes, toward_no]);
+        let weights = [toward_yes, toward_no].map(|part| or_zero(graph, part, total));
+        let pairs = yes.iter().zip(no);
+        pairs
+            .map(|(&yes, &no)| {
+                let parts = [graph.mul(&[weights[0], yes]), graph.mul(&[weights[1], no])];
+                graph.add(&parts)
+            })
+            .collect()
+    }
+
+    /// λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b), and along b − a what is missing of the rise.
+    fn cut(&mut self, graph: &mut Graph, yes: &[Expr], no: &[Expr]) -> Vec<Expr> {
+        let seam = seam(graph, &self.choice.condition);
+        let (seam_a, seam_b) = self.ends.values(graph, seam);
+        let (fall, rise) = (graph.sub(seam_a, seam_b), graph.sub(seam_b, seam_a));
+        let weights = [or_zero(graph, seam_a, fall), or_zero(graph, seam_b, rise)];
+        let n = self.ends.a.len();
+        let [a, b] = [self.ends.a.clone(), self.ends.b.clone()]
+            .map(|end| -> Vec<_> { end.into_iter().map(|s| graph.symbol(s)).collect() });
+        let crossing: Vec<_> = (0..n)
+            .map(|k| {
+                let parts = [graph.mul(&[weights[0], b[k]]), graph.mul(&[weights[1], a[k]])];
+                graph.add(&parts)
+            })
+            .collect();
+        let mut up_to = Substitution::new(graph, self.ends.b.iter().copied().zip(crossing.iter().copied()));
+        let mut from = Substitution::new(graph, self.ends.a.iter().copied().zip(crossing.iter().copied()));
+        let pieces: Vec<_> = (0..n)
+            .map(|k| {
+                let (before, after) = (up_to.apply(graph, yes[k]), from.apply(graph, no[k]));
+                let parts = [graph.mul(&[weights[0], before]), graph.mul(&[weights[1], after])];
+                graph.add(&parts)
+            })
+            .collect();
+        let gaps: Vec<_> = (0..n).map(|k| graph.sub(b[k], a[k])).collect();
+        let along: Vec<_> = (0..n).map(|k| graph.mul(&[pieces[k], gaps[k]])).collect();
+        let squares: Vec<_> = gaps.iter().map(|&gap| graph.square(gap)).collect();
+        let (along, length2) = (graph.add(&along), graph.add(&squares));
+        let (value_a, value_b) =
+            (self.ends.values(graph, self.choice.yes).0, self.ends.values(graph, self.choice.no).1);
+        let rise = graph.sub(value_b, value_a);
+        let missing = graph.sub(rise, along);
+        let missing = or_zero(graph, missing, length2);
+        (0..n)
+            .map(|k| {
+                let correction = graph.mul(&[missing, gaps[k]]);
+                graph.add(&[pieces[k], correction])
+            })
+            .collect()
+    }
+}
+
+/// The quotient, 0 where the denominator is: where rounding puts ends on two sides of a seam that are one point.
+fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
+    // The magnitude is the same expression for b − a and a − b.
+    let (zero, size, quotient) = (graph.zero(), graph.unary(Unary::Abs, below), graph.div(above, below));
+    graph.select(Condition::equal(size, zero), zero, quotient)
+}
+
+/// A function that is negative where the condition holds, positive where it does not, and 0 on the seam between.
+fn seam(graph: &mut Graph, condition: &Condition) -> Expr {
+    match condition {
+        Condition::Compare(Relation::Less | Relation::LessOrEqual, left, right) => graph.sub(*left, *right),
+        Condition::Compare(Relation::Equal, left, right) => {
+            let gap = graph.sub(*left, *right);
+            graph.unary(Unary::Abs, gap)
+        }
+        Condition::Not(inner) => {
+            let inner = seam(graph, inner);
+            graph.neg(inner)
+        }
+        Condition::And(one, two) | Condition::Or(one, two) => {
+            let (one, two) = (seam(graph, one), seam(graph, two));
+            let both = matches!(condition, Condition::And(..));
+            graph.binary(if both { Binary::Max } else { Binary::Min }, one, two)
+        }
+    }
 }

@@ -7,6 +7,7 @@
 //! Numbers are folded only where the result is exact in binary64, so that an expression means the same for every
 //! scalar type; nothing is ever expanded, because a·(b + c) and a·b + a·c round differently and structure would be lost.
 
+mod choice;
 mod condition;
 mod display;
 mod evaluate;
@@ -18,6 +19,7 @@ mod product;
 mod substitute;
 mod sum;
 
+pub use choice::Choice;
 pub use condition::{Condition, Relation};
 pub use display::Display;
 pub use evaluate::{evaluate, evaluate_all};

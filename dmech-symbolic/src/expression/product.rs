@@ -5,8 +5,8 @@
 //! | (a b) c = a b c, sorted; a^m a^n = a^(m+n) | a ≠ 0 where m or n is negative |
 //! | (a b)^n = a^n b^n | all, n integer |
 //! | (√s)^2 = s, s^k √s^n = √s^(2k+n) | s ≥ 0, which √s demands; s > 0 where an exponent is negative |
-//! | (∛u)³ = u | all |
-//! | \|u\|² = u² | all |
+//! | (∛u)³ = u, u^k ∛uⁿ = ∛u^(3k+n) | all; u ≠ 0 where an exponent is negative |
+//! | \|u\|² = u², u^2k √\|u\|ⁿ = √\|u\|^(4k+n), u signum u = \|u\| | all; u ≠ 0 where an exponent is negative |
 //! | (−a − b)^n = (−1)^n (a + b)^n, so that b − a and a − b share a node | all |
 //! | (c/d) a = e a where e = c/d is exact | all |
 //! | 0·a = 0 | a finite |
@@ -187,36 +187,58 @@ impl Gathering {
 
     /// Leaves either s or √s, never both, and √s only to odd powers; likewise ∛u, |u|.
     fn merge_roots(&mut self, graph: &mut Graph) {
-        loop {
-            let mut change = None;
-            for (i, &(f, n)) in self.factors.iter().enumerate() {
-                match graph.node(f) {
-                    Node::Unary(Unary::Sqrt, s) if n != 0 => {
-                        let s = *s;
-                        if n % 2 == 0 {
-                            change = Some((i, s, n / 2, 0));
-                            break;
-                        }
-                        if let Some(j) = self.factors.iter().position(|&(other, m)| other == s && m != 0) {
-                            let m = std::mem::take(&mut self.factors[j].1);
-                            change = Some((i, f, 0, n + 2 * m));
-                            break;
-                        }
-                    }
-                    Node::Unary(Unary::Cbrt, u) if n != 0 && n % 3 == 0 => {
-                        change = Some((i, *u, n / 3, 0));
-                        break;
-                    }
-                    Node::Unary(Unary::Abs, u) if n != 0 && n % 2 == 0 => {
-                        change = Some((i, *u, n, 0));
-                        break;
-                    }
-                    _ => {}
-                }
-            }
-            let Some((i, base, n, left)) = change else { return };
+        while let Some((i, base, n, left)) = self.next_merger(graph) {
             self.factors[i].1 = left;
             self.take(graph, base, n);
         }
+    }
+
+    /// A factor that changes: its place, what it becomes, and the exponent that is left of itself. The factors that it
+    /// takes up are gone.
+    fn next_merger(&mut self, graph: &mut Graph) -> Option<(usize, Expr, i32, i32)> {
+        for i in 0..self.factors.len() {
+            let (f, n) = self.factors[i];
+            if n == 0 {
+                continue;
+            }
+            match *graph.node(f) {
+                Node::Unary(Unary::Sqrt, s) => {
+                    if n % 2 == 0 {
+                        return Some((i, s, n / 2, 0));
+                    }
+                    if let Some(m) = self.give_up(s, |_| true) {
+                        return Some((i, f, n + 2 * m, 0));
+                    }
+                    if let Node::Unary(Unary::Abs, u) = *graph.node(s)
+                        && let Some(m) = self.give_up(u, |m| m % 2 == 0)
+                    {
+                        return Some((i, f, n + 2 * m, 0));
+                    }
+                }
+                Node::Unary(Unary::Cbrt, u) => {
+                    if n % 3 == 0 {
+                        return Some((i, u, n / 3, 0));
+                    }
+                    if let Some(m) = self.give_up(u, |_| true) {
+                        return Some((i, f, n + 3 * m, 0));
+                    }
+                }
+                Node::Unary(Unary::Abs, u) if n % 2 == 0 => return Some((i, u, n, 0)),
+                Node::Unary(Unary::Signum, u) if n > 0 => {
+                    if let Some(partner) = self.factors.iter_mut().find(|(other, m)| *other == u && *m > 0) {
+                        partner.1 -= 1;
+                        return Some((i, graph.unary(Unary::Abs, u), 1, n - 1));
+                    }
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// The exponent of a factor, if it stands in the product and may be given up; it is then gone.
+    fn give_up(&mut self, base: Expr, may: impl Fn(i32) -> bool) -> Option<i32> {
+        let factor = self.factors.iter_mut().find(|(f, m)| *f == base && *m != 0 && may(*m))?;
+        Some(std::mem::take(&mut factor.1))
     }
 }

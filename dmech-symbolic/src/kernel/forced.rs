@@ -39,6 +39,8 @@ pub struct ForcedKernels {
     pub discrete_is_linear: bool,
     /// The force depends on the velocity.
     pub depends_on_velocity: bool,
+    /// The potential or the force is a choice between branches: the slope may jump.
+    pub piecewise: bool,
     /// F·v = 0 for every v: the force turns the velocity and does no work.
     pub workless: bool,
 }
@@ -88,6 +90,8 @@ impl ForcedKernels {
             let jacobian = calculus::jacobian(graph, &slope, q);
             super::jacobian_kick(graph, &slope, &jacobian, variables)
         });
+        let moving: Vec<_> = q.iter().chain(v).copied().collect();
+        let piecewise = slope.iter().chain([&phi]).any(|&e| !graph.choices(e, &moving).is_empty());
         let share = if workless { 0.0 } else { 0.5 };
         let half_force: Vec<_> = force.iter().map(|&f| graph.scale(share, f)).collect();
 
@@ -133,9 +137,10 @@ impl ForcedKernels {
             gradient_kick,
             implicit,
             discrete,
-            implicit_is_linear,
-            discrete_is_linear,
+            implicit_is_linear: implicit_is_linear && !piecewise,
+            discrete_is_linear: discrete_is_linear && !piecewise,
             depends_on_velocity,
+            piecewise,
             workless,
             formulas: ForceFormulas { force: force.to_vec(), force_dq, force_dv },
         }

@@ -188,7 +188,7 @@ fn gradient_kick(graph: &mut Graph, formulas: &Formulas, variables: &Variables) 
     let along: Vec<_> = (0..gradient.len()).map(|i| graph.coordinate(&format!("u{i}"))).collect();
     let directions: Vec<_> = along.iter().map(|&u| graph.symbol(u)).collect();
     let change = dot(graph, &directions, gradient);
-    let turned = calculus::gradient(graph, change, &variables.q);
+    let turned = calculus::tangent(graph, change, &variables.q);
     let mut itself = Substitution::new(graph, along.into_iter().zip(gradient.iter().copied()));
     let turned: Vec<_> = turned.into_iter().map(|e| itself.apply(graph, e)).collect();
     let whole = kick_and_turn(graph, gradient, &turned, variables);
@@ -230,7 +230,7 @@ fn kick_and_turn(graph: &mut Graph, slope: &[Expr], turned: &[Expr], variables: 
 /// With ∇Φ = f q, f a function of s = |q|²: |∇Φ|² = s f², so that H ∇Φ = f (f + 2 s f′) q, and one factor of q is the kick.
 fn central_gradient_kick(graph: &mut Graph, central: Central, variables: &Variables) -> Program {
     let f = central.coefficient(graph);
-    let slope = calculus::derivative(graph, f, central.s);
+    let slope = calculus::tangent(graph, f, &[central.s])[0];
     let s = graph.symbol(central.s);
     let rest = graph.mul(&[s, slope]);
     let rest = graph.scale(2.0, rest);
@@ -261,7 +261,7 @@ fn central_gradient_kick(graph: &mut Graph, central: Central, variables: &Variab
 }
 
 fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, variables: &Variables) -> Step {
-    if let (false, Some(central)) = (structure.constant_hessian, &structure.central) {
+    if let Some(central) = structure.one_unknown() {
         let coefficient = central.coefficient(graph);
         return Step::Central(with_two_derivatives(graph, coefficient, central.s, variables.s));
     }
@@ -275,7 +275,7 @@ fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
 }
 
 fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, variables: &Variables) -> Step {
-    if let (false, Some(central)) = (structure.constant_hessian, &structure.central) {
+    if let Some(central) = structure.one_unknown() {
         let coefficient = central.discrete_coefficient(graph, variables.s_a, variables.s_b);
         return Step::Central(with_two_derivatives(graph, coefficient, variables.s_b, variables.s_b));
     }
@@ -287,8 +287,8 @@ fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
 
 /// f, f′, f″ with respect to one symbol, which is then called by another name.
 fn with_two_derivatives(graph: &mut Graph, f: Expr, symbol: Symbol, name: Symbol) -> Program {
-    let first = calculus::derivative(graph, f, symbol);
-    let second = calculus::derivative(graph, first, symbol);
+    let first = calculus::tangent(graph, f, &[symbol])[0];
+    let second = calculus::tangent(graph, first, &[symbol])[0];
     let new_name = graph.symbol(name);
     let mut renamed = Substitution::new(graph, [(symbol, new_name)]);
     let outputs = [f, first, second].map(|e| renamed.apply(graph, e));

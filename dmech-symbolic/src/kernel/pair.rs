@@ -80,6 +80,8 @@ pub struct Radial {
     pub discrete_gradient_jacobian: Program,
     /// c does not depend on s: the force is linear in d.
     pub linear: bool,
+    /// The potential is a choice between branches: its gradient may jump.
+    pub piecewise: bool,
 }
 
 /// A potential of the separation.
@@ -99,6 +101,8 @@ pub struct Separation {
     pub discrete_gradient_jacobian: Program,
     /// The Hessian does not depend on d.
     pub linear: bool,
+    /// The potential is a choice between branches: its gradient may jump.
+    pub piecewise: bool,
 }
 
 /// The force on a from b.
@@ -114,6 +118,8 @@ pub struct PairForce {
     pub jacobians: Program,
     /// The force depends on a velocity.
     pub depends_on_velocity: bool,
+    /// The force is a choice between branches: its slope may jump.
+    pub piecewise: bool,
     /// F(d, v_a, v_b; a, b) = −F(−d, v_b, v_a; b, a): the force on b is opposite.
     pub reciprocal: bool,
 }
@@ -191,6 +197,7 @@ impl PairPotential {
             discrete_gradient: Program::schedule_symmetric(graph, &discrete_gradient, exchange),
             discrete_gradient_jacobian: Program::schedule(graph, &discrete_gradient_jacobian.concat()),
             linear: structure.constant_hessian,
+            piecewise: structure.piecewise,
             formulas: Formulas { potential: phi, gradient, hessian, discrete_gradient, discrete_gradient_jacobian },
         }))
     }
@@ -202,10 +209,11 @@ impl Radial {
         let s = graph.symbol(pair.s);
         let potential = Substitution::new(graph, [(central.s, s)]).apply(graph, central.potential);
         let central = Central { potential, s: pair.s };
+        let piecewise = !graph.choices(potential, &[pair.s]).is_empty();
         let coefficient = central.coefficient(graph);
-        let slope = calculus::derivative(graph, coefficient, pair.s);
+        let slope = calculus::tangent(graph, coefficient, &[pair.s])[0];
         let discrete_coefficient = central.discrete_coefficient(graph, pair.s_a, pair.s_b);
-        let discrete_slope = calculus::derivative(graph, discrete_coefficient, pair.s_b);
+        let discrete_slope = calculus::tangent(graph, discrete_coefficient, &[pair.s_b])[0];
         let (s_a, s_b) = (graph.symbol(pair.s_a), graph.symbol(pair.s_b));
         let exchange = Substitution::new(graph, [(pair.s_a, s_b), (pair.s_b, s_a)]);
         Self {
@@ -217,7 +225,8 @@ impl Radial {
             hessian: Program::schedule(graph, &[coefficient, slope]),
             discrete_gradient: Program::schedule_symmetric(graph, &[discrete_coefficient], exchange),
             discrete_gradient_jacobian: Program::schedule(graph, &[discrete_coefficient, discrete_slope]),
-            linear: !graph.depends_on(coefficient, &[pair.s]),
+            linear: !piecewise && !graph.depends_on(coefficient, &[pair.s]),
+            piecewise,
         }
     }
 }
@@ -242,6 +251,10 @@ impl PairForce {
             force: Program::schedule(graph, force),
             jacobians: Program::schedule(graph, &derivatives.iter().flatten().flatten().copied().collect::<Vec<_>>()),
             depends_on_velocity: force.iter().any(|&f| graph.depends_on(f, &velocities)),
+            piecewise: {
+                let moving: Vec<_> = variables.q.iter().copied().chain([pair.s]).chain(velocities).collect();
+                force.iter().any(|&f| !graph.choices(f, &moving).is_empty())
+            },
             reciprocal,
             formulas: force.to_vec(),
             derivatives,

@@ -1,0 +1,47 @@
+//! Choices: expressions that are one thing here and another there.
+
+use super::{Binary, Condition, Expr, Graph, Node, Symbol, Unary};
+
+/// `yes` where the condition holds, `no` elsewhere: `if`, `min` or `max`.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// Which of the two.
+    pub condition: Condition,
+    /// The expression where it holds.
+    pub yes: Expr,
+    /// The expression where it does not.
+    pub no: Expr,
+}
+
+impl Choice {
+    /// All expressions that it is made of.
+    pub fn roots(&self) -> Vec<Expr> {
+        let mut roots = self.condition.operands();
+        roots.extend([self.yes, self.no]);
+        roots
+    }
+}
+
+impl Graph {
+    /// The expression as a choice between two others, if it is one.
+    pub fn choice(&self, e: Expr) -> Option<Choice> {
+        match self.node(e) {
+            Node::Select(condition, yes, no) => Some(Choice { condition: condition.clone(), yes: *yes, no: *no }),
+            Node::Binary(Binary::Min, u, w) => {
+                Some(Choice { condition: Condition::less_or_equal(*u, *w), yes: *u, no: *w })
+            }
+            Node::Binary(Binary::Max, u, w) => {
+                Some(Choice { condition: Condition::less_or_equal(*w, *u), yes: *u, no: *w })
+            }
+            _ => None,
+        }
+    }
+
+    /// The parts of an expression that choose by the values of the symbols: their gradients may jump.
+    pub fn choices(&self, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
+        let moves = self.dependence(symbols);
+        let chooses =
+            |e: &Expr| matches!(self.node(*e), Node::Unary(Unary::Abs | Unary::Signum, _)) || self.choice(*e).is_some();
+        self.reachable(&[e]).into_iter().filter(|e| moves[e.index()] && chooses(e)).collect()
+    }
+}

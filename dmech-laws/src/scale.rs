@@ -13,10 +13,10 @@
 //!
 //! **Choices.** Where both ends lie in one branch the figures are that branch's. Across a seam no secant factor serves. What is
 //! allowed there is what the plain quotient loses, S = E(a) + E(b) + |n(a)| + |n(b)| and W = |n(a)| + |n(b)|, each end in the
-//! branch that it lies in, and what the way between the ends has:
+//! branch that it lies in, and what the way between the ends has, the straight line from a to b: how far the values range on it,
+//! and
 //!
-//! - for `if`, the figures of each branch up to the seam and from there on, on the straight line from a to b, and how far the
-//!   values on that line range;
+//! - for `if`, the figures of each branch up to the seam and from there on;
 //! - for `min` and `max` of u and w, with g = u − w, those of ω u + (1 − ω) w, ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger;
 //!   an error of gₐ moves them by itself, one of g_b by itself, each less by its end's own share in |gₐ| + |g_b|.
 //!
@@ -113,10 +113,7 @@ fn node(ends: [f64; 2], edges: &[Edge<'_>]) -> Scale {
         all.crosses |= child.crosses;
         all.doubtful |= child.doubtful;
         all.vertical |= child.vertical;
-        // NaN stays.
-        if !(child.largest <= all.largest) {
-            all.largest = child.largest;
-        }
+        all.largest = all.largest.max(child.largest);
     }
     all
 }
@@ -179,7 +176,10 @@ fn of_product(u: &Scale, w: &Scale) -> Scale {
         child,
         factor: mean(other),
         factor_error: error(other),
-        moves: [0, 1].map(|k| times(other.ends[k].abs(), its.value_error[k])),
+        moves: [0, 1].map(|k| {
+            // To second order: both may be 0 but for rounding.
+            times(other.ends[k].abs() + ROUNDING * other.value_error[k], its.value_error[k])
+        }),
     };
     let mut product = node([0, 1].map(|k| u.ends[k] * w.ends[k]), &[edge(u, w, u), edge(w, u, w)]);
     if product.doubtful {
@@ -282,8 +282,10 @@ fn of_mixture(u: &Scale, w: &Scale, larger: bool) -> Option<(f64, f64)> {
     let gaps = [0, 1].map(|k| if larger { u.ends[k] - w.ends[k] } else { w.ends[k] - u.ends[k] });
     let total = gaps[0].abs() + gaps[1].abs();
     let toward_u = if total > 0.0 { (gaps[0].max(0.0) + gaps[1].max(0.0)) / total } else { 0.5 };
-    let width = times(toward_u, u.width) + times(1.0 - toward_u, w.width);
-    let inner = times(toward_u, u.error) + times(1.0 - toward_u, w.error);
+    // Of a branch with a vertical root its values.
+    let part = |c: &Scale, figure: f64| if figure.is_finite() { figure } else { c.ends[0].abs() + c.ends[1].abs() };
+    let width = times(toward_u, part(u, u.width)) + times(1.0 - toward_u, part(w, w.width));
+    let inner = times(toward_u, part(u, u.error)) + times(1.0 - toward_u, part(w, w.error));
     let moved: f64 = (0..2)
         .map(|k| {
             let others = if total > 0.0 { 1.0 - gaps[k].abs() / total } else { 1.0 };
@@ -294,8 +296,36 @@ fn of_mixture(u: &Scale, w: &Scale, larger: bool) -> Option<(f64, f64)> {
     (width.is_finite() && error.is_finite()).then_some((width, error))
 }
 
+/// (u w)ⁿ as uⁿ wⁿ, as the engine multiplies powers; even ones through the absolute value.
+fn distributed(tree: &Tree, n: i32) -> Option<[Tree; 2]> {
+    let power = |t: &Tree, n: i32| Tree::Powi(t.clone().into(), n);
+    match tree {
+        Tree::Mul(u, w) => Some([power(u, n), power(w, n)]),
+        Tree::Div(u, w) => Some([power(u, n), power(w, -n)]),
+        Tree::Unary(Unary::Abs, u) if n % 2 == 0 => distributed(u, n),
+        _ => None,
+    }
+}
+
 impl Analysis<'_> {
     fn of(&self, tree: &Tree) -> Scale {
+        let mut all = self.of_node(tree);
+        let is_choice = matches!(
+            tree,
+            Tree::Unary(Unary::Abs, _)
+                | Tree::Binary(Binary::Min | Binary::Max, ..)
+                | Tree::Clamp(..)
+                | Tree::Select(..)
+        );
+        if is_choice && (all.crosses || all.doubtful) {
+            let way = self.way(tree);
+            all.width += way;
+            all.error += 2.0 * way;
+        }
+        all
+    }
+
+    fn of_node(&self, tree: &Tree) -> Scale {
         let of = |t: &Tree| self.of(t);
         match tree {
             Tree::Coordinate(i) => Scale::leaf([self.a[*i], self.b[*i]], self.step[*i].abs()),
@@ -307,10 +337,8 @@ impl Analysis<'_> {
             Tree::Div(u, w) => of_product(&of(u), &of_function(&of(w), &|x| of_integer_power(x, -1))),
             Tree::Powi(u, n) => {
                 let mut all = of_function(&of(u), &|x| of_integer_power(x, *n));
-                if let Tree::Mul(u, w) = &**u {
-                    // The engine multiplies powers, (u w)ⁿ = uⁿ wⁿ.
-                    let power = |t: &Tree| of(&Tree::Powi(t.clone().into(), *n));
-                    let product = of_product(&power(u), &power(w));
+                if let Some([one, other]) = distributed(u, *n) {
+                    let product = of_product(&of(&one), &of(&other));
                     all.width += product.width;
                     all.error += product.error;
                 }
@@ -324,9 +352,14 @@ impl Analysis<'_> {
             Tree::Unary(f, u) => {
                 let u = of(u);
                 let mut all = of_function(&u, &|x| of_unary(*f, x));
-                if *f == Unary::Tanh && (u.ends[1] - u.ends[0]).abs() > 1.0 {
-                    // Where it saturates, the difference of two values that are nearly 1 is all there is.
-                    all.error += all.ends[0].abs() + all.ends[1].abs();
+                if (u.ends[1] - u.ends[0]).abs() > 1.0 {
+                    all.error += match f {
+                        // Where it saturates, the difference of two values that are nearly 1 is all there is.
+                        Unary::Tanh => all.ends[0].abs() + all.ends[1].abs(),
+                        // Of the mean of the arguments and of half their gap, both rounded.
+                        Unary::Sin | Unary::Cos => u.ends[0].abs() + u.ends[1].abs(),
+                        _ => 0.0,
+                    };
                 }
                 all
             }
@@ -396,14 +429,19 @@ impl Analysis<'_> {
             Scale::of(tree, a, b, &step)
         };
         let (up_to, from) = (part(up_to, branch(0)), part(from, branch(1)));
+        let width = up_to.width + from.width;
+        let error = up_to.error + from.error + width;
+        (width.is_finite() && error.is_finite()).then_some((width, error))
+    }
+
+    /// How far the values on the line from a to b range.
+    fn way(&self, tree: &Tree) -> f64 {
         let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|share| {
             let q: Vec<f64> = self.a.iter().zip(self.b).map(|(a, b)| a + share * (b - a)).collect();
-            if test.holds(&q) { yes.value(&q) } else { no.value(&q) }
+            tree.value(&q)
         });
         let way: f64 = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
-        let finite = [up_to.width, from.width, up_to.error, from.error].iter().all(|x| x.is_finite());
-        let (width, error) = if finite { (up_to.width + from.width, up_to.error + from.error) } else { (0.0, 0.0) };
-        way.is_finite().then_some((width + way, error + width + 2.0 * way))
+        if way.is_finite() { way } else { 0.0 }
     }
 
     fn truth(&self, test: &Test) -> Truth {

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use dmech_laws::{COORDINATES, Law, PARAMETERS, Place, Random, Scale, pairs};
 
-const LAWS: u64 = 80;
+const LAWS: u64 = 60;
 const SEED: u64 = 80_486;
 
 /// One law: its type, its method, and the pairs of points with the scale of the secant identity.

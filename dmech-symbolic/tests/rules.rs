@@ -146,7 +146,7 @@ fn functions() {
             |[x, y, _]| (2.25 * x * x * y.powi(4)).sqrt(),
             vec![|[x, y, _]| (2.25 * x.powi(2) * y.powi(4)).sqrt()],
         ),
-        rule("√(2·x²)", |[x, ..]| (2.0 * x * x).sqrt(), vec![|[x, ..]| (2.0 * x * x).sqrt()]),
+        rule("√2·|x|", |[x, ..]| (2.0 * x * x).sqrt(), vec![|[x, ..]| (2.0 * x * x).sqrt()]),
         // u^p by integer powers and roots
         rule("x²", |[x, ..]| x.powf(2.0), vec![|[x, ..]| x.powf(2.0)]),
         rule("√x", |[x, ..]| x.powf(0.5), vec![|[x, ..]| x.powf(0.5)]).on(positive),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Symbol, Unary};
+use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Root, Symbol, Unary};
 
 /// ∂e/∂xᵢ for each symbol: one walk from the expression down to the symbols.
 pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
@@ -61,7 +61,7 @@ impl Walk<'_> {
                     }
                 };
                 for (i, (&yes, &no)) in slopes[0].iter().zip(&slopes[1]).enumerate() {
-                    let (yes, no) = (graph.mul(&[adjoint, yes]), graph.mul(&[adjoint, no]));
+                    let (yes, no) = (graph.mul_within(adjoint, yes), graph.mul_within(adjoint, no));
                     let share = graph.select(condition.clone(), yes, no);
                     if !graph.is_zero(share) {
                         let symbol = graph.symbol(symbols[i]);
@@ -94,9 +94,9 @@ impl Walk<'_> {
             Node::Sum { terms, .. } => {
                 let moving = terms.iter().filter(|(_, t)| depends(*t));
                 let partial = |&(c, t): &(Number, Expr)| match graph.root(t) {
-                    Some((root, u)) if self.of_slope && c.value().abs() != 1.0 => {
-                        let slope = unless_vanishing(graph, root, u);
-                        (u, graph.scale(c.value(), slope))
+                    Some(root) if self.of_slope && c.value().abs() != 1.0 => {
+                        let slope = unless_vanishing(graph, &root, t, 1);
+                        (root.below, graph.scale(c.value(), slope))
                     }
                     _ => (t, graph.number(c.value())),
                 };
@@ -108,8 +108,8 @@ impl Walk<'_> {
                     let mut rest = factors.to_vec();
                     rest.remove(i);
                     let (child, order, slope) = match graph.root(f) {
-                        Some((root, u)) if self.of_slope && n == 1 => {
-                            (u, 1.0, vec![(unless_vanishing(graph, root, u), 1)])
+                        Some(root) if self.of_slope && (1..root.degree).contains(&n) => {
+                            (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                         }
                         _ => power_slope(graph, f, n),
                     };
@@ -119,8 +119,16 @@ impl Walk<'_> {
                 }
                 found
             }
+            // cos √s is smooth in s where √s is not.
+            Node::Unary(f @ (Unary::Cos | Unary::Cosh), u) if let Some(s) = graph.radicand(u) => {
+                let (cardinal, half) = if f == Unary::Cos { (Unary::Sinc, -0.5) } else { (Unary::Sinhc, 0.5) };
+                let slope = graph.unary(cardinal, u);
+                vec![(s, graph.scale(half, slope))]
+            }
             Node::Unary(f, u) => match graph.root(node) {
-                Some((root, u)) if self.of_slope && is_whole => vec![(u, unless_vanishing(graph, root, u))],
+                Some(root) if self.of_slope && is_whole => {
+                    vec![(root.below, unless_vanishing(graph, &root, node, 1))]
+                }
                 _ => vec![(u, slope(graph, f, u))],
             },
             Node::Binary(f, u, w) => {
@@ -162,10 +170,26 @@ pub fn hessian(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Vec<Expr>>
     second
 }
 
-/// The slope of a root, 0 where the root vanishes.
-fn unless_vanishing(graph: &mut Graph, root: Unary, u: Expr) -> Expr {
-    let (zero, slope) = (graph.zero(), slope(graph, root, u));
-    graph.select(Condition::equal(u, zero), zero, slope)
+/// The slope of a power of a root, 0 where the root vanishes.
+fn unless_vanishing(graph: &mut Graph, root: &Root, f: Expr, n: i32) -> Expr {
+    let (_, order, factors) = root.power_slope(graph, f, n);
+    let slope = graph.product_of(Number::ONE, factors);
+    let (zero, slope) = (graph.zero(), graph.scale(order, slope));
+    graph.select(Condition::equal(root.below, zero), zero, slope)
+}
+
+impl Root {
+    /// (n/degree) fⁿ⁻ᵈᵉᵍʳᵉᵉ, with what is below the root.
+    fn power_slope(&self, graph: &mut Graph, f: Expr, n: i32) -> (Expr, f64, Vec<(Expr, i32)>) {
+        let mut factors = vec![(f, n - self.degree)];
+        let mut order = f64::from(n);
+        if self.degree == 3 {
+            factors.push((graph.number(3.0), -1));
+        } else {
+            order /= f64::from(self.degree);
+        }
+        (self.below, order, factors)
+    }
 }
 
 /// The slope of u^w, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < 1.
@@ -184,15 +208,8 @@ fn unless_infinite(graph: &mut Graph, slope: Expr, u: Expr, w: Expr) -> Expr {
 /// Powers of roots are powers of what is below the root: taken by the root and then by what is below, the derivative
 /// would be 0/0 where that vanishes. So would that of sechⁿ far out, ∞·0.
 fn power_slope(graph: &mut Graph, f: Expr, n: i32) -> (Expr, f64, Vec<(Expr, i32)>) {
-    if let Some((root, u)) = graph.vanishing_root(f, n) {
-        let degree = if root == Unary::Sqrt { 2 } else { 3 };
-        return match degree {
-            2 => (u, f64::from(n) / 2.0, vec![(f, n - degree)]),
-            _ => {
-                let three = graph.number(3.0);
-                (u, f64::from(n), vec![(f, n - degree), (three, -1)])
-            }
-        };
+    if let Some(root) = graph.root(f).filter(|root| n > root.degree) {
+        return root.power_slope(graph, f, n);
     }
     match *graph.node(f) {
         Node::Unary(Unary::Cosh, u) if n < 0 => {

@@ -49,15 +49,6 @@ impl TwoPoints {
         graph.mean(a, b)
     }
 
-    /// a ↔ b.
-    pub fn exchange(&self, graph: &mut Graph) -> Substitution {
-        let mut pairs = vec![];
-        for (&a, &b) in self.a.iter().zip(&self.b) {
-            pairs.extend([(a, graph.symbol(b)), (b, graph.symbol(a))]);
-        }
-        Substitution::new(graph, pairs)
-    }
-
     /// A condition at the two ends.
     pub(super) fn conditions(&mut self, graph: &mut Graph, condition: &Condition) -> (Condition, Condition) {
         (condition.map(&mut |e| self.at_a.apply(graph, e)), condition.map(&mut |e| self.at_b.apply(graph, e)))
@@ -117,6 +108,16 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
             let fixed = graph.product_of(coefficient, fixed);
             of_product(graph, fixed, &moving, ends)
         }
+        // cos √s is smooth in s where √s is not: sin m sinc δ/(√a + √b) = sinc m sinc δ/2.
+        Node::Unary(f @ (Unary::Cos | Unary::Cosh), u) if let Some(s) = graph.radicand(u) => {
+            let (a, b) = ends.values(graph, u);
+            let (cardinal, half) = if f == Unary::Cos { (Unary::Sinc, -0.5) } else { (Unary::Sinhc, 0.5) };
+            let (middle, gap) = (graph.mean(a, b), graph.sub(b, a));
+            let delta = graph.scale(0.5, gap);
+            let factors = [graph.unary(cardinal, middle), graph.unary(cardinal, delta)];
+            let secant = graph.mul(&factors);
+            vec![(s, graph.scale(half, secant))]
+        }
         Node::Unary(f, u) => {
             let (a, b) = ends.values(graph, u);
             vec![(u, divided_difference(graph, f, a, b))]
@@ -133,15 +134,12 @@ fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut
     let mut found = vec![];
     let mut outside = fixed;
     for (i, &(f, n)) in moving.iter().enumerate() {
-        let (target, secant) = match graph.vanishing_root(f, n) {
-            Some((root, u)) => {
-                let (a, b) = ends.values(graph, u);
-                (u, of_root(graph, root, a, b, n))
-            }
-            None => {
-                let (a, b) = ends.values(graph, f);
-                (f, of_power(graph, a, b, n))
-            }
+        let root = graph.root(f).filter(|root| n > root.degree);
+        let target = root.map_or(f, |root| root.below);
+        let (a, b) = ends.values(graph, target);
+        let secant = match root {
+            Some(root) => of_root(graph, root.degree, a, b, n),
+            None => of_power(graph, a, b, n),
         };
         let rest: Vec<_> = moving[i + 1..].iter().map(|&(f, n)| graph.powi(f, n)).collect();
         let rest = graph.mul(&rest);

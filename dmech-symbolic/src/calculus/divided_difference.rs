@@ -198,14 +198,20 @@ pub(super) fn of_power(g: &mut Graph, a: Expr, b: Expr, n: i32) -> Expr {
     }
 }
 
-/// (√u)ⁿ or (∛u)ⁿ between a and b, where its exponent in u is above 1.
+/// A power of a root, fⁿ between the values a and b of what is below it, where its exponent there is above 1.
 ///
 /// Formed of roots it would divide by them where one end is 0, and its derivative even where none is. Where the ends are
 /// that far apart the powers themselves do not cancel; between 0 and 0 it is 0.
-pub(super) fn of_root(g: &mut Graph, root: Unary, a: Expr, b: Expr, n: i32) -> Expr {
-    let roots = [g.unary(root, a), g.unary(root, b)];
-    let (power, of_root) = (of_power(g, roots[0], roots[1], n), divided_difference(g, root, a, b));
-    let closed = g.mul(&[power, of_root]);
+pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> Expr {
+    let (root, times) = if degree == 3 { (Unary::Cbrt, 1) } else { (Unary::Sqrt, degree.trailing_zeros()) };
+    let mut closed = vec![];
+    let mut roots = [a, b];
+    for _ in 0..times {
+        closed.push(divided_difference(g, root, roots[0], roots[1]));
+        roots = roots.map(|u| g.unary(root, u));
+    }
+    closed.push(of_power(g, roots[0], roots[1], n));
+    let closed = g.mul(&closed);
     let values = roots.map(|root| g.powi(root, n));
     let (rise, gap) = (g.sub(values[1], values[0]), g.sub(b, a));
     let (zero, quotient) = (g.zero(), g.div(rise, gap));

@@ -8,7 +8,7 @@
 //! - for `min` and `max` of u and w, with the gaps g = u − w at the ends, it is ω ∇̄u + (1 − ω) ∇̄w with
 //!   ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger: max = (u + w)/2 + |u − w|/2;
 //! - for `if` the step is cut where the seam is crossed, at p = a + λ (b − a) with λ = cₐ/(cₐ − c_b), where c is 0 on
-//!   the seam: λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b). Where the seam is curved, the rest of the rise goes along b − a, as
+//!   the seam: λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b) if the condition holds at a. Where the seam is curved, the rest of the rise goes along b − a, as
 //!   in Gonzalez' correction (J. Nonlinear Sci. 6 (1996) 449).
 
 use std::rc::Rc;
@@ -22,8 +22,8 @@ use super::gateways::Gateways;
 pub(super) struct Placed {
     at_a: Condition,
     at_b: Condition,
-    /// Where the condition holds at both ends; at neither; at a but not at b; at b but not at a.
-    forms: Vec<[Expr; 4]>,
+    /// Where the condition holds at both ends; at neither; at one of them.
+    forms: Vec<[Expr; 3]>,
     /// The discrete gradient of the gateway itself.
     toward: Vec<Vec<Expr>>,
 }
@@ -43,12 +43,11 @@ pub(super) fn shares(graph: &mut Graph, e: Expr, adjoint: Expr, ends: &mut TwoPo
     let Placed { at_a, at_b, forms, toward } = &*placed;
     let mut found = vec![graph.zero(); ends.coordinates.len()];
     for (form, toward) in forms.iter().zip(toward) {
-        let [yes, no, out, back] = form.map(|secant| graph.mul(&[adjoint, secant]));
-        let across = if out == back { out } else { graph.select(at_a.clone(), out, back) };
+        let [yes, no, across] = form.map(|secant| graph.mul_within(adjoint, secant));
         let not_both = graph.select(at_a.clone().or(at_b.clone()), across, no);
         let share = graph.select(at_a.clone().and(at_b.clone()), yes, not_both);
         for (sum, &toward) in found.iter_mut().zip(toward) {
-            let summand = graph.mul(&[share, toward]);
+            let summand = graph.mul_within(toward, share);
             *sum = graph.add(&[*sum, summand]);
         }
     }
@@ -67,9 +66,8 @@ impl Placed {
         }
         let mut place = Substitution::new(graph, pairs);
         let [at_a, at_b] = [&forms.at_a, &forms.at_b].map(|c| c.map(&mut |e| place.apply(graph, e)));
-        let all = [forms.yes, forms.no, forms.out, forms.back];
-        let forms = (0..gateways.inner.len()).map(|k| [0, 1, 2, 3].map(|i| place.apply(graph, all[i][k])));
-        let forms = forms.collect();
+        let all = [forms.yes, forms.no, forms.across];
+        let forms = (0..gateways.inner.len()).map(|k| [0, 1, 2].map(|i| place.apply(graph, all[i][k]))).collect();
         let toward = gateways.inner.iter().map(|&u| discrete_gradient(graph, u, ends)).collect();
         Self { at_a, at_b, forms, toward }
     }
@@ -94,10 +92,8 @@ struct Forms {
     yes: Vec<Expr>,
     /// at neither,
     no: Vec<Expr>,
-    /// at a but not at b,
-    out: Vec<Expr>,
-    /// at b but not at a.
-    back: Vec<Expr>,
+    /// at one of them.
+    across: Vec<Expr>,
 }
 
 impl Inside {
@@ -120,19 +116,12 @@ impl Inside {
         let yes = discrete_gradient(graph, self.choice.yes, &mut self.ends);
         let no = discrete_gradient(graph, self.choice.no, &mut self.ends);
         let [a, b] = [self.ends.a.clone(), self.ends.b.clone()];
-        let (out, back) = if let [_] = a[..] {
-            let quotient = vec![self.quotient(graph)];
-            (quotient.clone(), quotient)
-        } else if self.extremum {
-            let mixed = self.mixed(graph, &yes, &no);
-            (mixed.clone(), mixed)
-        } else {
-            let out = self.cut(graph, &yes, &no);
-            let mut exchanged = self.ends.exchange(graph);
-            let back = out.iter().map(|&e| exchanged.apply(graph, e)).collect();
-            (out, back)
+        let across = match a[..] {
+            [_] => vec![self.quotient(graph)],
+            _ if self.extremum => self.mixed(graph, &yes, &no),
+            _ => self.cut(graph, &yes, &no, &at_a),
         };
-        Forms { a, b, at_a, at_b, yes, no, out, back }
+        Forms { a, b, at_a, at_b, yes, no, across }
     }
 
     /// (Φ(b) − Φ(a))/(b − a) in the one variable.
@@ -158,55 +147,66 @@ impl Inside {
         let (toward_yes, toward_no) = (graph.add(&toward_yes), graph.add(&toward_no));
         let total = graph.add(&[toward_yes, toward_no]);
         let weights = [toward_yes, toward_no].map(|part| or_zero(graph, part, total));
-        let pairs = yes.iter().zip(no);
-        pairs
+        yes.iter().zip(no).map(|(&yes, &no)| mixture(graph, weights, yes, no)).collect()
+    }
+
+    /// λ ∇̄yes(y, p) + (1 − λ) ∇̄no(p, n), and along n − y what is missing of the rise, between the end y where the condition
+    /// holds and the end n where it does not: whichever is called a, the same numbers are computed.
+    fn cut(&mut self, graph: &mut Graph, yes: &[Expr], no: &[Expr], at_a: &Condition) -> Vec<Expr> {
+        let [a, b] = [self.ends.a.clone(), self.ends.b.clone()].map(|end| graph.symbols(&end));
+        let chosen = |graph: &mut Graph, one: &[Expr], other: &[Expr]| -> Vec<Expr> {
+            one.iter().zip(other).map(|(&one, &other)| graph.select(at_a.clone(), one, other)).collect()
+        };
+        let (inner, outer) = (chosen(graph, &a, &b), chosen(graph, &b, &a));
+        let coordinates = self.ends.coordinates.clone();
+        let mut at_inner = Substitution::new(graph, coordinates.iter().copied().zip(inner.iter().copied()));
+        let mut at_outer = Substitution::new(graph, coordinates.iter().copied().zip(outer.iter().copied()));
+
+        let seam = seam(graph, &self.choice.condition);
+        let (below, above) = (at_inner.apply(graph, seam), at_outer.apply(graph, seam));
+        let width = graph.sub(above, below);
+        let below = graph.neg(below);
+        let weights = [or_zero(graph, below, width), or_zero(graph, above, width)];
+        let crossing: Vec<_> = inner.iter().zip(&outer).map(|(&y, &n)| mixture(graph, weights, n, y)).collect();
+        let mut within = Substitution::new(graph, self.places(&inner, &crossing));
+        let mut beyond = Substitution::new(graph, self.places(&crossing, &outer));
+        let pieces: Vec<_> = yes
+            .iter()
+            .zip(no)
             .map(|(&yes, &no)| {
-                let parts = [graph.mul(&[weights[0], yes]), graph.mul(&[weights[1], no])];
-                graph.add(&parts)
+                let (before, after) = (within.apply(graph, yes), beyond.apply(graph, no));
+                mixture(graph, weights, before, after)
+            })
+            .collect();
+        let gaps: Vec<_> = inner.iter().zip(&outer).map(|(&y, &n)| graph.sub(n, y)).collect();
+        let along: Vec<_> = pieces.iter().zip(&gaps).map(|(&piece, &gap)| graph.mul(&[piece, gap])).collect();
+        let squares: Vec<_> = gaps.iter().map(|&gap| graph.square(gap)).collect();
+        let (along, length2) = (graph.add(&along), graph.add(&squares));
+        let (start, end) = (at_inner.apply(graph, self.choice.yes), at_outer.apply(graph, self.choice.no));
+        let rise = graph.sub(end, start);
+        let missing = graph.sub(rise, along);
+        let missing = or_zero(graph, missing, length2);
+        pieces
+            .iter()
+            .zip(&gaps)
+            .map(|(&piece, &gap)| {
+                let correction = graph.mul(&[missing, gap]);
+                graph.add(&[piece, correction])
             })
             .collect()
     }
 
-    /// λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b), and along b − a what is missing of the rise.
-    fn cut(&mut self, graph: &mut Graph, yes: &[Expr], no: &[Expr]) -> Vec<Expr> {
-        let seam = seam(graph, &self.choice.condition);
-        let (seam_a, seam_b) = self.ends.values(graph, seam);
-        let (fall, rise) = (graph.sub(seam_a, seam_b), graph.sub(seam_b, seam_a));
-        let weights = [or_zero(graph, seam_a, fall), or_zero(graph, seam_b, rise)];
-        let n = self.ends.a.len();
-        let [a, b] = [self.ends.a.clone(), self.ends.b.clone()]
-            .map(|end| -> Vec<_> { end.into_iter().map(|s| graph.symbol(s)).collect() });
-        let crossing: Vec<_> = (0..n)
-            .map(|k| {
-                let parts = [graph.mul(&[weights[0], b[k]]), graph.mul(&[weights[1], a[k]])];
-                graph.add(&parts)
-            })
-            .collect();
-        let mut up_to = Substitution::new(graph, self.ends.b.iter().copied().zip(crossing.iter().copied()));
-        let mut from = Substitution::new(graph, self.ends.a.iter().copied().zip(crossing.iter().copied()));
-        let pieces: Vec<_> = (0..n)
-            .map(|k| {
-                let (before, after) = (up_to.apply(graph, yes[k]), from.apply(graph, no[k]));
-                let parts = [graph.mul(&[weights[0], before]), graph.mul(&[weights[1], after])];
-                graph.add(&parts)
-            })
-            .collect();
-        let gaps: Vec<_> = (0..n).map(|k| graph.sub(b[k], a[k])).collect();
-        let along: Vec<_> = (0..n).map(|k| graph.mul(&[pieces[k], gaps[k]])).collect();
-        let squares: Vec<_> = gaps.iter().map(|&gap| graph.square(gap)).collect();
-        let (along, length2) = (graph.add(&along), graph.add(&squares));
-        let (value_a, value_b) =
-            (self.ends.values(graph, self.choice.yes).0, self.ends.values(graph, self.choice.no).1);
-        let rise = graph.sub(value_b, value_a);
-        let missing = graph.sub(rise, along);
-        let missing = or_zero(graph, missing, length2);
-        (0..n)
-            .map(|k| {
-                let correction = graph.mul(&[missing, gaps[k]]);
-                graph.add(&[pieces[k], correction])
-            })
-            .collect()
+    /// What the ends are replaced by.
+    fn places(&self, a: &[Expr], b: &[Expr]) -> Vec<(Symbol, Expr)> {
+        let (at_a, at_b) = (self.ends.a.iter().zip(a), self.ends.b.iter().zip(b));
+        at_a.chain(at_b).map(|(&symbol, &place)| (symbol, place)).collect()
     }
+}
+
+/// w₀ x + w₁ y.
+fn mixture(graph: &mut Graph, weights: [Expr; 2], x: Expr, y: Expr) -> Expr {
+    let parts = [graph.mul(&[weights[0], x]), graph.mul(&[weights[1], y])];
+    graph.add(&parts)
 }
 
 /// The quotient, 0 where the denominator is: where rounding puts ends on two sides of a seam that are one point.
@@ -217,9 +217,14 @@ fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
 }
 
 /// A function that is negative where the condition holds, positive where it does not, and 0 on the seam between.
+///
+/// Twice the difference of the sides: a [tangent](super::tangent) of a distance at the centre is then 0.
 fn seam(graph: &mut Graph, condition: &Condition) -> Expr {
     match condition {
-        Condition::Compare(Relation::Less | Relation::LessOrEqual, left, right) => graph.sub(*left, *right),
+        Condition::Compare(Relation::Less | Relation::LessOrEqual, left, right) => {
+            let (left, right) = (graph.scale(2.0, *left), graph.scale(2.0, *right));
+            graph.sub(left, right)
+        }
         Condition::Compare(Relation::Equal, left, right) => {
             let gap = graph.sub(*left, *right);
             graph.unary(Unary::Abs, gap)

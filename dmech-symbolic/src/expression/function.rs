@@ -3,7 +3,7 @@
 //! | rule | domain |
 //! |---|---|
 //! | f(−u) = f(u) for even f, −f(u) for odd f | all |
-//! | √(u²) = \|u\| | all |
+//! | √(a b²) = \|b\| √a, ∛(a bⁿ) = ∛bⁿ ∛a for n ≠ ±1, \|a b²\| = \|a\| b² | a ≥ 0 below a square root |
 //! | exact values: √4 = 2, sin 0 = 0, e⁰ = 1, … | the point |
 //! | u^p by integer powers and roots where p is n/2, n/3 or n/4 (for n/3 the nearest number) | u ≥ 0, which u^p demands |
 //! | hypot(x, y) = √(x² + y²) | x² and y² within range |
@@ -260,8 +260,8 @@ impl Graph {
                 Parity::Neither => {}
             }
         }
-        if let (Unary::Sqrt, Some(root)) = (f, self.root_of_square(u)) {
-            return root;
+        if let Some(product) = self.of_powers(f, u) {
+            return product;
         }
         self.intern(Node::Unary(f, u))
     }
@@ -340,13 +340,27 @@ impl Graph {
         }
     }
 
-    fn root_of_square(&mut self, u: Expr) -> Option<Expr> {
+    /// What can be taken out of √, ∛ and | | of a product.
+    fn of_powers(&mut self, f: Unary, u: Expr) -> Option<Expr> {
         let Node::Product { coefficient, factors } = self.node(u).clone() else { return None };
-        let root = coefficient.exact_sqrt()?;
-        if factors.iter().any(|&(_, n)| n % 2 != 0) {
+        let may = |n: i32| match f {
+            Unary::Sqrt | Unary::Abs => n % 2 == 0,
+            Unary::Cbrt => n.abs() != 1,
+            _ => false,
+        };
+        let (powers, rest): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(_, n)| may(n));
+        if powers.is_empty() {
             return None;
         }
-        let halves = factors.iter().map(|&(f, n)| (self.unary(Unary::Abs, f), n / 2)).collect();
-        Some(self.product_of(root, halves))
+        let rest = self.product_of(coefficient, rest);
+        let mut product = vec![(self.unary(f, rest), 1)];
+        for (base, n) in powers {
+            product.push(match f {
+                Unary::Sqrt => (self.unary(Unary::Abs, base), n / 2),
+                Unary::Cbrt => (self.unary(f, base), n),
+                _ => (base, n),
+            });
+        }
+        Some(self.product_of(Number::ONE, product))
     }
 }

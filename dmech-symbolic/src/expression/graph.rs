@@ -62,7 +62,7 @@ pub enum Node {
 pub struct Graph {
     nodes: Vec<Node>,
     index: HashMap<Node, Expr>,
-    symbols: Vec<(String, Role)>,
+    names: Vec<(String, Role)>,
 }
 
 impl Graph {
@@ -82,18 +82,18 @@ impl Graph {
     }
 
     fn new_symbol(&mut self, name: &str, role: Role) -> Symbol {
-        self.symbols.push((name.to_owned(), role));
-        Symbol(u32::try_from(self.symbols.len() - 1).expect("fewer than 2³² symbols"))
+        self.names.push((name.to_owned(), role));
+        Symbol(u32::try_from(self.names.len() - 1).expect("fewer than 2³² symbols"))
     }
 
     /// The name of a variable.
     pub fn name(&self, symbol: Symbol) -> &str {
-        &self.symbols[symbol.0 as usize].0
+        &self.names[symbol.0 as usize].0
     }
 
     /// What a variable stands for.
     pub fn role(&self, symbol: Symbol) -> Role {
-        self.symbols[symbol.0 as usize].1
+        self.names[symbol.0 as usize].1
     }
 
     /// The node behind an expression.
@@ -139,6 +139,11 @@ impl Graph {
     /// The value of a variable.
     pub fn symbol(&mut self, symbol: Symbol) -> Expr {
         self.intern(Node::Symbol(symbol))
+    }
+
+    /// The values of variables.
+    pub fn symbols(&mut self, symbols: &[Symbol]) -> Vec<Expr> {
+        symbols.iter().map(|&symbol| self.symbol(symbol)).collect()
     }
 
     /// The first expression where the condition holds, the second elsewhere.

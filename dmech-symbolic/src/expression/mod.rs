@@ -26,4 +26,5 @@ pub use evaluate::{evaluate, evaluate_all};
 pub use function::{Binary, Unary};
 pub use graph::{Expr, Graph, Node, Role, Symbol};
 pub use number::Number;
+pub(crate) use power::Root;
 pub use substitute::Substitution;

@@ -11,18 +11,41 @@ impl Graph {
         }
     }
 
-    /// The root and what is below it, if fⁿ is a power of a root with an exponent above 1: it and its slope vanish with
-    /// what is below.
-    pub(crate) fn vanishing_root(&self, f: Expr, n: i32) -> Option<(Unary, Expr)> {
-        let degree = |root| if root == Unary::Sqrt { 2 } else { 3 };
-        self.root(f).filter(|&(root, _)| n > degree(root))
-    }
-
-    /// The root and what is below it.
-    pub(crate) fn root(&self, f: Expr) -> Option<(Unary, Expr)> {
+    /// The expression as a root: square roots of square roots are fourth ones.
+    pub(crate) fn root(&self, f: Expr) -> Option<Root> {
         match *self.node(f) {
-            Node::Unary(root @ (Unary::Sqrt | Unary::Cbrt), u) => Some((root, u)),
+            Node::Unary(Unary::Cbrt, below) => Some(Root { degree: 3, below }),
+            Node::Unary(Unary::Sqrt, u) => match self.root(u) {
+                Some(Root { degree, below }) if degree != 3 => Some(Root { degree: 2 * degree, below }),
+                _ => Some(Root { degree: 2, below: u }),
+            },
             _ => None,
         }
     }
+
+    /// s, if the expression is √s.
+    pub(crate) fn radicand(&self, f: Expr) -> Option<Expr> {
+        match *self.node(f) {
+            Node::Unary(Unary::Sqrt, s) => Some(s),
+            _ => None,
+        }
+    }
+
+    /// c e, within the branches if e is a choice: where a branch is 0, c may be infinite.
+    pub(crate) fn mul_within(&mut self, c: Expr, e: Expr) -> Expr {
+        match self.node(e).clone() {
+            Node::Select(condition, yes, no) => {
+                let (yes, no) = (self.mul_within(c, yes), self.mul_within(c, no));
+                self.select(condition, yes, no)
+            }
+            _ => self.mul(&[c, e]),
+        }
+    }
+}
+
+/// A root: its degree, and what is below it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Root {
+    pub(crate) degree: i32,
+    pub(crate) below: Expr,
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Spacing, TokenStream, TokenTree};
 
-use crate::laws::WORDS;
+use crate::originals::WORDS;
 
 /// A linear congruential generator (Knuth's MMIX): the same runs from the same seed.
 pub(crate) struct Random(u64);

@@ -1,4 +1,4 @@
-//! Many damaged laws, one after the other.
+//! Arbitrary token streams and damaged laws for the library behind the macros, one after the other.
 
 use std::collections::HashSet;
 use std::time::{Duration, Instant};
@@ -6,19 +6,19 @@ use std::time::{Duration, Instant};
 use proc_macro2::TokenStream;
 
 use crate::damage::{Random, damaged, soup, words_of};
-use crate::laws::LAWS;
+use crate::originals::LAWS;
 
 /// What became of them.
 #[derive(Default)]
-pub(crate) struct Tally {
-    pub(crate) accepted: u64,
-    pub(crate) refused: u64,
+struct Tally {
+    accepted: u64,
+    refused: u64,
     /// Not even tokens.
-    pub(crate) unreadable: u64,
+    unreadable: u64,
     /// What the refused were told, without the names in it.
-    pub(crate) messages: HashSet<String>,
-    pub(crate) slowest: Duration,
-    pub(crate) slow_law: String,
+    messages: HashSet<String>,
+    slowest: Duration,
+    slow_law: String,
 }
 
 /// Prints the law on the way out of a panic.
@@ -47,7 +47,7 @@ fn messages(expansion: &str) -> impl Iterator<Item = &str> {
 
 /// # Panics
 /// Where the macro does, and where it refuses a law without a word.
-pub(crate) fn campaign(runs: u64, seed: u64) -> Tally {
+fn campaign(runs: u64, seed: u64) -> Tally {
     let mut random = Random::new(seed);
     let whole: Vec<(bool, Vec<String>)> = LAWS
         .iter()
@@ -78,6 +78,17 @@ pub(crate) fn campaign(runs: u64, seed: u64) -> Tally {
         }
     }
     tally
+}
+
+/// Prints how many laws were accepted and refused, and the slowest of them.
+pub(crate) fn run(runs: u64, seed: u64) {
+    let Tally { accepted, refused, unreadable, messages, slowest, slow_law } = campaign(runs, seed);
+    println!(
+        "{runs} runs, seed {seed}: {accepted} accepted, {refused} refused with {} messages, {unreadable} not even tokens, no panic",
+        messages.len()
+    );
+    println!("slowest {:.1} ms: {slow_law}", slowest.as_secs_f64() * 1e3);
+    assert!(accepted > runs / 100 && refused > runs / 10, "there was little to read");
 }
 
 /// A short campaign for `cargo test`; some damage leaves a law a law, and the rest is not all refused for one reason.

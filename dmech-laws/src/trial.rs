@@ -106,8 +106,8 @@ fn failed(promise: Promise, words: String) -> Result<(), Failure> {
 fn secant(law: &Law, engine: &Engine, a: &[f64], b: &[f64], scale: &Scale, ulps: &mut f64) -> Result<(), Failure> {
     let g = engine.between(&engine.discrete_gradient, a, b);
     if !all_finite(&g) {
-        // The tip of a cone, from which nothing moves.
-        if scale.vertical && (0..a.len()).any(|i| a[i] == b[i] && slope_of_law(law, a, i).is_none()) {
+        // The tip of a cone, or the foot of a vertical root, from which nothing moves.
+        if scale.vertical && (0..a.len()).any(|i| a[i] == b[i]) {
             return Ok(());
         }
         return failed(Promise::Finite, format!("the discrete gradient is {g:?}"));
@@ -331,6 +331,10 @@ fn derivatives(
     let special = scale.doubtful || scale.vertical;
     if !special || is_smooth(law, a) {
         for j in 0..d {
+            // The slope of a vertical root times what vanishes with it may have a limit; not every one is found.
+            if scale.vertical && !gradient[j].is_finite() {
+                continue;
+            }
             let derivative = Derivative {
                 promise: Promise::Gradient,
                 name: format!("∂Φ/∂x{j} at a"),
@@ -339,7 +343,8 @@ fn derivatives(
                 narrow: &|x| law.tree.value(&moved(a, j, x)),
                 wide: &|x| law.tree.value(&moved(a, j, x)),
                 exactly: &|| engine.at(&engine.gradient, &lift(a))[j].to_f64(),
-                rounding: 0.0,
+                // That of Φ in double-double over the step of the difference.
+                rounding: 2f64.powi(-92) * scale.value_error[0] / (1e-9 * size(a[j])),
             };
             *settled += usize::from(derivative.check()?);
         }
@@ -395,7 +400,7 @@ fn derivatives(
                 undecided += 1;
             }
         }
-        if special && undecided == 0 && !all_finite(computed) {
+        if special && !scale.vertical && undecided == 0 && !all_finite(computed) {
             return failed(promise, format!("{name} is {computed:?}"));
         }
     }

@@ -104,11 +104,16 @@ impl Walk<'_> {
             }
             Node::Product { coefficient, factors } => {
                 let mut found = vec![];
+                // As in x √(x² + y²) or ∛(x² + y²)²: other factors vanish with the root, or its own slope does.
+                let vanishes = |root: &Root, i: usize, n: i32| {
+                    let others = factors.iter().enumerate().any(|(j, &(other, m))| j != i && m > 0 && depends(other));
+                    others || 2 * n > root.degree
+                };
                 for (i, &(f, n)) in factors.iter().enumerate().filter(|(_, (f, _))| depends(*f)) {
                     let mut rest = factors.to_vec();
                     rest.remove(i);
                     let (child, order, slope) = match graph.root(f) {
-                        Some(root) if self.of_slope && (1..root.degree).contains(&n) => {
+                        Some(root) if (1..root.degree).contains(&n) && (self.of_slope || vanishes(&root, i, n)) => {
                             (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                         }
                         _ => power_slope(graph, f, n),
@@ -170,7 +175,7 @@ pub fn hessian(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Vec<Expr>>
     second
 }
 
-/// The slope of a power of a root, 0 where the root vanishes.
+/// The slope of a power of a root, 0 where the root vanishes: with the rest of a product that is often the limit.
 fn unless_vanishing(graph: &mut Graph, root: &Root, f: Expr, n: i32) -> Expr {
     let (_, order, factors) = root.power_slope(graph, f, n);
     let slope = graph.product_of(Number::ONE, factors);

@@ -203,9 +203,13 @@ impl Inside {
     }
 }
 
-/// w₀ x + w₁ y.
+/// w₀ x + w₁ y, where what has no weight need not be finite.
 fn mixture(graph: &mut Graph, weights: [Expr; 2], x: Expr, y: Expr) -> Expr {
-    let parts = [graph.mul(&[weights[0], x]), graph.mul(&[weights[1], y])];
+    let zero = graph.zero();
+    let parts = [(weights[0], x), (weights[1], y)].map(|(weight, x)| {
+        let part = graph.mul(&[weight, x]);
+        graph.select(Condition::equal(weight, zero), zero, part)
+    });
     graph.add(&parts)
 }
 

@@ -6,11 +6,12 @@
 //! | √(a b²) = \|b\| √a, ∛(a bⁿ) = ∛bⁿ ∛a for n ≠ ±1, \|a b²\| = \|a\| b² | a ≥ 0 below a square root |
 //! | exact values: √4 = 2, sin 0 = 0, e⁰ = 1, … | the point |
 //! | u^p by integer powers and roots where p is n/2, n/3 or n/4 (for n/3 the nearest number) | u ≥ 0, which u^p demands |
+//! | a root or power of a choice is the choice of the roots or powers: that of a contact is 0 where it is open | all |
 //! | hypot(x, y) = √(x² + y²) | x² and y² within range |
 
 use dmech_scalar::Real;
 
-use super::{Expr, Graph, Node, Number};
+use super::{Choice, Expr, Graph, Node, Number};
 
 /// Functions of one argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -263,6 +264,10 @@ impl Graph {
         if let Some(product) = self.of_powers(f, u) {
             return product;
         }
+        if let (Unary::Sqrt | Unary::Cbrt, Some(choice)) = (f, self.choice(u)) {
+            let (yes, no) = (self.unary(f, choice.yes), self.unary(f, choice.no));
+            return self.select(choice.condition, yes, no);
+        }
         self.intern(Node::Unary(f, u))
     }
 
@@ -315,6 +320,10 @@ impl Graph {
                 _ => u,
             };
             return self.powi(base, n as i32);
+        }
+        if let Some(Choice { condition, yes, no }) = self.choice(u) {
+            let (yes, no) = (self.powf(yes, p), self.powf(no, p));
+            return self.select(condition, yes, no);
         }
         self.intern(Node::Binary(Binary::Powf, u, p))
     }

@@ -3,7 +3,7 @@
 //! | rule | domain |
 //! |---|---|
 //! | (a b) c = a b c, sorted; a^m a^n = a^(m+n) | a ≠ 0 where m or n is negative |
-//! | (a b)^n = a^n b^n | all, n integer |
+//! | (a b)^n = a^n b^n; {a if c, else b}^n = {a^n if c, else b^n} | all, n integer |
 //! | (√s)^2 = s, s^k √s^n = √s^(2k+n) | s ≥ 0, which √s demands; s > 0 where an exponent is negative |
 //! | (∛u)³ = u, u^k ∛uⁿ = ∛u^(3k+n) | all; u ≠ 0 where an exponent is negative |
 //! | \|u\|² = u², u^2k √\|u\|ⁿ = √\|u\|^(4k+n), u signum u = \|u\| | all; u ≠ 0 where an exponent is negative |
@@ -96,6 +96,11 @@ impl Gathering {
                     self.numbers.push(Number::ONE.negated());
                 }
                 self.raise(turned, n);
+            }
+            Node::Select(condition, yes, no) if n != 1 => {
+                let (yes, no) = (graph.powi(yes, n), graph.powi(no, n));
+                let power = graph.select(condition, yes, no);
+                self.take(graph, power, 1);
             }
             Node::Unary(Unary::Abs, u) if n % 2 == 0 => self.take(graph, u, n),
             Node::Unary(Unary::Cbrt, u) if n % 3 == 0 => self.take(graph, u, n / 3),

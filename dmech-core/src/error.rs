@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::run::Run;
+use crate::text::Number;
 
 /// Why a simulation did not start or did not go on.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -12,20 +13,21 @@ pub enum Error {
     #[error("the time step is missing: call .dt(h)")]
     MissingTimeStep,
     /// The time step is zero, negative, infinite or NaN.
-    #[error("the time step must be positive and finite, not dt = {dt}")]
+    #[error("the time step must be positive and finite, not dt = {}", Number(*dt))]
     TimeStep {
         /// The refused time step.
         dt: f64,
     },
     /// The tolerance of [`Simulation::adaptive`](crate::Simulation::adaptive) is zero, negative, infinite or NaN.
-    #[error("the tolerance must be positive and finite, not {tolerance}")]
+    #[error("the tolerance must be positive and finite, not {}", Number(*tolerance))]
     Tolerance {
         /// The refused tolerance.
         tolerance: f64,
     },
     /// Nothing tells how long a step may be: the force does not vary where the motion is, or the law names the time.
     #[error(
-        "the law does not tell how long step {step} from t = {time} may be (its force is uniform there, or it names the time): give the longest step with .dt(h)"
+        "the law does not tell how long step {step} from t = {} may be (its force is uniform there, or it names the time): give the longest step with .dt(h)",
+        Number(*time)
     )]
     NoTimeScale {
         /// The number of the step, counted from 1.
@@ -34,7 +36,7 @@ pub enum Error {
         time: f64,
     },
     /// The step that the motion asks for is lost in the rounding of the time, as in a collision.
-    #[error("step {step} from t = {time} would have to be as short as {dt:e}")]
+    #[error("step {step} from t = {} would have to be as short as {}", Number(*time), Number(*dt))]
     StepVanished {
         /// The number of the step, counted from 1.
         step: u64,
@@ -44,13 +46,13 @@ pub enum Error {
         dt: f64,
     },
     /// The mass is zero, negative, infinite or NaN.
-    #[error("the mass must be positive and finite, not {mass}")]
+    #[error("the mass must be positive and finite, not {}", Number(*mass))]
     Mass {
         /// The refused mass.
         mass: f64,
     },
     /// A component of the initial state is infinite or NaN.
-    #[error("the initial state must be finite: {quantity} = {value}")]
+    #[error("the initial state must be finite: {quantity} = {}", Number(*value))]
     State {
         /// `t`, `q` or `v`.
         quantity: &'static str,
@@ -61,15 +63,28 @@ pub enum Error {
     #[error("record_every needs at least 1")]
     RecordEvery,
     /// The end of `run_until` is infinite or NaN, or too many steps away.
-    #[error("cannot run until t = {end} in steps of {dt}")]
+    #[error("cannot run until t = {} in steps of {}: the end must be finite, and 2^53 steps away at most", Number(*end), Number(*dt))]
     EndTime {
         /// The refused end.
         end: f64,
         /// The time step.
         dt: f64,
     },
+    /// The time is so large that a step does not change it, or by its rounding only.
+    #[error(
+        "at t = {} time stands still in steps of {}: the next number is {} later; count time from a later origin or take longer steps",
+        Number(*time),
+        Number(*dt),
+        Number(time.abs().next_up() - time.abs())
+    )]
+    TimeStandsStill {
+        /// The time.
+        time: f64,
+        /// The time step.
+        dt: f64,
+    },
     /// The law has no finite value where the motion starts.
-    #[error("the {quantity} of the law is {value} at the start, t = {time}")]
+    #[error("the {quantity} of the law is {} at the start, t = {}", Number(*value), Number(*time))]
     Law {
         /// `potential` or `force`.
         quantity: &'static str,
@@ -81,8 +96,10 @@ pub enum Error {
     /// The force is zero where the potential has a slope: in these units it is lost below the smallest number of the
     /// scalar, as 1/r³ is for r = 10¹⁵⁰ where 1/r is not.
     #[error(
-        "the force along coordinate {coordinate} is 0 at the start, t = {time}, where the potential rises by {slope:e} per length: \
-         a power of the position is too small for the scalar, take a larger unit of length"
+        "the force along coordinate {coordinate} is 0 at the start, t = {}, where the potential rises by {} per length: \
+         a power of the position is too small for the scalar, take a larger unit of length",
+        Number(*time),
+        Number(*slope)
     )]
     Underflow {
         /// The coordinate, counted from 0.
@@ -96,7 +113,7 @@ pub enum Error {
     #[error("the scene has no bodies")]
     EmptyScene,
     /// The mass of a body is zero, negative, infinite or NaN.
-    #[error("the mass of body {body} must be positive and finite, not {mass}")]
+    #[error("the mass of body {body} must be positive and finite, not {}", Number(*mass))]
     BodyMass {
         /// The body, counted from 0.
         body: usize,
@@ -104,7 +121,7 @@ pub enum Error {
         mass: f64,
     },
     /// A component of the position or velocity of a body is infinite or NaN.
-    #[error("body {body} must start from a finite state: {quantity} = {value}")]
+    #[error("body {body} must start from a finite state: {quantity} = {}", Number(*value))]
     BodyState {
         /// The body, counted from 0.
         body: usize,
@@ -122,7 +139,7 @@ pub enum Error {
         bodies: usize,
     },
     /// A pinned body with a velocity.
-    #[error("body {body} is pinned and must start at rest: a component of its velocity is {speed}")]
+    #[error("body {body} is pinned and must start at rest: a component of its velocity is {}", Number(*speed))]
     PinnedMoves {
         /// The body.
         body: usize,
@@ -154,7 +171,7 @@ pub enum Error {
         b: usize,
     },
     /// A law between two bodies has no finite value where they are.
-    #[error("{}, step {step}, t = {time}", link(*a, *b, *distance))]
+    #[error("{}, step {step}, t = {}", link(*a, *b, *distance), Number(*time))]
     Link {
         /// The first body.
         a: usize,
@@ -168,19 +185,25 @@ pub enum Error {
         time: f64,
     },
     /// A law on one body has no finite value where it is.
-    #[error("what acts on body {body} is {value}, step {step}, t = {time}")]
+    #[error("what acts on body {body} at q = {place} is {}, step {step}, t = {}", Number(*value), Number(*time))]
     Body {
         /// The body.
         body: usize,
         /// The potential, or a component of the force.
         value: f64,
+        /// Where the body is.
+        place: Place,
         /// The step that led there; 0 at the start.
         step: u64,
         /// The time at which that step began.
         time: f64,
     },
     /// A step led to an infinite position or velocity.
-    #[error("step {step} from t = {time} with dt = {dt} led to a position or velocity that is not finite")]
+    #[error(
+        "step {step} from t = {} with dt = {} led to a position or velocity that is not finite",
+        Number(*time),
+        Number(*dt)
+    )]
     NotFinite {
         /// The number of the step, counted from 1.
         step: u64,
@@ -189,9 +212,33 @@ pub enum Error {
         /// The time step.
         dt: f64,
     },
+    /// The law is not finite where the equation of an implicit step looks for its solution, and there is none before.
+    #[error(
+        "step {step} from t = {} with dt = {} has no end: the {quantity} of the law is {} at q = {place}",
+        Number(*time),
+        Number(*dt),
+        Number(*value)
+    )]
+    LawInStep {
+        /// `force`, `potential`, `discrete gradient`, or the derivative of one of them.
+        quantity: &'static str,
+        /// Its value, or that of its worst component.
+        value: f64,
+        /// Where on the way.
+        place: Place,
+        /// The number of the step, counted from 1; 0 for a scheme's own start.
+        step: u64,
+        /// The time at which the step began.
+        time: f64,
+        /// The time step.
+        dt: f64,
+    },
     /// The equation of an implicit step has no solution that can be reached from a shorter step.
     #[error(
-        "step {step} from t = {time} with dt = {dt} did not converge: after {iterations} iterations the last correction was {residual:e}"
+        "step {step} from t = {} with dt = {} did not converge: after {iterations} iterations the last correction was {}",
+        Number(*time),
+        Number(*dt),
+        Number(*residual)
     )]
     NotConverged {
         /// The number of the step, counted from 1; 0 for a scheme's own start.
@@ -202,14 +249,14 @@ pub enum Error {
         dt: f64,
         /// Newton corrections made.
         iterations: u32,
-        /// Largest component of the last correction (a length).
+        /// Largest component of the last correction (a length); infinite where that was no number.
         residual: f64,
     },
     /// A study without schemes.
     #[error("the study has no schemes: call .scheme(...)")]
     NoSchemes,
-    /// A study that does not end after it starts.
-    #[error("a study must end after its start: from t = {start} to t = {end}")]
+    /// A study that does not end after it starts, or a run that is to end before.
+    #[error("the end must come after the start: from t = {} to t = {}", Number(*start), Number(*end))]
     Span {
         /// The time of the start.
         start: f64,
@@ -217,7 +264,7 @@ pub enum Error {
         end: f64,
     },
     /// The exact solution given to a study is infinite or NaN.
-    #[error("the exact solution has the component {value} at the end, t = {time}")]
+    #[error("the exact solution has the component {} at the end, t = {}", Number(*value), Number(*time))]
     Exact {
         /// The refused component.
         value: f64,
@@ -230,14 +277,41 @@ pub enum Error {
     Checkpoint(crate::checkpoint::Difference),
 }
 
+/// A position as a message shows it: three coordinates at most, and how many there are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    first: [f64; 3],
+    coordinates: usize,
+}
+
+impl Place {
+    pub(crate) fn new(q: &[f64]) -> Self {
+        let first = core::array::from_fn(|i| q.get(i).copied().unwrap_or(0.0));
+        Place { first, coordinates: q.len() }
+    }
+
+    /// The coordinates, three at most.
+    pub fn first(&self) -> &[f64] {
+        &self.first[..self.coordinates.min(3)]
+    }
+}
+
+impl core::fmt::Display for Place {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        if let [x] = *self.first() {
+            return Number(x).fmt(f);
+        }
+        let shown: Vec<_> = self.first().iter().map(|&x| Number(x).to_string()).collect();
+        write!(f, "[{}{}]", shown.join(", "), if self.coordinates > 3 { ", …" } else { "" })
+    }
+}
+
 /// What is wrong between two bodies.
 fn link(a: usize, b: usize, distance: f64) -> String {
     if distance == 0.0 {
         format!("bodies {a} and {b} coincide, where their law is not finite")
     } else {
-        // Bodies that a step too long has thrown apart: not hundreds of digits.
-        let distance = if (1e-3..1e6).contains(&distance) { format!("{distance}") } else { format!("{distance:e}") };
-        format!("what acts between bodies {a} and {b} at the distance {distance} is not finite")
+        format!("what acts between bodies {a} and {b} at the distance {} is not finite", Number(distance))
     }
 }
 

@@ -9,6 +9,7 @@
 mod checkpoint;
 mod csv;
 mod error;
+mod fault;
 mod invariant;
 mod law;
 mod masses;
@@ -23,6 +24,7 @@ mod run;
 mod simulation;
 mod state;
 mod stepper;
+mod text;
 mod vector;
 mod watch;
 
@@ -38,7 +40,7 @@ pub use checkpoint::{Carried, Checkpoint, Difference};
 pub use csv::Columns;
 pub use dmech_scalar as scalar;
 pub use dmech_scalar::{DoubleDouble, Mask, Real};
-pub use error::{Error, Interrupted};
+pub use error::{Error, Interrupted, Place};
 pub use invariant::{Drift, Invariant, Kept};
 pub use law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
 pub use masses::Masses;

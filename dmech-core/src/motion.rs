@@ -103,12 +103,66 @@ fn record_seen<M: Motion, F: Follow>(
 /// As many steps as it takes to arrive.
 pub(crate) const UNCOUNTED: u64 = u64::MAX;
 
-/// The steps from `start` to `end`: ⌈n − 10⁻⁹ n⌉ with n = (end − start)/dt.
+/// The steps from `start` to `end`: ⌈n⌉ with n = (end − start)/dt, and the whole number itself where n is that but for
+/// rounding, or for the digits that a user has left out of dt: up to 10⁻⁹ n and a thousandth of a step.
 pub(crate) fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
     let n = (end - start) / dt;
     // Beyond 2⁵³ the time t₀ + k h no longer distinguishes steps.
     if !n.is_finite() || n > 9_007_199_254_740_992.0 {
         return Err(Error::EndTime { end, dt });
     }
-    Ok((n - 1e-9 * n).ceil().max(0.0) as u64)
+    moves_on(end, dt)?;
+    let rounding = 4.0 * f64::EPSILON * (n.abs() + (start.abs() + end.abs()) / dt);
+    if n < -rounding {
+        return Err(Error::Span { start, end });
+    }
+    let whole = n.round();
+    let steps = if (n - whole).abs() <= f64::min(1e-9 * n, 1e-3).max(rounding) { whole } else { n.ceil() };
+    Ok(steps as u64)
+}
+
+/// So many steps from a time on, if every one of them changes the time.
+pub(crate) fn steps_from(time: f64, steps: u64, dt: f64) -> Result<u64, Error> {
+    moves_on(time, dt)?;
+    moves_on(steps as f64 * dt + time, dt)?;
+    Ok(steps)
+}
+
+/// Whether a step changes a time by more than its rounding.
+pub(crate) fn moves_on(time: f64, dt: f64) -> Result<(), Error> {
+    if time.abs() * f64::EPSILON < dt { Ok(()) } else { Err(Error::TimeStandsStill { time, dt }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In everyday numbers neither rounding nor a few digits left out add a step; and a part of a step is one.
+    #[test]
+    fn steps_are_counted_right_for_any_number() {
+        for dt in [0.1, 0.01, 0.3, 1e-3, 1.0 / 3.0, 7e-12, 1e9] {
+            for steps in [1_u64, 2, 3, 7, 10, 1000, 123_457, 10_000_019, 2_000_000_000, 40_000_000_003, 1 << 45] {
+                for start in [0.0, 100.0 * dt, -0.7 * steps as f64 * dt] {
+                    let end = start + steps as f64 * dt;
+                    assert_eq!(steps_until(start, end, dt), Ok(steps), "{steps} steps of {dt} from {start}");
+                    let later = start + (steps as f64 + 0.5) * dt;
+                    assert_eq!(steps_until(start, later, dt), Ok(steps + 1), "{steps} steps and a half of {dt}");
+                }
+            }
+        }
+        assert_eq!(steps_until(0.0, 1.0, 0.333_333_333_3), Ok(3));
+        assert_eq!(steps_until(0.0, 1e-9, 1.0), Ok(1));
+        assert_eq!(steps_until(3.0, 3.0, 0.1), Ok(0));
+        // 0.1 + 0.2, and the same by rounding.
+        assert_eq!(steps_until(0.1 + 0.2, 0.3, 0.1), Ok(0));
+    }
+
+    #[test]
+    fn an_end_that_cannot_be_reached_is_refused() {
+        assert_eq!(steps_until(0.0, -1.0, 0.1), Err(Error::Span { start: 0.0, end: -1.0 }));
+        assert_eq!(steps_until(1e17, 1.5e17, 0.1), Err(Error::EndTime { end: 1.5e17, dt: 0.1 }));
+        assert_eq!(steps_until(1e17, 1e17 + 160.0, 0.1), Err(Error::TimeStandsStill { time: 1e17 + 160.0, dt: 0.1 }));
+        assert_eq!(steps_until(1e17, 1e17 + 3200.0, 32.0), Ok(100));
+        assert!(steps_from(0.0, u64::MAX, 0.1).is_err() && steps_from(0.0, 1 << 51, 0.1).is_ok());
+    }
 }

@@ -6,6 +6,7 @@ use std::time::Duration;
 use crate::invariant::{Drift, Invariant, Kept};
 use crate::run::Work;
 use crate::scheme::Method;
+use crate::text::Number;
 use crate::watch::Drifts;
 
 /// What a run kept and what it cost. `Display` shows it as a table for the terminal.
@@ -103,7 +104,7 @@ impl fmt::Display for Report {
         let per_step = |total: f64| if steps == 0 { 0.0 } else { total / steps as f64 };
         write!(f, "{}, order {}, ", self.scheme, self.order)?;
         match (self.tolerance, self.dt_range()) {
-            (None, _) => write!(f, "dt = {}", self.dt)?,
+            (None, _) => write!(f, "dt = {}", Number(self.dt))?,
             (Some(tolerance), None) => write!(f, "tolerance {tolerance:e}")?,
             (Some(tolerance), Some([shortest, longest])) => {
                 write!(f, "tolerance {tolerance:e}, dt from {shortest:.3e} to {longest:.3e}")?;
@@ -120,7 +121,7 @@ impl fmt::Display for Report {
             writeln!(
                 f,
                 "  {invariant:<22} {:>22} {:>12} {:>12} {:>12}  {}",
-                format!("{:.15}", drift.start()),
+                format!("{:.15}", Number(drift.start())),
                 format!("{:.2e}", drift.max_abs()),
                 relative(&drift),
                 format!("{:+.1e}", drift.slope()),

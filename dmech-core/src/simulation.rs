@@ -224,35 +224,34 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         L: Law<D, R>,
         S: Scheme<L, D, R>,
     {
-        self.record(|_, _| Ok(steps))
+        self.record(|stepper| stepper.possible(steps))
     }
 
-    /// Makes as many steps as it takes to reach the time `end`: ⌈n − 10⁻⁹ n⌉ with n = (end − t₀)/dt, so that rounding
-    /// of n does not add a step. The last state may lie beyond `end` by less than dt; steps that are
-    /// [`adaptive`](Simulation::adaptive) end there exactly.
+    /// Makes as many steps as it takes to reach the time `end`: ⌈n⌉ with n = (end − t₀)/dt, where an n that is a whole
+    /// number but for rounding, or for 10⁻⁹ of it and a thousandth of a step at most, is that number. The last state may lie
+    /// beyond `end` by less than dt; steps that are [`adaptive`](Simulation::adaptive) end there exactly.
     ///
     /// # Errors
-    /// As [`run`](Simulation::run).
+    /// As [`run`](Simulation::run); an `end` before the start is refused.
     pub fn run_until(self, end: f64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
     where
         L: Law<D, R>,
         S: Scheme<L, D, R>,
     {
         if self.scheme.tolerance().is_none() {
-            return self.record(|start, dt| steps_until(start, end, dt));
+            return self.record(|stepper| steps_until(stepper.t(), end, stepper.dt()));
         }
         let scheme = self.scheme.until(end);
-        let finite = if end.is_finite() {
-            Ok(UNCOUNTED)
-        } else {
-            Err(Error::EndTime { end, dt: self.dt.unwrap_or(f64::INFINITY) })
-        };
-        Simulation { scheme, ..self }.record(|_, _| finite)
+        Simulation { scheme, ..self }.record(|stepper| match stepper.t() {
+            _ if !end.is_finite() => Err(Error::EndTime { end, dt: stepper.dt() }),
+            start if end < start => Err(Error::Span { start, end }),
+            _ => Ok(UNCOUNTED),
+        })
     }
 
     fn record(
         self,
-        count: impl FnOnce(f64, f64) -> Result<u64, Error>,
+        count: impl FnOnce(&Stepper<L, S, D, R>) -> Result<u64, Error>,
     ) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
     where
         L: Law<D, R>,
@@ -262,8 +261,7 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         let shown = self.shown.clone();
         let run = Run::empty(start, &self.scheme, dt.unwrap_or(f64::NAN), mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
-        let prepared = prepared.and_then(|stepper| Ok((count(start.t, dt.unwrap_or(f64::NAN))?, stepper)));
-        match prepared {
+        match prepared.and_then(|stepper| Ok((count(&stepper)?, stepper))) {
             Ok((steps, stepper)) => record(stepper, run, steps, record_every, shown),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }

@@ -3,8 +3,9 @@
 use dmech_scalar::{Mask, Real};
 
 use crate::error::Error;
+use crate::fault::Attempt;
 use crate::law::{Field, Law, Potential};
-use crate::motion::Motion;
+use crate::motion::{Motion, moves_on, steps_from};
 use crate::newton::NotConverged;
 use crate::range::lost_force;
 use crate::scheme::{Scheme, Stride};
@@ -30,6 +31,7 @@ pub struct Stepper<L, S: Scheme<L, D, R>, const D: usize, R: Real = f64> {
 impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D, R> {
     pub(crate) fn new(law: L, scheme: S, start: State<D, R>, dt: f64, mass: f64) -> Result<Self, Error> {
         check(scheme.tolerance(), dt, mass, law.mass_ratios(), &start)?;
+        moves_on(start.t, dt)?;
         let stride = Stride::new(R::from_f64(dt), R::from_f64(mass));
         let field = law.field(stride.mass, R::from_f64(start.t));
         let potential = field.potential(start.q);
@@ -45,14 +47,10 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         drop(field);
         let memory = match scheme.begin(&law, &stride, &start) {
             Ok(memory) => memory,
-            Err(NotConverged { iterations, residual }) => {
-                return Err(Error::NotConverged {
-                    step: 0,
-                    time: start.t,
-                    dt,
-                    iterations: iterations as u32,
-                    residual,
-                });
+            // A start that solves an equation makes a step backward.
+            Err(cause) => {
+                let State { t, q, v } = start;
+                return Err(Attempt { step: 0, t, dt: -dt, mass: stride.mass, q, v }.unsolved(&law, cause));
             }
         };
         scheme.ready(1, &memory)?;
@@ -62,7 +60,7 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
     /// Advances by one time step.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] or [`Error::NotFinite`]; the stepper then stays where it was.
+    /// [`Error::NotConverged`], [`Error::LawInStep`] or [`Error::NotFinite`]; the stepper then stays where it was.
     #[inline(always)]
     pub fn step(&mut self) -> Result<(), Error> {
         self.scheme.ready(self.steps + 1, &self.memory)?;
@@ -87,12 +85,14 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
     /// once, at the end. The states are those of as many calls of [`step`](Stepper::step).
     ///
     /// # Errors
-    /// [`Error::NotConverged`] or [`Error::NotFinite`]; the stepper then stands before the step that failed.
+    /// [`Error::NotConverged`] or [`Error::NotFinite`]; the stepper then stands before the step that failed. It does not
+    /// begin where so many steps would lead to [`Error::TimeStandsStill`].
     #[inline]
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        let end = self.steps.saturating_add(self.possible(steps)?);
         let mut memory = self.memory.clone();
         let (mut evaluations, mut iterations) = (self.evaluations, self.iterations);
-        for step in self.steps..self.steps + steps {
+        for step in self.steps..end {
             if self.scheme.ready(step + 1, &memory).is_err() {
                 return self.one_by_one(steps);
             }
@@ -109,8 +109,14 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
             return self.one_by_one(steps);
         }
         (self.memory, self.evaluations, self.iterations) = (memory, evaluations, iterations);
-        self.steps += steps;
+        self.steps = end;
         Ok(())
+    }
+
+    /// So many steps from here, if the time can tell them apart.
+    pub(crate) fn possible(&self, steps: u64) -> Result<u64, Error> {
+        // Steps that follow the motion look at the time themselves.
+        if self.scheme.tolerance().is_some() { Ok(steps) } else { steps_from(self.t(), steps, self.dt) }
     }
 
     /// Finds the step that fails.
@@ -171,7 +177,6 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         self.start
     }
 
-    #[cfg(feature = "serde")]
     pub(crate) fn dt(&self) -> f64 {
         self.dt
     }
@@ -189,14 +194,9 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
 
     #[cold]
     fn not_converged(&self, cause: NotConverged) -> Error {
-        let NotConverged { iterations, residual } = cause;
-        Error::NotConverged {
-            step: self.steps + 1,
-            time: self.t(),
-            dt: self.scheme.next_dt(self.dt, &self.memory),
-            iterations: iterations as u32,
-            residual,
-        }
+        let State { t, q, v } = self.state();
+        let dt = self.scheme.next_dt(self.dt, &self.memory);
+        Attempt { step: self.steps + 1, t, dt, mass: self.stride.mass, q, v }.unsolved(&self.law, cause)
     }
 
     #[cold]

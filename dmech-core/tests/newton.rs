@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Coupled, Kepler, Pendulum, SUN, SUN_BY_COMPONENTS, Spring, greenspan_orbit};
-use dmech_core::newton::{Equation, Increment, dense, once};
+use dmech_core::newton::{Correction, Equation, Increment, dense, drive, once};
 use dmech_core::prelude::*;
 
 /// drift − frozen − g G(q + Δ) − Δ, relative to the terms in it.
@@ -174,5 +174,27 @@ fn single_precision_keeps_the_energy_to_its_own_round_off() {
         let drift = run.drift(Invariant::Energy).unwrap().max_relative();
         println!("{drift:e}");
         assert!(drift < 1e-5 && drift > 1e-9, "{drift:e}");
+    }
+}
+
+/// One correction is enough where what it neglects, |G| (|δ|/|Δ|)² as far as a force is known to vary, is below ε/64 of the
+/// force; with a first correction of twice that size there are two.
+#[test]
+fn a_single_correction_is_trusted_up_to_a_sixty_fourth_of_rounding() {
+    let single = (f64::EPSILON / 64.0).sqrt();
+    for (miss, corrections) in [(0.5 * single, 1), (2.0 * single, 2), (8.0 * single, 2), (64.0 * single, 2)] {
+        // G = b², from a guess that is off by a part of the step.
+        let solved = |guess: f64| {
+            let e = Equation { guess: [guess], ..Equation::new([0.0], [1.0], 0.5) };
+            drive(&e, |e, [delta], [b]| {
+                let change = (e.increment([b * b])[0] - delta) / (1.0 + 2.0 * e.g * b);
+                Correction::in_parts([change], [b * b], [2.0 * b * change])
+            })
+            .unwrap()
+        };
+        let root = 3.0_f64.sqrt() - 1.0;
+        let found = solved(root * (1.0 + miss));
+        assert_eq!(found.iterations, corrections, "off by {:.1} of the limit", miss / single);
+        assert!((found.gradient[0] / (root * root) - 1.0).abs() < 8.0 * f64::EPSILON);
     }
 }

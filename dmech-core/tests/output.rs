@@ -69,3 +69,39 @@ fn a_distance_is_told_in_few_digits() {
     assert!(message(0.125).contains("at the distance 0.125 is"), "{}", message(0.125));
     assert!(message(0.0).contains("bodies 4 and 5 coincide"), "{}", message(0.0));
 }
+
+/// The report in units of any size: numbers of few digits, in columns.
+#[test]
+fn a_report_in_large_and_small_units_has_few_digits() {
+    let report = |scale: f64| {
+        let law = common::Kepler::<true> { k: scale };
+        let run =
+            Simulation::new(law, greenspan_orbit()).mass(scale).scheme(DiscreteGradient).dt(0.01).run(10).unwrap();
+        run.to_string()
+    };
+    for (scale, start) in [(1e33, "-6.715"), (1e-30, "-6.715"), (1.0, "-0.67155000")] {
+        let text = report(scale);
+        let energy = text.lines().find(|line| line.contains("energy") && !line.contains("work")).unwrap();
+        assert!(energy.split_whitespace().nth(1).unwrap().starts_with(start), "{text}");
+        let column = text.lines().nth(1).unwrap().chars().count();
+        assert!(text.lines().skip(2).take(3).all(|line| line.chars().count() <= column + 4), "{text}");
+    }
+    let error = Error::NotFinite { step: 7, time: 3e300, dt: 1e-300 };
+    assert!(error.to_string().starts_with("step 7 from t = 3e300 with dt = 1e-300 led"), "{error}");
+    assert!(Error::TimeStep { dt: -1e300 }.to_string().ends_with("not dt = -1e300"));
+}
+
+/// Thirty-one digits and more, as many as it takes.
+#[test]
+fn the_csv_of_double_doubles_reads_back_as_the_same_numbers() {
+    let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
+    let start = State::new([third, third * third], [-third * third * third, DoubleDouble::from(1.1)]);
+    let run = Simulation::new(SUN, start).scheme(Leapfrog).dt(0.1).run(40).unwrap();
+    let mut bytes = Vec::new();
+    run.write_csv(&mut bytes).unwrap();
+    let text = String::from_utf8(bytes).unwrap();
+    for (line, state) in text.lines().skip(1).zip(run.states()) {
+        let row: Vec<DoubleDouble> = line.split(',').skip(1).map(|x| x.parse().unwrap()).collect();
+        assert_eq!(row, [state.q[0], state.q[1], state.v[0], state.v[1]], "{line}");
+    }
+}

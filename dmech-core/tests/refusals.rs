@@ -125,7 +125,7 @@ fn recording_is_as_asked() {
     assert_eq!((some.last(), some.steps()), (all.last(), 1005));
     assert_ne!(some.last(), some.states().last().unwrap());
     // Also without a step there is a first and last state.
-    let none = orbit().run_until(1.0).unwrap();
+    let none = orbit().run_until(2.0).unwrap();
     assert_eq!((none.states().len(), none.steps(), *none.last()), (1, 0, greenspan_orbit().at_time(2.0)));
     // 0.3/0.1 is 2.9999999999999996 and 0.7/0.1 is 6.999999999999999: neither needs a step more, nor a step less.
     for (end, dt, steps) in [(2.3, 0.1, 3), (2.7, 0.1, 7), (2.35, 0.1, 4), (352.0, 0.01, 35_000), (3.0, 1.0 / 3.0, 3)] {
@@ -152,4 +152,86 @@ fn mass_and_field_may_be_doubled() {
     check(Implicit);
     check(DiscreteGradient);
     check(Kanatani);
+}
+
+/// Where the motion ends before it starts, and where time does not move on: for every way to step.
+#[test]
+fn a_run_that_cannot_advance_in_time_is_refused() {
+    let orbit = |t: f64| Simulation::new(SUN, greenspan_orbit().at_time(t)).scheme(DiscreteGradient);
+    let span = Error::Span { start: 2.0, end: 1.0 };
+    assert_eq!(cause(orbit(2.0).dt(0.1).run_until(1.0)), span);
+    assert_eq!(cause(orbit(2.0).adaptive(1e-6).run_until(1.0)), span);
+    assert!(span.to_string().contains("from t = 2 to t = 1"), "{span}");
+
+    let still = Error::TimeStandsStill { time: 1e17, dt: 0.1 };
+    assert_eq!(cause(orbit(1e17).dt(0.1).run(10)), still);
+    assert_eq!(cause(orbit(1e17).dt(0.1).run_until(2e17)), still);
+    assert_eq!(orbit(1e17).dt(0.1).stepper().unwrap_err(), still);
+    assert_eq!(
+        still.to_string().split(';').next().unwrap(),
+        "at t = 1e17 time stands still in steps of 0.1: the next number is 16 later"
+    );
+    assert_eq!(orbit(1e17).dt(32.0).run_until(1e17 + 320.0).unwrap().steps(), 10);
+}
+
+/// More steps than there are numbers to count them, or times for them.
+#[test]
+fn a_number_of_steps_beyond_all_bounds_is_refused() {
+    let orbit = || Simulation::new(SUN, greenspan_orbit()).scheme(Leapfrog).dt(0.25);
+    let mut stepper = orbit().stepper().unwrap();
+    stepper.advance(3).unwrap();
+    let error = stepper.advance(u64::MAX).unwrap_err();
+    assert!(matches!(error, Error::TimeStandsStill { dt: 0.25, .. }), "{error}");
+    assert_eq!(stepper.steps(), 3);
+    stepper.advance(2).unwrap();
+    assert_eq!((stepper.steps(), stepper.t()), (5, 1.25));
+    assert!(matches!(cause(orbit().run(u64::MAX)), Error::TimeStandsStill { .. }));
+    // Steps that follow the motion end by themselves: here in a collision.
+    let fall = Simulation::new(SUN, State::new([0.5, 0.0], [0.0, 0.0])).scheme(Nystrom::order4()).adaptive(1e-3);
+    let mut stepper = fall.stepper().unwrap();
+    stepper.advance(3).unwrap();
+    let error = stepper.advance(u64::MAX).unwrap_err();
+    assert!(matches!(error, Error::StepVanished { .. }), "{error}");
+}
+
+/// x²/2, with a discrete gradient that is, if `broken`, not a number between b > 1/2 and any a.
+#[derive(Clone, Copy, Debug)]
+struct Bowl {
+    broken: bool,
+}
+
+impl Conservative for Bowl {}
+impl Potential<1> for Bowl {
+    fn potential(&self, [x]: [f64; 1]) -> f64 {
+        0.5 * x * x
+    }
+    fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] {
+        [x]
+    }
+    fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] {
+        [[1.0]]
+    }
+    fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
+        [if self.broken && b > 0.5 { f64::NAN } else { 0.5 * (a + b) }]
+    }
+    fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] {
+        [[0.5]]
+    }
+}
+
+/// A number that is none is named, with its place, and not called a lack of convergence.
+#[test]
+fn a_law_that_is_not_finite_in_a_step_is_named() {
+    let motion = |broken| Simulation::new(Bowl { broken }, State::new([0.0], [1.0])).scheme(DiscreteGradient).dt(0.1);
+    assert_eq!(motion(false).run(100).unwrap().steps(), 100);
+    let interrupted = motion(true).run(100).unwrap_err();
+    let Error::LawInStep { quantity, value, place, step, time, dt } = interrupted.cause() else {
+        panic!("{interrupted}")
+    };
+    assert!(quantity == "discrete gradient" && value.is_nan(), "{interrupted}");
+    assert_eq!((step, dt), (interrupted.run().steps() + 1, 0.1));
+    assert_eq!(time, interrupted.run().last().t);
+    let [x] = *place.first() else { panic!("{place:?}") };
+    assert!(x > 0.5 && x < 0.6, "{interrupted}");
+    assert!(interrupted.to_string().contains("the discrete gradient of the law is NaN at q = 0.5"), "{interrupted}");
 }

@@ -17,7 +17,8 @@ fn digits_are_written_and_read() {
         let x = filled(&mut uniform, x);
         for text in [x.to_string(), format!("{x:e}")] {
             let back = read(&text).unwrap();
-            assert!(((back - x) / x).hi().abs() < 1e-30, "{x:?}: {text}, {back:?}");
+            assert_eq!((back.hi(), back.lo()), (x.hi(), x.lo()), "{x:?}: {text}, {back:?}");
+            assert!(text.len() < 50, "{text}");
         }
         // Against the digits of dashu, which rounds half to even where this rounds half up.
         let exact = exact_value(x).to_decimal().value().with_precision(20).value().to_string();
@@ -42,4 +43,36 @@ fn digits_are_written_and_read() {
     assert_eq!(read("inf").unwrap().hi(), f64::INFINITY);
     assert_eq!(read("1e999").unwrap().hi(), f64::INFINITY);
     assert_eq!(read(&format!("{}", DoubleDouble::from(1e-320))).unwrap().hi(), 1e-320);
+}
+
+/// Parts far from one another, at the ends of the range, and of both signs: the same two parts come back.
+#[test]
+fn every_number_reads_back_as_itself() {
+    let read = |x: DoubleDouble| [x.to_string(), format!("{x:e}")].map(|text| text.parse::<DoubleDouble>().unwrap());
+    let parts = [
+        (1.0, 1e-300),
+        (-1.0, 1e-40),
+        (0.1, 1e-25),
+        (1e308, 1e290),
+        (1e-300, -1e-318),
+        (5e-324, 0.0),
+        (-1.5e16, 1.0),
+        (1.0, 2f64.powi(-53)),
+        (2.0, -2f64.powi(-53)),
+        (f64::MAX, -1.0),
+    ];
+    for (hi, lo) in parts {
+        let x = DoubleDouble::from(hi) + DoubleDouble::from(lo);
+        for back in read(x) {
+            assert_eq!((back.hi(), back.lo()), (x.hi(), x.lo()), "{x}");
+        }
+    }
+    let mut uniform = Uniform(11);
+    for _ in 0..2000 {
+        let x = magnitude(&mut uniform, 1e-290, 1e300);
+        let x = filled(&mut uniform, x);
+        for back in read(-x) {
+            assert_eq!((back.hi(), back.lo()), (-x.hi(), -x.lo()), "{x}");
+        }
+    }
 }

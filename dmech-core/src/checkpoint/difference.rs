@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::scheme::{DiscreteGradient, Explicit, Implicit, Kanatani, Leapfrog, Method};
+use crate::text::Number;
 
 /// What differs between a checkpoint and the simulation that was to go on from it.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -47,7 +48,7 @@ pub enum Difference {
         scheme: &'static str,
     },
     /// The time step.
-    #[error("dt is {checkpoint} in the checkpoint against {here}")]
+    #[error("dt is {} in the checkpoint against {}", Number(*checkpoint), Number(*here))]
     TimeStep {
         /// In the checkpoint.
         checkpoint: f64,
@@ -55,7 +56,7 @@ pub enum Difference {
         here: f64,
     },
     /// The time of the start.
-    #[error("the start is at t = {checkpoint} in the checkpoint against {here}")]
+    #[error("the start is at t = {} in the checkpoint against {}", Number(*checkpoint), Number(*here))]
     Start {
         /// In the checkpoint.
         checkpoint: f64,
@@ -63,7 +64,7 @@ pub enum Difference {
         here: f64,
     },
     /// A mass.
-    #[error("body {body} has another mass: {checkpoint} in the checkpoint against {here}")]
+    #[error("body {body} has another mass: {} in the checkpoint against {}", Number(*checkpoint), Number(*here))]
     Mass {
         /// The body, counted from 0.
         body: usize,

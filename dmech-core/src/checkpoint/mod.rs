@@ -11,6 +11,8 @@ pub use difference::Difference;
 pub(crate) use fingerprint::{Fingerprint, displaced};
 pub(crate) use numbers::Numbers;
 
+use std::collections::BTreeSet;
+
 use serde::{Deserialize, Serialize};
 
 use crate::scheme::Method;
@@ -142,11 +144,9 @@ impl Checkpoint {
                 return Err(Difference::Mass { body, checkpoint: mass, here: mass_here });
             }
         }
-        for body in 0..self.bodies {
-            let (pinned, pinned_here) = (self.pins.contains(&body), here.pins.contains(&body));
-            if pinned != pinned_here {
-                return Err(Difference::Pin { body, pinned });
-            }
+        let [pins, pins_here] = [&self.pins, &here.pins].map(|pins| pins.iter().copied().collect::<BTreeSet<_>>());
+        if let Some(&body) = pins.symmetric_difference(&pins_here).next() {
+            return Err(Difference::Pin { body, pinned: pins.contains(&body) });
         }
         Numbers::fit(&self.start, &here.start)?;
         Numbers::fit(&self.memory, &here.memory)

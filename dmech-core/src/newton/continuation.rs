@@ -28,7 +28,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let mut slope = [R::ZERO; D];
     let mut theta = 0.0;
     let mut advance = 0.25;
-    let mut residual = f64::NAN;
+    let mut residual = largest(&equation.guess);
     while evaluations < equation.max_iterations {
         let next = f64::min(theta + advance, 1.0);
         // At the end the equation itself: a is then exact.
@@ -55,9 +55,6 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
                 }
             }
         }
-    }
-    if residual.is_nan() {
-        residual = largest(&equation.guess);
     }
     Err(NotConverged { iterations: evaluations.into(), residual })
 }

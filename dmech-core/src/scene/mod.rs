@@ -23,7 +23,7 @@ pub use builder::{Bodies, FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
 pub use matrix::Matrix;
 pub use newton::Solver;
-pub use scheme::{SceneScheme, Start};
+pub use scheme::{SceneScheme, Start, Workspace};
 pub use setting::{Setting, System};
 pub use state::SceneState;
 pub use stepper::SceneStepper;

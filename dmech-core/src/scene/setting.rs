@@ -38,9 +38,10 @@ impl<const D: usize> Setting<D> {
     pub(super) fn new<P>(dt: f64, bodies: &Bodies<D, P>) -> Self {
         let mut kick = Vectors::zeros(bodies.masses.len());
         for (i, &mass) in bodies.masses.iter().enumerate() {
-            if !bodies.pins.contains(&i) {
-                kick.set(i, [dt / mass; D]);
-            }
+            kick.set(i, [dt / mass; D]);
+        }
+        for &i in &bodies.pins {
+            kick.set(i, [0.0; D]);
         }
         Setting { dt, masses: bodies.masses.clone(), kick, pinned: !bodies.pins.is_empty() }
     }

@@ -50,24 +50,24 @@ impl<const D: usize, P, L, S> Simulation<(), Scene<D, P, L>, S> {
         L: Term<D, P>,
         S: SceneScheme<D, L::Ready>,
     {
-        self.record(|_, _| Ok(steps))
+        self.record(|stepper| stepper.possible(steps))
     }
 
     /// Makes as many steps as it takes to reach the time `end`, as for one body.
     ///
     /// # Errors
-    /// As [`run`](Simulation::run).
+    /// As [`run`](Simulation::run); an `end` before the start is refused.
     pub fn run_until(self, end: f64) -> Result<Run<SceneState<D>>, Interrupted<SceneState<D>>>
     where
         L: Term<D, P>,
         S: SceneScheme<D, L::Ready>,
     {
-        self.record(|start, dt| steps_until(start, end, dt))
+        self.record(|stepper| steps_until(stepper.t(), end, stepper.system.setting.dt))
     }
 
     fn record(
         self,
-        count: impl FnOnce(f64, f64) -> Result<u64, Error>,
+        count: impl FnOnce(&SceneStepper<D, L::Ready, S>) -> Result<u64, Error>,
     ) -> Result<Run<SceneState<D>>, Interrupted<SceneState<D>>>
     where
         L: Term<D, P>,
@@ -77,10 +77,14 @@ impl<const D: usize, P, L, S> Simulation<(), Scene<D, P, L>, S> {
         let shown = self.shown.clone();
         let bodies = &self.start.bodies;
         let start = SceneState { t: bodies.t, q: bodies.q.clone(), v: bodies.v.clone() };
-        let (t, mass) = (start.t, bodies.masses.iter().sum());
+        let mass = bodies.masses.iter().sum();
         let run = Run::empty(start, &self.scheme, dt, mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
-        match prepared.and_then(|stepper| Ok((count(t, dt)?, stepper))) {
+        let prepared = prepared.and_then(|stepper| {
+            stepper.potential_is_finite()?;
+            Ok((count(&stepper)?, stepper))
+        });
+        match prepared {
             Ok((steps, stepper)) => record(stepper, run, steps, record_every, shown),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }

@@ -1,94 +1,92 @@
 //! Decimal digits.
 
-use core::fmt::{self, Debug, Display, LowerExp, Write};
+use core::fmt::{self, Debug, Display, LowerExp};
 use core::str::FromStr;
 
 use super::DoubleDouble;
-use super::hyperbolic::abs;
-use super::power::powi;
 
-/// Digits that a number has.
+/// Digits that every number has. With those of a number whose parts lie apart, as 1 + 10⁻⁴⁰, there are more.
 const DIGITS: usize = 31;
 
-const TEN: DoubleDouble = DoubleDouble::pair(10.0, 0.0);
+/// More digits than any `f64` has: the smallest have 767.
+const ALL: usize = 800;
 
-/// Decimal digits and the power of ten of the first one.
+/// A number in decimal digits, all of them.
+#[derive(Clone, Debug)]
 struct Decimal {
-    digits: [u8; DIGITS + 1],
-    length: usize,
-    exponent: i32,
-}
-
-/// x 10ᵏ, by a power that is exact for |k| ≤ 45.
-fn shifted(x: DoubleDouble, k: i32) -> DoubleDouble {
-    // 10³⁰⁸ is finite, 10³²⁴ is not.
-    if k > 300 {
-        return shifted(shifted(x, 300), k - 300);
-    }
-    if k < -300 {
-        return shifted(shifted(x, -300), k + 300);
-    }
-    let power = powi(TEN, k.abs());
-    if k < 0 { x / power } else { x * power }
+    negative: bool,
+    /// Without zeros in front and at the end; none at all for 0.
+    digits: Vec<u8>,
+    /// The power of ten of the first digit.
+    exponent: i64,
 }
 
 impl Decimal {
-    /// The digits of a positive finite number: as many as asked for, or as many as end `decimals` places behind the point.
-    fn of(x: DoubleDouble, significant: usize, decimals: Option<usize>) -> Self {
-        let mut exponent = x.hi.log10().floor() as i32;
-        let mut rest = shifted(x, -exponent);
-        if rest.hi < 1.0 || (rest.hi == 1.0 && rest.lo < 0.0) {
-            (rest, exponent) = (rest * TEN, exponent - 1);
-        } else if rest.hi > 10.0 || (rest.hi == 10.0 && rest.lo >= 0.0) {
-            (rest, exponent) = (rest / TEN, exponent + 1);
-        }
-        let wanted = decimals.map_or(significant as i64, |decimals| decimals as i64 + i64::from(exponent) + 1);
-        let length = wanted.clamp(0, DIGITS as i64) as usize;
-        let mut digits = [0; DIGITS + 1];
-        for digit in &mut digits[..length] {
-            let mut whole = rest.hi.floor();
-            if rest.hi == whole && rest.lo < 0.0 {
-                whole -= 1.0;
-            }
-            *digit = whole.clamp(0.0, 9.0) as u8;
-            rest = rest.plus(-whole) * TEN;
-        }
-        let mut decimal = Decimal { digits, length, exponent };
-        if wanted >= 0 && rest.hi >= 5.0 {
-            decimal.round_up();
-        }
-        decimal
+    fn new(negative: bool, digits: Vec<u8>, exponent: i64) -> Self {
+        let zeros = digits.iter().take_while(|&&digit| digit == 0).count();
+        let end = digits.iter().rposition(|&digit| digit > 0).map_or(zeros, |last| last + 1);
+        Decimal { negative, digits: digits[zeros..end].to_vec(), exponent: exponent - zeros as i64 }
     }
 
-    /// Adds one in the last place.
-    fn round_up(&mut self) {
-        for digit in self.digits[..self.length].iter_mut().rev() {
-            if *digit < 9 {
-                *digit += 1;
-                return;
-            }
-            *digit = 0;
-        }
-        // 9.99… has become 10.
-        self.digits.copy_within(0..DIGITS, 1);
-        self.digits[0] = 1;
-        self.exponent += 1;
-        self.length = (self.length + 1).min(DIGITS);
+    /// The digits of a text that `f64` reads, or `None` if its exponent is beyond all bounds.
+    fn read(text: &str) -> Option<Self> {
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let exponent: i64 = exponent.parse().ok()?;
+        let whole = mantissa.split('.').next().unwrap_or_default();
+        let figures =
+            |text: &str| text.bytes().filter(u8::is_ascii_digit).map(|digit| digit - b'0').collect::<Vec<_>>();
+        let before = figures(whole).len() as i64;
+        Some(Decimal::new(mantissa.starts_with('-'), figures(mantissa), exponent.checked_add(before - 1)?))
     }
 
-    /// Without the zeros at the end.
-    fn trimmed(mut self) -> Self {
-        while self.length > 1 && self.digits[self.length - 1] == 0 {
-            self.length -= 1;
+    /// The number itself: a part has finitely many digits.
+    fn of(x: f64) -> Self {
+        Decimal::read(&format!("{x:.ALL$e}")).unwrap_or(Decimal::new(false, Vec::new(), 0))
+    }
+
+    /// Behind the last digit.
+    fn end(&self) -> i64 {
+        self.exponent - self.digits.len() as i64
+    }
+
+    fn plus(&self, other: &Decimal) -> Self {
+        let (top, end) = (self.exponent.max(other.exponent) + 1, self.end().min(other.end()));
+        let mut places = vec![0_i8; (top - end) as usize];
+        for part in [self, other] {
+            let first = (top - part.exponent) as usize;
+            for (place, &digit) in places[first..].iter_mut().zip(&part.digits) {
+                *place += if part.negative { -(digit as i8) } else { digit as i8 };
+            }
         }
+        let negative = places.iter().find(|place| **place != 0).is_some_and(|place| *place < 0);
+        let mut carried = 0;
+        for place in places.iter_mut().rev() {
+            let sum = carried + if negative { -*place } else { *place };
+            (*place, carried) = (sum.rem_euclid(10), sum.div_euclid(10));
+        }
+        Decimal::new(negative, places.into_iter().map(|place| place as u8).collect(), top)
+    }
+
+    fn opposite(mut self) -> Self {
+        self.negative = !self.negative;
         self
     }
 
+    /// So many digits, rounded half up; none and less than none are of a number that is 0 there, or has become 1.
+    fn rounded(&self, digits: i64) -> Self {
+        let length = digits.clamp(0, self.digits.len() as i64) as usize;
+        let up = digits >= 0 && self.digits.get(length).is_some_and(|&digit| digit >= 5);
+        let kept = Decimal::new(self.negative, self.digits[..length].to_vec(), self.exponent);
+        if !up {
+            return kept;
+        }
+        kept.plus(&Decimal::new(self.negative, vec![1], self.exponent + 1 - length as i64))
+    }
+
     /// The digit of 10ᵏ.
-    fn at(&self, k: i32) -> char {
-        let place = i64::from(self.exponent) - i64::from(k);
-        let digit = if (0..self.length as i64).contains(&place) { self.digits[place as usize] } else { 0 };
-        char::from(b'0' + digit)
+    fn at(&self, k: i64) -> char {
+        let digit = usize::try_from(self.exponent - k).ok().and_then(|place| self.digits.get(place));
+        char::from(b'0' + digit.copied().unwrap_or(0))
     }
 
     /// With `decimals` places behind the point.
@@ -96,20 +94,55 @@ impl Decimal {
         let mut text: String = (0..=self.exponent.max(0)).rev().map(|k| self.at(k)).collect();
         if decimals > 0 {
             text.push('.');
-            text.extend((1..=decimals).map(|k| self.at(-(k as i32))));
+            text.extend((1..=decimals).map(|k| self.at(-(k as i64))));
         }
         text
     }
 
     /// With one digit before the point and `decimals` behind.
-    fn scientific(&self, decimals: usize) -> Result<String, fmt::Error> {
+    fn scientific(&self, decimals: usize) -> String {
         let mut text = String::from(self.at(self.exponent));
         if decimals > 0 {
             text.push('.');
-            text.extend((1..=decimals).map(|k| self.at(self.exponent - k as i32)));
+            text.extend((1..=decimals).map(|k| self.at(self.exponent - k as i64)));
         }
-        write!(text, "e{}", self.exponent)?;
-        Ok(text)
+        format!("{text}e{}", self.exponent)
+    }
+}
+
+impl DoubleDouble {
+    /// All digits of |self|.
+    fn decimal(self) -> Decimal {
+        let mut sum = Decimal::of(self.hi).plus(&Decimal::of(self.lo));
+        sum.negative = false;
+        sum
+    }
+
+    /// The fewest digits of |self| that read back as the same number, 31 or more but for zeros at the end.
+    fn shortest(self) -> Decimal {
+        let (all, negative) = (self.decimal(), self.hi < 0.0);
+        for digits in DIGITS..all.digits.len() {
+            let rounded = all.rounded(digits as i64);
+            let back = DoubleDouble::nearest(&Decimal { negative, ..rounded.clone() });
+            if (back.hi, back.lo) == (self.hi, self.lo) {
+                return rounded;
+            }
+        }
+        all
+    }
+
+    /// The number nearest to these digits: the nearest `f64`, and that to what is missing.
+    fn nearest(decimal: &Decimal) -> Self {
+        let nearest = |decimal: &Decimal| {
+            let text = decimal.scientific(decimal.digits.len().saturating_sub(1));
+            let size = text.parse().unwrap_or(f64::NAN);
+            if decimal.negative { -size } else { size }
+        };
+        let hi = nearest(decimal);
+        if !hi.is_finite() {
+            return hi.into();
+        }
+        DoubleDouble::pair(hi, nearest(&decimal.plus(&Decimal::of(hi).opposite())))
     }
 }
 
@@ -121,23 +154,23 @@ impl Debug for DoubleDouble {
 }
 
 impl Display for DoubleDouble {
-    /// Up to 31 digits, or as many behind the point as asked for; very large and very small numbers with an exponent.
-    ///
-    /// The last digits are right for magnitudes from 10⁻⁴⁵ to 10⁴⁵; farther out the last two may not be.
+    /// As many digits as it takes to read the same number back, or as many behind the point as asked for; very large and
+    /// very small numbers with an exponent.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.hi.is_finite() || self.hi == 0.0 {
             return Display::fmt(&self.hi, f);
         }
-        let x = abs(*self);
         let text = match f.precision() {
-            Some(decimals) => Decimal::of(x, DIGITS, Some(decimals)).fixed(decimals),
+            Some(decimals) => {
+                let decimal = self.decimal();
+                decimal.rounded(decimal.exponent + 1 + decimals as i64).fixed(decimals)
+            }
             None => {
-                let decimal = Decimal::of(x, DIGITS, None).trimmed();
-                let last = decimal.length as i32 - 1 - decimal.exponent;
-                if (-7..DIGITS as i32).contains(&decimal.exponent) {
-                    decimal.fixed(last.max(0) as usize)
+                let decimal = self.shortest();
+                if (-7..DIGITS as i64).contains(&decimal.exponent) {
+                    decimal.fixed((-1 - decimal.end()).max(0) as usize)
                 } else {
-                    decimal.scientific(decimal.length - 1)?
+                    decimal.scientific(decimal.digits.len() - 1)
                 }
             }
         };
@@ -150,12 +183,11 @@ impl LowerExp for DoubleDouble {
         if !self.hi.is_finite() || self.hi == 0.0 {
             return LowerExp::fmt(&self.hi, f);
         }
-        let x = abs(*self);
         let text = match f.precision() {
-            Some(decimals) => Decimal::of(x, decimals.saturating_add(1), None).scientific(decimals)?,
+            Some(decimals) => self.decimal().rounded(decimals as i64 + 1).scientific(decimals),
             None => {
-                let decimal = Decimal::of(x, DIGITS, None).trimmed();
-                decimal.scientific(decimal.length - 1)?
+                let decimal = self.shortest();
+                decimal.scientific(decimal.digits.len() - 1)
             }
         };
         f.pad_integral(self.hi > 0.0, "", &text)
@@ -177,30 +209,13 @@ impl core::error::Error for ParseDoubleDoubleError {}
 impl FromStr for DoubleDouble {
     type Err = ParseDoubleDoubleError;
 
-    /// Whatever `f64` reads, with all its digits: within 2⁻¹⁰³ for up to 31 digits and exponents to ±45.
+    /// Whatever `f64` reads, as the nearest number: the nearest `f64`, and that to the rest.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         // The grammar is that of `f64`; what is not finite there is not here.
         let plain: f64 = text.parse().map_err(|_| ParseDoubleDoubleError)?;
         if !plain.is_finite() || plain == 0.0 {
             return Ok(plain.into());
         }
-        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        let mut exponent: i32 = exponent.parse().map_err(|_| ParseDoubleDoubleError)?;
-        let (mut value, mut significant, mut behind) = (DoubleDouble::pair(0.0, 0.0), 0, false);
-        for c in mantissa.chars() {
-            let Some(digit) = c.to_digit(10) else {
-                behind |= c == '.';
-                continue;
-            };
-            if significant > DIGITS + 1 {
-                exponent += i32::from(!behind);
-                continue;
-            }
-            value = (value * TEN).plus(f64::from(digit));
-            significant += usize::from(digit > 0 || significant > 0);
-            exponent -= i32::from(behind);
-        }
-        let value = shifted(value, exponent);
-        Ok(if mantissa.starts_with('-') { -value } else { value })
+        Decimal::read(text).map(|decimal| DoubleDouble::nearest(&decimal)).ok_or(ParseDoubleDoubleError)
     }
 }

@@ -75,6 +75,19 @@ impl<const D: usize> ChainMatrix<D> {
         block
     }
 
+    pub(super) fn add_row_sums(&self, out: &mut Vectors<D>) {
+        let sums = |block: Block<D>| block.map(|row| row.iter().map(|x| x.abs()).sum());
+        for (i, &diagonal) in self.diagonal.iter().enumerate() {
+            out.add(i, sums(diagonal));
+            if i > 0 {
+                out.add(i, sums(self.lower(i)));
+            }
+            if i + 1 < self.diagonal.len() {
+                out.add(i, sums(self.upper[i]));
+            }
+        }
+    }
+
     pub(super) fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
         let n = self.diagonal.len();
         for i in 0..n {

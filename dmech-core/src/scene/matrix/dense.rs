@@ -63,14 +63,13 @@ impl<const D: usize> DenseMatrix<D> {
         multiply_add(&self.jacobian, x.flat(), y.flat_mut());
     }
 
+    pub(super) fn add_row_sums(&self, rows: &mut [f64]) {
+        add_row_sums(&self.jacobian, rows);
+    }
+
     pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
         let n = self.jacobian.nrows();
-        self.small = n >= MANY
-            && self.series.ends(g, limit(n), |rows| {
-                for column in self.jacobian.as_slice().chunks_exact(n) {
-                    rows.iter_mut().zip(column).for_each(|(row, j)| *row += j.abs());
-                }
-            });
+        self.small = n >= MANY && self.series.ends(g, limit(n), |rows| add_row_sums(&self.jacobian, rows));
         let sign = if self.small { -1.0 } else { 1.0 };
         for ((i, mut column), known) in self.factors.column_iter_mut().enumerate().zip(self.jacobian.column_iter()) {
             for ((x, j), g) in column.iter_mut().zip(&known).zip(g.flat()) {
@@ -132,6 +131,13 @@ impl<const D: usize> DenseMatrix<D> {
                 *x -= u * known;
             }
         }
+    }
+}
+
+/// Σ |M| over each row, added to `rows`.
+fn add_row_sums(matrix: &DMatrix<f64>, rows: &mut [f64]) {
+    for column in matrix.as_slice().chunks_exact(rows.len().max(1)) {
+        rows.iter_mut().zip(column).for_each(|(row, m)| *row += m.abs());
     }
 }
 

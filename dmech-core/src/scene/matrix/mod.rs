@@ -90,6 +90,16 @@ impl<const D: usize> Matrix<D> {
         }
     }
 
+    /// out += Σ |J| over each row.
+    pub fn add_row_sums(&self, out: &mut Vectors<D>) {
+        match self {
+            Matrix::Chain(matrix) => matrix.add_row_sums(out),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.add_row_sums(out.flat_mut()),
+            Matrix::Dense(matrix) => matrix.add_row_sums(out.flat_mut()),
+        }
+    }
+
     /// Factorises 1 + g J, with one g for each coordinate (0 for those of pinned bodies). `false` if it is singular.
     pub fn factorise(&mut self, g: &Vectors<D>) -> bool {
         match self {

@@ -100,11 +100,13 @@ impl<const D: usize> SparseMatrix<D> {
         multiply_add(&self.pattern, &self.jacobian, x.flat(), y.flat_mut());
     }
 
+    pub(super) fn add_row_sums(&self, sums: &mut [f64]) {
+        add_row_sums(self.pattern.row_idx(), &self.jacobian, sums);
+    }
+
     pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
         let (columns, rows) = (self.pattern.col_ptr(), self.pattern.row_idx());
-        self.small = self.series.ends(g, SMALL, |sums| {
-            rows.iter().zip(&self.jacobian).for_each(|(&row, j)| sums[row] += j.abs());
-        });
+        self.small = self.series.ends(g, SMALL, |sums| add_row_sums(rows, &self.jacobian, sums));
         let sign = if self.small { -1.0 } else { 1.0 };
         for ((value, j), &row) in self.values.iter_mut().zip(&self.jacobian).zip(rows) {
             *value = sign * g.flat()[row] * j;
@@ -138,6 +140,11 @@ impl<const D: usize> SparseMatrix<D> {
             solve(&self.symbolic, &self.factors, x.flat_mut(), &mut self.workspace);
         }
     }
+}
+
+/// Σ |M| over each row, added to `sums`.
+fn add_row_sums(rows: &[usize], values: &[f64], sums: &mut [f64]) {
+    rows.iter().zip(values).for_each(|(&row, m)| sums[row] += m.abs());
 }
 
 /// y += M x.

@@ -35,8 +35,9 @@ fn all_matrices_solve_the_same_system() {
         }
     }
     let [chain, sparse, dense] = matrices.map(|mut matrix| {
-        let (mut product, mut solution) = (Vectors::zeros(n), x.clone());
+        let (mut product, mut solution, mut sums) = (Vectors::zeros(n), x.clone(), Vectors::zeros(n));
         matrix.multiply_add(&x, &mut product);
+        matrix.add_row_sums(&mut sums);
         matrix.solve(&g, &mut solution);
         // (1 + g J) x = b.
         let mut residual = solution.clone();
@@ -46,7 +47,7 @@ fn all_matrices_solve_the_same_system() {
             *r += g.flat()[i] * image.flat()[i] - x.flat()[i];
         }
         assert!(residual.largest() < 1e-14, "{:e}", residual.largest());
-        (product, solution)
+        (product, solution, sums)
     });
     for other in [chain, sparse] {
         for i in 0..2 * n {
@@ -54,6 +55,9 @@ fn all_matrices_solve_the_same_system() {
             assert!((other.1.flat()[i] - dense.1.flat()[i]).abs() < 1e-14);
         }
         assert_eq!(other.1.get(3), x.get(3));
+        for (sum, of_dense) in other.2.flat().iter().zip(dense.2.flat()) {
+            assert!((sum - of_dense).abs() < 1e-14 * of_dense, "{sum}, {of_dense}");
+        }
     }
 }
 

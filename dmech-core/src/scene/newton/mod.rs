@@ -22,6 +22,10 @@ use crate::scheme::{Effort, Guess, Newton};
 const CHORD: u32 = 6;
 /// Corrections before a starting point is given up.
 const PATIENCE: u32 = 30;
+/// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
+const NEAR: f64 = 1e-6;
+/// A residual of so many units in the last place of the parts of the equation is rounding.
+const ROUNDINGS: f64 = 4.0;
 /// The shortest progress in θ before the path counts as ended.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
@@ -123,7 +127,7 @@ pub struct Solver<const D: usize> {
 }
 
 impl<const D: usize> Solver<D> {
-    pub(super) fn new(bodies: usize, topology: &Topology) -> Self {
+    pub(super) fn for_links(bodies: usize, topology: &Topology) -> Self {
         let zeros = Vectors::zeros(bodies);
         Solver {
             matrix: Matrix::new(bodies, topology),
@@ -152,7 +156,7 @@ impl<const D: usize> Solver<D> {
                     core::mem::swap(&mut self.rest, chain.rest());
                 }
                 self.chain = Some(chain);
-                settled
+                settled.or_else(|astray| self.finish(equation, unknown, 1.0, astray))
             }
             chain => {
                 self.chain = chain;
@@ -173,15 +177,24 @@ impl<const D: usize> Solver<D> {
         unknown: &U,
         theta: f64,
     ) -> Result<u32, NotConverged> {
+        let settled = self.approach(equation, unknown, theta);
+        settled.or_else(|astray| self.finish(equation, unknown, theta, astray))
+    }
+
+    /// Corrections until one is so small that the force is known to rounding, or until they no longer shrink.
+    fn approach<U: Unknown<D>>(
+        &mut self,
+        equation: &Equation<'_, D>,
+        unknown: &U,
+        theta: f64,
+    ) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
         let mut since_factors = 0;
         for iteration in 1..=equation.limit() {
             self.place::<U>(equation);
             unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
             if iteration == 1 || since_factors == CHORD {
-                self.matrix.clear();
-                unknown.jacobian(theta, &self.place, &self.velocity, equation.rate, &mut self.matrix);
-                if !self.factorise(equation, theta) {
+                if !self.take_jacobian(equation, unknown, theta) {
                     return Err(NotConverged { iterations: iteration.into(), residual: f64::NAN });
                 }
                 since_factors = 0;
@@ -199,6 +212,56 @@ impl<const D: usize> Solver<D> {
             }
         }
         Err(progress.exhausted(equation))
+    }
+
+    /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is singular.
+    fn take_jacobian<U: Unknown<D>>(&mut self, equation: &Equation<'_, D>, unknown: &U, theta: f64) -> bool {
+        self.matrix.clear();
+        unknown.jacobian(theta, &self.place, &self.velocity, equation.rate, &mut self.matrix);
+        self.factorise(equation, theta)
+    }
+
+    /// Where corrections no longer shrink: one more, with a Jacobian of its own. It is the last if what it corrects is
+    /// nothing but rounding; if not, they lead nowhere, as `astray` says.
+    #[cold]
+    fn finish<U: Unknown<D>>(
+        &mut self,
+        equation: &Equation<'_, D>,
+        unknown: &U,
+        theta: f64,
+        astray: NotConverged,
+    ) -> Result<u32, NotConverged> {
+        let near = astray.residual <= NEAR * (equation.q.largest() + self.delta.largest());
+        if !near {
+            return Err(astray);
+        }
+        self.place::<U>(equation);
+        unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
+        if !self.take_jacobian(equation, unknown, theta) {
+            return Err(astray);
+        }
+        self.residual(equation, theta);
+        let rounding = self.residual_is_rounding(equation, theta);
+        self.solve_linear(equation, theta);
+        self.turn::<U>();
+        let [size, _] = self.correct();
+        if rounding && size.is_finite() { Ok(astray.iterations as u32 + 1) } else { Err(astray) }
+    }
+
+    /// Whether the residual is what rounding makes of the equation, for every coordinate: of h v, of the forces, of Δ, and,
+    /// as forces are those of rounded positions and cancel one another, of J times the positions.
+    fn residual_is_rounding(&mut self, equation: &Equation<'_, D>, theta: f64) -> bool {
+        let reach = equation.q.largest() + self.delta.largest() + equation.h.abs() * equation.v.largest();
+        // Until the correction is made it is of no use.
+        let stiffness = &mut self.rest;
+        stiffness.clear();
+        self.matrix.add_row_sums(stiffness);
+        self.place.flat().iter().enumerate().all(|(i, residual)| {
+            let known = equation.known.map_or(0.0, |known| known.flat()[i].abs());
+            let force = self.gradient.flat()[i].abs() + known + stiffness.flat()[i] * reach;
+            let parts = theta * equation.drift(i).abs() + self.delta.flat()[i].abs();
+            residual.abs() <= ROUNDINGS * f64::EPSILON * (theta * theta * equation.g.flat()[i].abs() * force + parts)
+        })
     }
 
     /// Follows the root from a step of length 0 to the whole step.

@@ -2,6 +2,7 @@
 
 use dmech_scalar::Lanes;
 
+use super::progress::{Progress, Verdict};
 use super::{Equation, Solver, Unknown};
 use crate::scene::matrix::Matrix;
 use crate::scene::terms::Topology;
@@ -58,12 +59,38 @@ fn a_correction_too_small_to_change_the_force_is_left_beside_it() {
         newton: &newton,
     };
     for topology in [Topology::Chain, Topology::Dense] {
-        let mut solver = Solver::new(bodies, &topology);
+        let mut solver = Solver::for_links(bodies, &topology);
         solver.solve(&equation, &Spring).unwrap();
         let turned = -two(-55) / (1.0 + two(-10));
         for (gradient, rest) in solver.gradient.flat().iter().zip(solver.rest.flat()) {
             assert_eq!(*gradient, 1.0, "{topology:?}");
             assert!((rest / turned - 1.0).abs() < 1e-10, "{topology:?}: {rest:e} for {turned:e}");
+        }
+    }
+}
+
+/// The same in a single correction: what it neglects, |δ|²/|Δ|, is below ε/64 of the force.
+#[test]
+fn a_single_correction_is_trusted_up_to_a_sixty_fourth_of_rounding() {
+    let (zero, newton) = (Vectors::<1>::zeros(1), Newton::predicted());
+    let equation = Equation {
+        q: &zero,
+        q_low: &zero,
+        h: 1.0,
+        known: None,
+        g: &zero,
+        v: &zero,
+        v_low: &zero,
+        rate: 0.0,
+        last: [&zero; 3],
+        last_are_whole: true,
+        newton: &newton,
+    };
+    let single = (f64::EPSILON / 64.0).sqrt();
+    for (size, verdict) in [(0.9 * single, Verdict::Settled), (1.1 * single, Verdict::GoesOn)] {
+        for step in [1.0, 1e-3, 1e5] {
+            let judged = Progress::default().judge::<Spring, 1>(&equation, 1, [size * step, step, step]).unwrap();
+            assert_eq!(judged, verdict, "{:.1} of the limit", size / single);
         }
     }
 }

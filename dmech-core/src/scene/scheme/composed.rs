@@ -36,6 +36,7 @@ impl<C: Coefficients<N>, const N: usize, const D: usize, A: Acts<D>> SceneScheme
     for Composed<DiscreteGradient, C, N>
 {
     type Memory = ComposedDiscreteGradientScene<D>;
+    type Workspace = Solver<D>;
 
     fn begin(
         &self,

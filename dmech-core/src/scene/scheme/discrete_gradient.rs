@@ -66,8 +66,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
 
 impl<const D: usize> DiscreteGradientScene<D> {
     pub(super) fn new<A: Acts<D>>(system: &System<D, A>, start: Start<'_, D>) -> Self {
-        let mut gradient = Vectors::zeros(start.q.bodies());
-        system.slope(start.q, start.v, start.t, &mut gradient);
+        let gradient = start.slope;
         DiscreteGradientScene {
             q: CompensatedVectors::new(start.q.clone()),
             v: CompensatedVectors::new(start.v.clone()),
@@ -183,6 +182,7 @@ pub(super) fn step_back<const D: usize, A: Acts<D> + Clone>(
 
 impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for DiscreteGradient {
     type Memory = DiscreteGradientScene<D>;
+    type Workspace = Solver<D>;
 
     fn begin(
         &self,

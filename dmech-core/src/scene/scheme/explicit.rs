@@ -2,7 +2,6 @@
 
 use super::{SceneScheme, Start};
 use crate::newton::NotConverged;
-use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::Acts;
 use crate::scene::vectors::Vectors;
@@ -28,8 +27,9 @@ impl<const D: usize> crate::checkpoint::Carried for ExplicitScene<D> {
 
 impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Explicit {
     type Memory = ExplicitScene<D>;
+    type Workspace = ();
 
-    fn begin(&self, _: &System<D, A>, start: Start<'_, D>, _: &mut Solver<D>) -> Result<Self::Memory, NotConverged> {
+    fn begin(&self, _: &System<D, A>, start: Start<'_, D>, _: &mut ()) -> Result<Self::Memory, NotConverged> {
         let gradient = Vectors::zeros(start.q.bodies());
         Ok(ExplicitScene { q: start.q.clone(), v: start.v.clone(), gradient })
     }
@@ -40,7 +40,7 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Explicit {
         system: &System<D, A>,
         t: f64,
         memory: &mut Self::Memory,
-        _: &mut Solver<D>,
+        _: &mut (),
     ) -> Result<Effort, NotConverged> {
         let ExplicitScene { q, v, gradient } = memory;
         system.slope(q, v, t, gradient);

@@ -62,6 +62,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
 
 impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
     type Memory = ImplicitScene<D>;
+    type Workspace = Solver<D>;
 
     fn begin(
         &self,
@@ -69,13 +70,11 @@ impl<const D: usize, A: Acts<D>> SceneScheme<D, A> for Implicit {
         start: Start<'_, D>,
         _: &mut Solver<D>,
     ) -> Result<Self::Memory, NotConverged> {
-        let mut gradient = Vectors::zeros(start.q.bodies());
-        system.slope(start.q, start.v, start.t, &mut gradient);
         Ok(ImplicitScene {
             q: CompensatedVectors::new(start.q.clone()),
             v: CompensatedVectors::new(start.v.clone()),
             g: system.setting.g(0.25 * system.setting.dt),
-            gradients: core::array::from_fn(|_| gradient.clone()),
+            gradients: core::array::from_fn(|_| start.slope.clone()),
         })
     }
 

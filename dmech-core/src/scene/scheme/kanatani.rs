@@ -84,6 +84,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
 
 impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> for Kanatani {
     type Memory = KanataniScene<D>;
+    type Workspace = Solver<D>;
 
     fn begin(
         &self,
@@ -91,10 +92,8 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities + Clone> SceneScheme<D, A> f
         start: Start<'_, D>,
         solver: &mut Solver<D>,
     ) -> Result<Self::Memory, NotConverged> {
-        let Start { t, q, v } = start;
+        let Start { q, v, slope: gradient, .. } = start;
         let h = system.setting.dt;
-        let mut gradient = Vectors::zeros(q.bodies());
-        system.slope(q, v, t, &mut gradient);
         let (mut q_before, mut z) = (q.clone(), v.clone());
         match self.start {
             Beginning::Formula => {

@@ -2,7 +2,6 @@
 
 use super::{SceneScheme, Start};
 use crate::newton::NotConverged;
-use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::{Acts, WithoutVelocities};
 use crate::scene::vectors::Vectors;
@@ -29,15 +28,10 @@ impl<const D: usize> crate::checkpoint::Carried for LeapfrogScene<D> {
 
 impl<const D: usize, A: Acts<D> + WithoutVelocities> SceneScheme<D, A> for Leapfrog {
     type Memory = LeapfrogScene<D>;
+    type Workspace = ();
 
-    fn begin(
-        &self,
-        system: &System<D, A>,
-        start: Start<'_, D>,
-        _: &mut Solver<D>,
-    ) -> Result<Self::Memory, NotConverged> {
-        let mut gradient = Vectors::zeros(start.q.bodies());
-        system.slope(start.q, start.v, start.t, &mut gradient);
+    fn begin(&self, system: &System<D, A>, start: Start<'_, D>, _: &mut ()) -> Result<Self::Memory, NotConverged> {
+        let gradient = start.slope.clone();
         let mut v = start.v.clone();
         for (i, v) in v.flat_mut().iter_mut().enumerate() {
             *v -= 0.5 * system.setting.kick.flat()[i] * gradient.flat()[i];
@@ -51,7 +45,7 @@ impl<const D: usize, A: Acts<D> + WithoutVelocities> SceneScheme<D, A> for Leapf
         system: &System<D, A>,
         t: f64,
         memory: &mut Self::Memory,
-        _: &mut Solver<D>,
+        _: &mut (),
     ) -> Result<Effort, NotConverged> {
         let LeapfrogScene { q, v, gradient } = memory;
         let h = system.setting.dt;

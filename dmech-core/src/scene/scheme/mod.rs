@@ -41,6 +41,8 @@ pub struct Start<'a, const D: usize> {
     pub q: &'a Vectors<D>,
     /// Velocities.
     pub v: &'a Vectors<D>,
+    /// ∇Φ − F there.
+    pub slope: &'a Vectors<D>,
 }
 
 /// A scheme for scenes in which the terms `A` act.
@@ -54,6 +56,9 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
     /// What is carried from step to step.
     type Memory: Clone + core::fmt::Debug;
 
+    /// What a step works in and nothing carries on: the [`Solver`] of an implicit scheme, nothing of an explicit one.
+    type Workspace: Workspace<D>;
+
     /// Prepares the first step.
     ///
     /// # Errors
@@ -62,7 +67,7 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
         &self,
         system: &System<D, A>,
         start: Start<'_, D>,
-        solver: &mut Solver<D>,
+        workspace: &mut Self::Workspace,
     ) -> Result<Self::Memory, NotConverged>;
 
     /// Advances from time t to t + dt.
@@ -74,7 +79,7 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
         system: &System<D, A>,
         t: f64,
         memory: &mut Self::Memory,
-        solver: &mut Solver<D>,
+        workspace: &mut Self::Workspace,
     ) -> Result<Effort, NotConverged>;
 
     /// The positions now.
@@ -95,6 +100,23 @@ pub trait SceneScheme<const D: usize, A: Acts<D>>: Method {
     /// The scheme's own energy where it differs from Σ m v²/2 + Φ(q).
     fn discrete_energy(&self, _system: &System<D, A>, _t: f64, _memory: &Self::Memory) -> Option<f64> {
         None
+    }
+}
+
+/// Where a scheme works, allocated once: the Newton matrix, of N² numbers where any two bodies are linked, comes with it.
+pub trait Workspace<const D: usize>: Clone + core::fmt::Debug {
+    /// For a number of bodies and what acts on them.
+    fn new<A: Acts<D>>(bodies: usize, acts: &A) -> Self;
+}
+
+/// An explicit scheme takes what it needs from its memory.
+impl<const D: usize> Workspace<D> for () {
+    fn new<A: Acts<D>>(_: usize, _: &A) {}
+}
+
+impl<const D: usize> Workspace<D> for Solver<D> {
+    fn new<A: Acts<D>>(bodies: usize, acts: &A) -> Self {
+        Solver::for_links(bodies, &acts.links(bodies))
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::{SceneScheme, Start};
 use crate::newton::NotConverged;
-use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::{Acts, WithoutVelocities};
 use crate::scene::vectors::Vectors;
@@ -75,12 +74,13 @@ macro_rules! stepped_by_drifts_and_kicks {
             for $scheme
         {
             type Memory = SplittingScene<D>;
+            type Workspace = ();
 
             fn begin(
                 &self,
                 system: &System<D, A>,
                 start: Start<'_, D>,
-                _: &mut Solver<D>,
+                _: &mut (),
             ) -> Result<Self::Memory, NotConverged> {
                 let zeros = || Vectors::zeros(start.q.bodies());
                 let (q, v) = (start.q.clone(), start.v.clone());
@@ -99,7 +99,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                 system: &System<D, A>,
                 t: f64,
                 memory: &mut Self::Memory,
-                _: &mut Solver<D>,
+                _: &mut (),
             ) -> Result<Effort, NotConverged> {
                 let h = system.setting.dt;
                 core::mem::swap(&mut memory.works, &mut memory.ahead);

@@ -2,7 +2,7 @@
 
 use super::stencil::{Stencil, block};
 use super::{Acts, Fault, Term, Topology, WithoutVelocities};
-use crate::error::Error;
+use crate::error::{Error, Place};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
@@ -116,11 +116,13 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
         Topology::Chain
     }
 
-    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+    fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
         self.fields(t).find_map(|(body, field)| {
             let (q, v) = (q.get(body), v.get(body));
-            let values = field.slope(q, v).into_iter().chain([field.potential(q)]);
-            values.into_iter().find(|x| !x.is_finite()).map(|value| Fault::Body { body, value })
+            let secant = from.map_or([0.0; D], |from| field.discrete_gradient(from.get(body), q));
+            let values = field.slope(q, v).into_iter().chain([field.potential(q)]).chain(secant);
+            let place = Place::new(&q);
+            values.into_iter().find(|x| !x.is_finite()).map(|value| Fault::Body { body, value, place })
         })
     }
 }

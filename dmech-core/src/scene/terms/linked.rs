@@ -237,15 +237,16 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
         self.links.topology()
     }
 
-    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+    fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
         self.links.find(q.bodies(), |a, b| {
             let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
             let between = self.between(a, b, t);
             let gradient = between.gradient(d);
             let force = between.force(d, va, vb);
             let back = self.between(b, a, t).force(d.map(|x| -x), vb, va);
-            let finite =
-                between.potential(d).is_finite() && [gradient, force, back].iter().flatten().all(|x| x.is_finite());
+            let secant = from.map_or([0.0; D], |from| between.discrete_gradient(separation(from, a, b), d));
+            let components = [gradient, force, back, secant];
+            let finite = between.potential(d).is_finite() && components.iter().flatten().all(|x| x.is_finite());
             // A square would overflow for bodies that a step too long has thrown apart.
             let distance = d.iter().fold(0.0, |r, &x| f64::hypot(r, x));
             (!finite).then_some(Fault::Link { a, b, distance })

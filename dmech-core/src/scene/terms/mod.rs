@@ -19,7 +19,7 @@ use stencil::Stencil;
 use super::builder::Bodies;
 use super::matrix::Matrix;
 use super::vectors::Vectors;
-use crate::error::Error;
+use crate::error::{Error, Place};
 
 /// A term of a scene as it was declared, for bodies that carry a `P`.
 pub trait Term<const D: usize, P> {
@@ -88,8 +88,8 @@ pub trait Acts<const D: usize> {
     fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
     /// Every pair of bodies that the Jacobian links; how far apart in the order of bodies says which solver fits.
     fn links(&self, bodies: usize) -> Topology;
-    /// The first link or body on which what acts is not finite.
-    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault>;
+    /// The first link or body on which what acts is not finite at q, or ∇̄Φ from another position to q.
+    fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault>;
 }
 
 /// Which bodies a Jacobian links.
@@ -143,6 +143,8 @@ pub enum Fault {
         body: usize,
         /// A component of the force, or the potential.
         value: f64,
+        /// Where the body is.
+        place: Place,
     },
 }
 
@@ -178,7 +180,7 @@ impl<const D: usize> Acts<D> for () {
     fn links(&self, _: usize) -> Topology {
         Topology::Chain
     }
-    fn fault(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64) -> Option<Fault> {
+    fn fault(&self, _: Option<&Vectors<D>>, _: &Vectors<D>, _: &Vectors<D>, _: f64) -> Option<Fault> {
         None
     }
 }
@@ -260,7 +262,7 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn links(&self, bodies: usize) -> Topology {
         self.0.links(bodies).and(self.1.links(bodies))
     }
-    fn fault(&self, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
-        self.0.fault(q, v, t).or_else(|| self.1.fault(q, v, t))
+    fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+        self.0.fault(from, q, v, t).or_else(|| self.1.fault(from, q, v, t))
     }
 }

@@ -19,8 +19,9 @@ const CUT: usize = 512;
 /// Any two bodies.
 #[derive(Debug, Default)]
 pub struct Pairs {
-    /// What the bodies feel from each chunk. It is empty until it is needed.
-    room: Mutex<Vec<f64>>,
+    /// What the bodies feel from each chunk, from its first row on: the later bodies are linked to no earlier one. Empty
+    /// until it is needed.
+    room: Mutex<Vec<Vec<f64>>>,
 }
 
 impl Clone for Pairs {
@@ -66,16 +67,16 @@ impl Links for Pairs {
             return sweep::triangle(kernel, &q, numbers, 0..bodies, out.columns_mut());
         }
         let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
-        room.resize(count * D * bodies, 0.0);
+        room.resize_with(count, Vec::new);
         #[cfg(feature = "parallel")]
-        let felt = room.par_chunks_exact_mut(D * bodies);
+        let felt = room.par_iter_mut();
         #[cfg(not(feature = "parallel"))]
-        let felt = room.chunks_exact_mut(D * bodies);
+        let felt = room.iter_mut();
         felt.enumerate().for_each(|(c, felt)| chunk(kernel, &q, numbers, c, count, felt));
-        for (c, felt) in room.chunks_exact(D * bodies).enumerate() {
+        for (c, felt) in room.iter().enumerate() {
             let start = begin(bodies, count, c);
-            for (out, felt) in out.columns_mut().into_iter().zip(felt.chunks_exact(bodies)) {
-                for (out, felt) in out[start..].iter_mut().zip(&felt[start..]) {
+            for (out, felt) in out.columns_mut().into_iter().zip(felt.chunks_exact(bodies - start)) {
+                for (out, felt) in out[start..].iter_mut().zip(felt) {
                     *out += felt;
                 }
             }
@@ -94,17 +95,15 @@ fn chunk<const D: usize, const S: usize, N: Numbers>(
     numbers: &NumberColumns<N>,
     c: usize,
     count: usize,
-    felt: &mut [f64],
+    felt: &mut Vec<f64>,
 ) {
     let bodies = numbers.bodies();
     let rows = begin(bodies, count, c)..begin(bodies, count, c + 1);
-    let mut rest = felt;
-    let columns: [&mut [f64]; D] = core::array::from_fn(|_| {
-        let column = rest.split_off_mut(..bodies).unwrap_or_default();
-        let column = &mut column[rows.start..];
-        column.fill(0.0);
-        column
-    });
+    let length = bodies - rows.start;
+    felt.resize(D * length, 0.0);
+    felt.fill(0.0);
+    let mut rest = felt.as_mut_slice();
+    let columns: [&mut [f64]; D] = core::array::from_fn(|_| rest.split_off_mut(..length).unwrap_or_default());
     sweep::triangle(kernel, q, numbers, rows, columns);
 }
 

@@ -108,8 +108,11 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
             let gap = g.sub(b, a);
             let t = g.div(gap, sum);
             let cardinal = g.unary(Atanc, t);
-            let quotient = g.div(cardinal, sum);
-            g.scale(if f == Asin { 2.0 } else { -2.0 }, quotient)
+            let half = g.div(cardinal, sum);
+            let closed = g.scale(if f == Asin { 2.0 } else { -2.0 }, half);
+            // From one end of the domain to the other both legs are 0.
+            let (one, quotient) = (g.one(), plain_quotient(g, f, a, b));
+            unless_far(g, a, b, one, closed, quotient)
         }
         Atan => {
             let (one, product) = (g.one(), g.mul(&[a, b]));
@@ -205,6 +208,7 @@ pub(super) fn of_power(g: &mut Graph, a: Expr, b: Expr, n: i32) -> Expr {
 pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> Expr {
     let (root, times) = if degree == 3 { (Unary::Cbrt, 1) } else { (Unary::Sqrt, degree.trailing_zeros()) };
     let mut closed = vec![];
+    let first = [g.unary(root, a), g.unary(root, b)];
     let mut roots = [a, b];
     for _ in 0..times {
         closed.push(divided_difference(g, root, roots[0], roots[1]));
@@ -216,10 +220,11 @@ pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> E
     let (rise, gap) = (g.sub(values[1], values[0]), g.sub(b, a));
     let (zero, quotient) = (g.zero(), g.div(rise, gap));
     let far = g.select(Condition::equal(a, b), zero, quotient);
-    let sum = g.add(&[a, b]);
-    let (half, distance) = (g.scale(0.5, sum), g.unary(Unary::Abs, gap));
-    let size = g.unary(Unary::Abs, half);
-    g.select(Condition::less(distance, size), closed, far)
+    // By the roots, which are 0 where a and b are: a sum of these may be rounded otherwise.
+    let (between, sum) = (g.sub(first[1], first[0]), g.add(&first));
+    let (distance, size) = (g.unary(Unary::Abs, between), g.unary(Unary::Abs, sum));
+    let half = g.scale(0.5, size);
+    g.select(Condition::less(distance, half), closed, far)
 }
 
 /// (eᵝ − eᵅ)/(β − α) = e^m sinhc δ, given e^m, δ = (β − α)/2 and the values at the ends, which do not cancel where δ is

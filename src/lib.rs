@@ -212,7 +212,7 @@ pub mod __private {
     pub mod v1 {
         pub use dmech_core::{
             Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads,
-            Real, Symmetric, VelocityIndependent, newton, radial,
+            Real, Symmetric, VelocityIndependent, newton, radial, written,
         };
     }
 }

@@ -25,6 +25,8 @@ mod state;
 mod stepper;
 mod vector;
 mod watch;
+#[doc(hidden)]
+pub mod written;
 
 pub mod newton;
 #[cfg(feature = "scene")]
@@ -58,6 +60,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use study::{Study, StudyReport};
 pub use verify::verify;
+pub use written::Disagreement;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {

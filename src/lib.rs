@@ -42,6 +42,9 @@
 //! assert_eq!(Spring { k: 4.0 }.gradient([0.5]), [2.0]);
 //! ```
 //!
+//! The macro sees the method as text. Before a law is stepped the method itself is called, and [`Error::NotAsWritten`] refuses
+//! a law that is not what it computes, because a name in it stands for something else than its text says.
+//!
 //! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
 //! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog`,
 //! `Nystrom`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the program is compiled.

@@ -380,9 +380,12 @@ fn edited_checkpoints_are_refused() {
     check(&stepper.checkpoint(), &|saved| adaptive().resume(saved).err());
     let scene = || Simulation::scene(ions().pairs(Coulomb { k: 1.0 }).pin(1)).scheme(Implicit).dt(0.01);
     let still = || {
-        let scene = Scene::new()
-            .body_with(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0], Charge { q: 1.0 })
-            .body_with(6.0, [0.0, 0.1, 0.0], [0.0; 3], Charge { q: -1.5 });
+        let scene = Scene::new().body_with(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0], Charge { q: 1.0 }).body_with(
+            6.0,
+            [0.0, 0.1, 0.0],
+            [0.0; 3],
+            Charge { q: -1.5 },
+        );
         Simulation::scene(scene.pairs(Coulomb { k: 1.0 }).pin(1)).scheme(Implicit).dt(0.01)
     };
     assert!(scene().stepper().is_err(), "a pinned body that moves");

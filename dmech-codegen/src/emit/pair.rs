@@ -64,8 +64,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         }
     });
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
-    let items =
-        super::author::items(model, &lowered.graph, &lowered.parameters, dimension, Some(data_type));
+    let items = super::author::items(model, &lowered.graph, &lowered.parameters, dimension, Some(data_type));
     let reads = reads(&printer, &names, model, layout);
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
     let (law, count) = (ident("Law"), Literal::usize_unsuffixed(layout.len()));

@@ -2,7 +2,9 @@
 
 use dmech_scalar::Real;
 
-use super::{Place, Tracked, Values, Written};
+#[cfg(feature = "scene")]
+use super::Written;
+use super::{Place, Tracked, Values};
 use crate::law::Potential;
 use crate::pair::{Between as Acting, Numbers, PairLaw, Reads};
 

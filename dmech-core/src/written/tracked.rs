@@ -122,7 +122,6 @@ impl Mul for Tracked {
 
 impl Div for Tracked {
     type Output = Self;
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "as a product, with the rounding of the reciprocal")]
     fn div(self, other: Self) -> Self {
         Tracked { value: self.value / other.value, ..self * other.recip() }
     }

@@ -42,6 +42,8 @@
 //! assert_eq!(Spring { k: 4.0 }.gradient([0.5]), [2.0]);
 //! ```
 //!
+//! The macro sees the method as text. Before a law is stepped the method itself is called, and [`Error::NotAsWritten`] refuses
+//! a law that is not what it computes, because a name in it stands for something else than its text says.
 //! The generated code computes what the method computes, with one exception: `x.clamp(low, high)` panics in Rust where `low`
 //! lies above `high` or one of them is NaN. Bounds that the macro can see are checked when the program is compiled; for fields of
 //! the law, the generated code computes `x.max(low).min(high)`.
@@ -216,7 +218,7 @@ pub mod __private {
     pub mod v1 {
         pub use dmech_core::{
             Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads,
-            Real, Symmetric, VelocityIndependent, newton, radial,
+            Real, Symmetric, VelocityIndependent, newton, radial, written,
         };
     }
 }

@@ -1,6 +1,6 @@
 //! Runs that are saved and resumed go on bit for bit; a checkpoint of another simulation is refused with what differs.
 
-use dmech::models::Kepler;
+use dmech::models::{DrivenPendulum, Kepler, Wall};
 use dmech::prelude::*;
 use dmech::scene::{SceneScheme, SceneStepper, Term};
 use dmech::{Carried, Difference};
@@ -269,7 +269,8 @@ fn another_simulation_is_refused_with_what_differs() {
 
     let laws = Difference::Laws.to_string();
     let next = Fput { alpha: 0.25f64.next_up() };
-    refused(chain().chain(next).pin(0), DiscreteGradient, 0.01, saved, &laws);
+    let field = "the laws differ: `alpha` is not what it is in the checkpoint";
+    refused(chain().chain(next).pin(0), DiscreteGradient, 0.01, saved, field);
     let bonded = chain().bonds(law, (1..11).map(|i| (i - 1, i))).pin(0);
     refused(bonded, DiscreteGradient, 0.01, saved, &laws);
 }
@@ -286,7 +287,7 @@ fn laws_are_told_apart_where_nothing_acts() {
         Simulation::scene(rest().chain(Fput { alpha: 0.25 })).scheme(Implicit).dt(0.1).resume(saved)
     };
     assert!(resume(&saved(0.25)).is_ok());
-    assert_eq!(resume(&saved(0.26)).err(), Some(Error::Checkpoint(Difference::Laws)));
+    assert_eq!(resume(&saved(0.26)).err(), Some(Error::Checkpoint(Difference::Field { name: "alpha" })));
 
     let rest = |c| {
         let still = Scene::new().body(1.0, [0.3, 0.4], [0.0, 0.0]).body(2.0, [0.6, -0.4], [0.0, 0.0]);
@@ -294,7 +295,7 @@ fn laws_are_told_apart_where_nothing_acts() {
     };
     let saved = rest(0.2).stepper().unwrap().checkpoint();
     assert!(rest(0.2).resume(&saved).is_ok());
-    assert_eq!(rest(0.3).resume(&saved).err(), Some(Error::Checkpoint(Difference::Laws)));
+    assert_eq!(rest(0.3).resume(&saved).err(), Some(Error::Checkpoint(Difference::Field { name: "c" })));
     // So do the data of the bodies.
     let charged = |q| {
         let scene = Scene::new().body_with(1.0, [1.2, 0.0, 0.2], [0.0; 3], Charge { q }).body_with(
@@ -307,7 +308,8 @@ fn laws_are_told_apart_where_nothing_acts() {
     };
     let saved = charged(1.0).stepper().unwrap().checkpoint();
     assert!(charged(1.0).resume(&saved).is_ok());
-    assert_eq!(charged(1.1).resume(&saved).err(), Some(Error::Checkpoint(Difference::Laws)));
+    let data = Difference::Field { name: "data of the bodies" };
+    assert_eq!(charged(1.1).resume(&saved).err(), Some(Error::Checkpoint(data)));
 }
 
 #[test]
@@ -327,7 +329,143 @@ fn damaged_checkpoints_are_refused() {
     assert_eq!(refusal(&|x| drop(x["memory"].as_array_mut().unwrap().pop())), difference(6, 7));
     assert_eq!(refusal(&|x| x["masses"] = "".into()), difference(0, 3));
     assert_eq!(refusal(&|x| x["start"] = serde_json::json!(["1.0"])), difference(1, 2));
-    assert_eq!(refusal(&|x| x["format"] = 9.into()), Error::Checkpoint(Difference::Format { checkpoint: 9, here: 1 }));
-    let moved = |x: &mut serde_json::Value| x["memory"][0] = "1.0 2.0 3.0 4.0 5.0 6.0 7.0 8.0 9.0".into();
-    assert_eq!(refusal(&moved), Error::Checkpoint(Difference::Laws));
+    assert_eq!(refusal(&|x| x["format"] = 9.into()), Error::Checkpoint(Difference::Format { checkpoint: 9, here: 2 }));
+    assert_eq!(refusal(&|x| x["seals"] = serde_json::json!([])), difference(0, 6));
+}
+
+/// Whatever is changed in a checkpoint is noticed, and said.
+#[test]
+fn edited_checkpoints_are_refused() {
+    fn check(whole: &Checkpoint, resume: &dyn Fn(&Checkpoint) -> Option<Error>) {
+        let whole = serde_json::to_value(whole).unwrap();
+        let refusal = |change: &dyn Fn(&mut serde_json::Value)| {
+            let mut edited = whole.clone();
+            change(&mut edited);
+            assert_ne!(edited, whole, "nothing was edited");
+            let edited: Checkpoint = serde_json::from_value(edited).unwrap();
+            resume(&edited).expect("an edited checkpoint was taken")
+        };
+        let edited = |part| Error::Checkpoint(Difference::Edited { part });
+        // One number of a list, by an ulp.
+        let nudge = |list: &mut serde_json::Value, i: usize| {
+            let mut numbers: Vec<f64> = list.as_str().unwrap().split(' ').map(|x| x.parse().unwrap()).collect();
+            numbers[i] = numbers[i].next_up();
+            *list = numbers.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(" ").into();
+        };
+        for (part, lists) in [("start", "start"), ("memory of the scheme", "memory")] {
+            let lists_of = whole[lists].as_array().unwrap().len();
+            for list in 0..lists_of {
+                assert_eq!(refusal(&|x| nudge(&mut x[lists][list], 0)), edited(part), "{lists} {list}");
+            }
+            assert_eq!(refusal(&|x| x[lists].as_array_mut().unwrap().swap(0, 1)), edited(part));
+        }
+        let counts = edited("count of steps, evaluations or iterations");
+        for count in ["steps", "evaluations", "iterations"] {
+            for wrong in [1_u64, 1 << 60, u64::MAX] {
+                assert_eq!(refusal(&|x| x[count] = wrong.into()), counts, "{count} = {wrong}");
+            }
+        }
+        assert_eq!(refusal(&|x| nudge(&mut x["times"], 2)), edited("scheme, time step or time"));
+        assert_eq!(refusal(&|x| x["laws"] = "0123456789abcdef".into()), edited("fingerprint of the laws"));
+        assert_eq!(refusal(&|x| x["fields"] = serde_json::json!([])), edited("fingerprint of the laws"));
+        println!("{counts}");
+    }
+    let single = || Simulation::new(Kepler { gm: 1.7 }, START).mass(1.3).scheme(DiscreteGradient).dt(0.01);
+    let mut stepper = single().stepper().unwrap();
+    stepper.advance(30).unwrap();
+    check(&stepper.checkpoint(), &|saved| single().resume(saved).err());
+    let adaptive = || Simulation::new(Kepler { gm: 1.7 }, START).scheme(Composed::order4(Implicit)).adaptive(1e-5);
+    let mut stepper = adaptive().stepper().unwrap();
+    stepper.advance(30).unwrap();
+    check(&stepper.checkpoint(), &|saved| adaptive().resume(saved).err());
+    let scene = || Simulation::scene(ions().pairs(Coulomb { k: 1.0 }).pin(1)).scheme(Implicit).dt(0.01);
+    let still = || {
+        let scene = Scene::new().body_with(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0], Charge { q: 1.0 }).body_with(
+            6.0,
+            [0.0, 0.1, 0.0],
+            [0.0; 3],
+            Charge { q: -1.5 },
+        );
+        Simulation::scene(scene.pairs(Coulomb { k: 1.0 }).pin(1)).scheme(Implicit).dt(0.01)
+    };
+    assert!(scene().stepper().is_err(), "a pinned body that moves");
+    let mut stepper = still().stepper().unwrap();
+    stepper.advance(30).unwrap();
+    check(&stepper.checkpoint(), &|saved| still().resume(saved).err());
+}
+
+/// A field that does nothing at the saved state, nor around it, is one of the law all the same.
+#[test]
+fn fields_that_matter_only_later_are_known() {
+    let refused = |name| Some(Error::Checkpoint(Difference::Field { name }));
+    // The drive is not felt yet: sin ωt = 0.
+    let driven = |amplitude, omega| {
+        let law = DrivenPendulum { amplitude, omega, ..DrivenPendulum::default() };
+        Simulation::new(law, State::new([0.4], [0.1])).scheme(Implicit).dt(0.05)
+    };
+    let saved = driven(0.5, 1.2).stepper().unwrap().checkpoint();
+    assert!(driven(0.5, 1.2).resume(&saved).is_ok());
+    assert_eq!(driven(0.7, 1.2).resume(&saved).err(), refused("amplitude"));
+    assert_eq!(driven(0.5, 1.3).resume(&saved).err(), refused("omega"));
+    // The wall is not touched.
+    let wall = |k| Simulation::new(Wall { k, pull: 0.3 }, State::new([50.0], [0.0])).scheme(DiscreteGradient).dt(0.05);
+    let saved = wall(1e3).stepper().unwrap().checkpoint();
+    assert!(wall(1e3).resume(&saved).is_ok());
+    assert_eq!(wall(2e3).resume(&saved).err(), refused("k"));
+    // Fields that are no numbers that could be saved.
+    let capped = |cap| Simulation::new(Capped { cap }, State::new([0.3], [0.0])).scheme(Leapfrog).dt(0.1);
+    let saved = through_json(&capped(f64::INFINITY).stepper().unwrap().checkpoint());
+    assert!(capped(f64::INFINITY).resume(&saved).is_ok());
+    assert_eq!(capped(f64::MAX).resume(&saved).err(), refused("cap"));
+    // In scenes: the fields of laws on bodies and between them, what they read of bodies, and whom they link.
+    let scene = |k, cap, links: [(usize, usize); 2]| {
+        let bodies = (0..4).fold(Scene::new(), |scene, i| scene.body(1.0, [50.0 + f64::from(i)], [0.0]));
+        let scene = bodies.field(Wall { k, pull: 0.3 }).bonds(Tether { cap }, links);
+        Simulation::scene(scene).scheme(DiscreteGradient).dt(0.05)
+    };
+    let links = [(0, 1), (2, 3)];
+    let saved = through_json(&scene(1e3, 60.0, links).stepper().unwrap().checkpoint());
+    assert!(scene(1e3, 60.0, links).resume(&saved).is_ok());
+    assert_eq!(scene(2e3, 60.0, links).resume(&saved).err(), refused("k"));
+    assert_eq!(scene(1e3, 61.0, links).resume(&saved).err(), refused("cap"));
+    assert_eq!(scene(1e3, 60.0, [(0, 1), (1, 2)]).resume(&saved).err(), refused("list of bonds"));
+    let charged = |q| {
+        let body = |scene: Scene<3, Charge>, x, q| scene.body_with(1.0, [x, 0.0, 0.0], [0.0; 3], Charge { q });
+        let scene = body(body(Scene::new(), 0.0, 0.0), 1.0, q);
+        Simulation::scene(scene.pairs(Coulomb { k: 1.0 })).scheme(Leapfrog).dt(0.01)
+    };
+    // Beside a body without charge no charge is felt.
+    let saved = charged(1.0).stepper().unwrap().checkpoint();
+    assert!(charged(1.0).resume(&saved).is_ok());
+    assert_eq!(charged(1.5).resume(&saved).err(), refused("data of the bodies"));
+}
+
+/// k q²/2 up to a cap of the force.
+#[derive(Clone, Copy, Debug)]
+struct Capped {
+    cap: f64,
+}
+
+#[dmech::law]
+impl Capped {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        let cap = self.cap;
+        if q.abs() < cap { 0.5 * q * q } else { cap * q.abs() - 0.5 * cap * cap }
+    }
+}
+
+/// A rope that is slack up to a length.
+#[derive(Clone, Copy, Debug)]
+struct Tether {
+    cap: f64,
+}
+
+#[dmech::law]
+impl Tether {
+    #[pair]
+    fn energy(&self, r: f64) -> f64 {
+        let stretch = (r - self.cap).max(0.0);
+        stretch * stretch
+    }
 }

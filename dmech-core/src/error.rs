@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::run::Run;
 use crate::text::Number;
+use crate::written::Disagreement;
 
 /// Why a simulation did not start or did not go on.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -109,6 +110,9 @@ pub enum Error {
         /// The time of the start.
         time: f64,
     },
+    /// What a macro derived from the text of a law is not what the method gives: a name means something else than its text.
+    #[error("{0}")]
+    NotAsWritten(Disagreement),
     /// A scene without bodies.
     #[error("the scene has no bodies")]
     EmptyScene,

@@ -4,6 +4,7 @@ use dmech_scalar::Real;
 
 use crate::newton::{self, Equation, Increment, NotConverged};
 use crate::vector::dot;
+use crate::written::Written;
 
 /// A potential energy Φ(q) in D coordinates, with everything that the schemes ask of it.
 ///
@@ -56,6 +57,12 @@ pub trait Potential<const D: usize, R: Real = f64> {
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c for the increment Δ: the energy-exact steps.
     fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         newton::dense_discrete(equation, |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b)))
+    }
+
+    /// The method that a macro has made this of; a potential written by hand is its own.
+    #[doc(hidden)]
+    fn written(&self) -> Option<&dyn Written<D>> {
+        None
     }
 }
 
@@ -194,6 +201,12 @@ pub trait Law<const D: usize, R: Real = f64> {
     fn mass_ratios(&self) -> [f64; D] {
         [1.0; D]
     }
+
+    /// The methods that a macro has made this of; a law written by hand is its own.
+    #[doc(hidden)]
+    fn written(&self) -> Option<&dyn Written<D>> {
+        None
+    }
 }
 
 #[diagnostic::do_not_recommend]
@@ -206,6 +219,10 @@ impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Law<D, R> for P
     #[inline(always)]
     fn field(&self, _mass: R, _t: R) -> &P {
         self
+    }
+
+    fn written(&self) -> Option<&dyn Written<D>> {
+        Potential::written(self)
     }
 }
 

@@ -27,6 +27,8 @@ mod stepper;
 mod text;
 mod vector;
 mod watch;
+#[doc(hidden)]
+pub mod written;
 
 pub mod newton;
 #[cfg(feature = "scene")]
@@ -60,6 +62,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use study::{Study, StudyReport};
 pub use verify::verify;
+pub use written::Disagreement;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {

@@ -7,6 +7,7 @@ use dmech_scalar::Real;
 use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
 use crate::newton::{self, Equation, Increment, NotConverged};
 use crate::vector::dot;
+use crate::written::Written;
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
 ///
@@ -57,6 +58,10 @@ impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Mass
     #[inline(always)]
     fn mass_ratios(&self) -> [f64; D] {
         self.ratios
+    }
+
+    fn written(&self) -> Option<&dyn Written<D>> {
+        self.law.written()
     }
 }
 

@@ -3,6 +3,7 @@
 use dmech_scalar::Real;
 
 use crate::law::Potential;
+use crate::written::WrittenPair;
 
 /// A few numbers of one body, stored in columns and gathered into registers: `[f64; K]`, and `[R; K]` in a kernel.
 pub trait Numbers: Copy + core::fmt::Debug + Send + Sync + 'static {
@@ -71,6 +72,12 @@ pub trait PairLaw<const D: usize, P, R: Real = f64>: Reads<P> + Sync {
         b: <Self::Numbers as Numbers>::Of<R>,
         t: R,
     ) -> Self::Between<'_>;
+
+    /// The methods that a macro has made this of; a law written by hand is its own.
+    #[doc(hidden)]
+    fn written(&self) -> Option<&dyn WrittenPair<D, P>> {
+        None
+    }
 }
 
 /// What acts between two bodies a and b: a potential of d = q_a − q_b, and with it perhaps a force on a.

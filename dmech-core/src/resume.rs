@@ -1,6 +1,6 @@
 //! Checkpoints of single laws.
 
-use crate::checkpoint::{Carried, Checkpoint, Difference, FORMAT, Fingerprint, Numbers, displaced, load, save};
+use crate::checkpoint::{Carried, Checkpoint, Difference, FORMAT, Fields, Fingerprint, Numbers, displaced, load, save};
 use crate::error::Error;
 use crate::law::{Field, Law, Potential};
 use crate::scheme::Scheme;
@@ -46,16 +46,20 @@ where
             masses: Numbers(vec![stride.mass]),
             pins: Vec::new(),
             laws: self.fingerprint(),
+            fields: self.fields().saved(),
             steps: self.steps(),
             evaluations: self.evaluations(),
             iterations: self.iterations(),
             start: [start.q, start.v].map(|x| Numbers(x.to_vec())).into(),
             memory: save(self.memory()),
+            seals: Vec::new(),
         }
+        .sealed()
     }
 
     fn restore(&mut self, saved: &Checkpoint) -> Result<(), Difference> {
         saved.fits::<S>(&self.checkpoint())?;
+        self.fields().compare(&saved.fields)?;
         let (mut start, mut memory) = (self.start(), self.memory().clone());
         for (place, numbers) in [&mut start.q, &mut start.v].into_iter().zip(&saved.start) {
             numbers.copy_to(place)?;
@@ -63,6 +67,16 @@ where
         load(&mut memory, &saved.memory)?;
         self.put(start, memory, [saved.steps, saved.evaluations, saved.iterations]);
         if self.fingerprint() == saved.laws { Ok(()) } else { Err(Difference::Laws) }
+    }
+
+    /// What the law reads of itself, and the masses of its coordinates.
+    fn fields(&self) -> Fields<&'static str> {
+        let mut fields = Fields::new();
+        if let Some(written) = self.law().written() {
+            written.fields(&mut |name, x| fields.see(name, x));
+        }
+        self.law().mass_ratios().into_iter().for_each(|ratio| fields.see("masses", ratio));
+        fields
     }
 
     /// Φ and ∇Φ − F now, and where position and velocity are displaced.

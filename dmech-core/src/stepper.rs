@@ -11,6 +11,7 @@ use crate::range::lost_force;
 use crate::scheme::{Scheme, Stride};
 use crate::state::State;
 use crate::watch::{Drifts, Watch};
+use crate::written::{Place, agree};
 
 /// A simulation advanced by hand: it records nothing and allocates nothing.
 ///
@@ -45,6 +46,11 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
             return Err(Error::Underflow { coordinate, slope, time: start.t });
         }
         drop(field);
+        if let Some(written) = law.written() {
+            let [q, v] = [start.q, start.v].map(|x| x.map(R::to_f64));
+            let place = Place { q, v: [v; 2], m: [mass; 2], t: start.t };
+            agree(written, &place, true).map_err(Error::NotAsWritten)?;
+        }
         let memory = match scheme.begin(&law, &stride, &start) {
             Ok(memory) => memory,
             // A start that solves an equation makes a step backward.
@@ -183,7 +189,8 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
 
     /// Goes to where a checkpoint stands.
     #[cfg(feature = "serde")]
-    pub(crate) fn put(&mut self, start: State<D, R>, memory: S::Memory, counts: [u64; 3]) {
+    pub(crate) fn put(&mut self, start: State<D, R>, mut memory: S::Memory, counts: [u64; 3]) {
+        self.scheme.restore(&self.stride, &mut memory);
         (self.start, self.memory) = (start, memory);
         [self.steps, self.evaluations, self.iterations] = counts;
     }

@@ -1,5 +1,6 @@
 //! Conditions through the real macro, with the argument exactly at the threshold and one place before and after: the
 //! generated potential is the user's own method to the bit, and the gradient that of the branch that is taken.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 use dmech::prelude::*;
 

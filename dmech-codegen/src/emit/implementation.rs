@@ -76,6 +76,18 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     };
     let own = parameters_of(model);
     let own_generics = quote!(<#(#own),*>);
+    let items = super::author::items(model, graph, parameters, &quote!(#d), None);
+    let author = quote! {
+        #[automatically_derived]
+        impl #own_generics #runtime::written::Author<#d> for #self_ty #where_clause {
+            #items
+        }
+    };
+    let written = quote! {
+        fn written(&self) -> ::core::option::Option<&dyn #runtime::written::Written<#d>> {
+            ::core::option::Option::Some(self)
+        }
+    };
     let own = parameters_of(model);
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
     let derivation = derivation(&own_generics);
@@ -91,10 +103,13 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                 #[automatically_derived]
                 impl #own_generics #runtime::Conservative for #self_ty #where_clause {}
 
+                #author
+
                 #[automatically_derived]
                 impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
                     #constants
                     #functions
+                    #written
                 }
             };
         };
@@ -158,6 +173,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             #force_of_itself
             #velocity_independent
             #mass_independent
+            #author
 
             /// The law at one moment, for one mass.
             #[allow(dead_code)]
@@ -175,6 +191,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                 fn field(&self, #mass: #scalar, #t: #scalar) -> Self::Field<'_> {
                     #moment { law: self, mass: #mass, t: #t }
                 }
+                #written
             }
 
             #[automatically_derived]

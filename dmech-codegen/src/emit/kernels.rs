@@ -409,7 +409,7 @@ pub(super) fn underscored(name: &Ident, used: bool) -> Ident {
 }
 
 /// The user's `self.gm` with `self` replaced by what reaches the law.
-fn on_law(tokens: TokenStream, law: &TokenStream) -> TokenStream {
+pub(super) fn on_law(tokens: TokenStream, law: &TokenStream) -> TokenStream {
     tokens
         .into_iter()
         .flat_map(|tree| match tree {

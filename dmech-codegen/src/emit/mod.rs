@@ -1,5 +1,6 @@
 //! Kernels → tokens: the implementation of `Potential` for the user's type.
 
+mod author;
 mod body;
 mod document;
 mod implementation;

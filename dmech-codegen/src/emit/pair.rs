@@ -23,7 +23,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let PairDerivation { model, lowered, pair, kernels } = derivation;
     let LoweredPair { variables: of_two, layout, .. } = pair;
     let names = Generics::of(model);
-    let Generics { scalar, own, all, with_data, data: data_type, dimension, .. } = &names;
+    let Generics { scalar, own, all, with_data, author, data: data_type, dimension, .. } = &names;
     let (module, runtime, self_ty) = (module(model), runtime(), &model.self_ty);
     let where_clause = &model.generics.where_clause;
     let receiver = receiver();
@@ -65,6 +65,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         }
     });
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
+    let items = super::author::items(model, &lowered.graph, &lowered.parameters, dimension, Some(data_type));
     let reads = reads(&printer, &names, model, layout);
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
     let (held, law, count) = (hidden_lifetime(model), ident("Law"), Literal::usize_unsuffixed(layout.len()));
@@ -85,6 +86,11 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
             #velocity_independent
             #reads
 
+            #[automatically_derived]
+            impl #author #runtime::written::PairAuthor<#dimension, #data_type> for #self_ty #where_clause {
+                #items
+            }
+
             /// The law between two bodies at one moment.
             #[allow(dead_code)]
             pub struct #pair<#held, #law, #scalar> {
@@ -101,6 +107,9 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
                 #[inline(always)]
                 fn between(&self, #a: #numbers, #b: #numbers, #t: #scalar) -> Self::Between<'_> {
                     #pair { law: self, a: #a, b: #b, t: #t }
+                }
+                fn written(&self) -> ::core::option::Option<&dyn #runtime::written::WrittenPair<#dimension, #data_type>> {
+                    ::core::option::Option::Some(self)
                 }
             }
 
@@ -130,6 +139,8 @@ struct Generics {
     foreign: TokenStream,
     /// With the law's own and the data of the bodies, where they are any.
     with_data: TokenStream,
+    /// The same without the scalar.
+    author: TokenStream,
     data: TokenStream,
     dimension: TokenStream,
 }
@@ -154,6 +165,7 @@ impl Generics {
             all: quote!(<#(#parameters,)* #any_dimension #scalar: #runtime::Real>),
             foreign: quote!(<#any_dimension #scalar: #runtime::Real>),
             with_data: quote!(<#(#parameters,)* #any_dimension #any_data #scalar: #runtime::Real>),
+            author: quote!(<#(#parameters,)* #any_dimension #any_data>),
             scalar,
             data,
             dimension,

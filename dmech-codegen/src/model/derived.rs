@@ -84,6 +84,7 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
             role: Role::Potential,
             ident: attribute.path().segments[0].ident.clone(),
             arguments: arguments.list,
+            closure: Some(Box::new(closure.clone())),
             body: block(*closure.body),
         }),
         force: None,

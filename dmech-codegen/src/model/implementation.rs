@@ -83,7 +83,8 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
             _ => {}
         }
         names.extend(checked.list.iter().map(|argument| argument.role));
-        let formula = Formula { role, ident: method.sig.ident, arguments: checked.list, body: method.block };
+        let formula =
+            Formula { role, ident: method.sig.ident, arguments: checked.list, body: method.block, closure: None };
         (formula, checked.result)
     };
     let roles = if role_is_pair { [Role::Pair, Role::PairForce] } else { [Role::Potential, Role::Force] };

@@ -17,7 +17,9 @@ mod tests;
 use std::collections::BTreeMap;
 
 use proc_macro2::TokenStream;
-use syn::{Attribute, Block, Generics, Ident, ImplItemConst, ImplItemFn, Item, Pat, Path, Type, parse_quote};
+use syn::{
+    Attribute, Block, ExprClosure, Generics, Ident, ImplItemConst, ImplItemFn, Item, Pat, Path, Type, parse_quote,
+};
 
 use crate::diagnostics::Mistakes;
 use crate::lower;
@@ -91,6 +93,8 @@ pub(crate) struct Formula {
     pub(crate) arguments: Vec<Argument>,
     /// What it computes.
     pub(crate) body: Block,
+    /// The whole of it, for the derive, where it is no method that can be called.
+    pub(crate) closure: Option<Box<ExprClosure>>,
 }
 
 /// An argument of the potential.

@@ -86,6 +86,18 @@ pub enum Difference {
         "the laws differ: at the positions of the checkpoint they do not give the same forces and energy to the bit"
     )]
     Laws,
+    /// A number that the laws read.
+    #[error("the laws differ: `{name}` is not what it is in the checkpoint")]
+    Field {
+        /// The field of the law, or what it reads of the bodies.
+        name: &'static str,
+    },
+    /// It is not as it was written.
+    #[error("the checkpoint was changed after it was written: its {part}")]
+    Edited {
+        /// The first part that was changed.
+        part: &'static str,
+    },
     /// Numbers are missing or too many.
     #[error("the checkpoint is damaged: {found} numbers or lists where {expected} belong")]
     Damaged {

@@ -19,9 +19,35 @@ impl Fingerprint {
     /// Takes in one more number. All NaN are one: their bits may differ from build to build.
     pub(crate) fn add(&mut self, x: f64) {
         let x = if x.is_nan() { f64::NAN } else { x };
-        for byte in x.to_bits().to_le_bytes() {
+        self.add_bits(x.to_bits());
+    }
+
+    /// Takes in a whole number.
+    pub(super) fn add_bits(&mut self, bits: u64) {
+        self.add_bytes(&bits.to_le_bytes());
+    }
+
+    /// Takes in a text, and where it ends.
+    pub(super) fn add_text(&mut self, text: &str) {
+        self.add_bits(text.len() as u64);
+        self.add_bytes(text.as_bytes());
+    }
+
+    /// Takes in a list, and where it ends.
+    pub(super) fn add_list(&mut self, numbers: &[f64]) {
+        self.add_bits(numbers.len() as u64);
+        self.add_all(numbers);
+    }
+
+    fn add_bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
+    }
+
+    /// The hash itself.
+    pub(super) fn bits(self) -> u64 {
+        self.0
     }
 
     pub(crate) fn add_all(&mut self, numbers: &[f64]) {

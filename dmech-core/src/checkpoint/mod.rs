@@ -2,12 +2,15 @@
 
 mod carried;
 mod difference;
+mod fields;
 mod fingerprint;
 mod numbers;
+mod seal;
 
 pub use carried::Carried;
 pub(crate) use carried::{load, save};
 pub use difference::Difference;
+pub(crate) use fields::Fields;
 pub(crate) use fingerprint::{Fingerprint, displaced};
 pub(crate) use numbers::Numbers;
 
@@ -21,12 +24,14 @@ use crate::scheme::Method;
 ///
 /// [`Stepper::checkpoint`](crate::Stepper::checkpoint) and `SceneStepper::checkpoint` make one, `Simulation::resume` goes
 /// on from it. The motion is then that of a simulation which never stopped, equal to the bit, as long as the program does
-/// the same arithmetic: another build may round otherwise, and is then refused as if the laws differed.
+/// the same arithmetic: another build may round otherwise, and is then refused as if the laws differed. What was changed in a
+/// checkpoint after it was written is noticed by fingerprints of its parts.
 ///
 /// Saved are the time of the start, dt, the counts of steps, evaluations and corrections, the masses, the pins, and the
 /// memory of the scheme in full, with the low parts of its sums and the forces of the last steps. Laws are not saved: the
-/// program has them. A fingerprint of the potential and of every force, at the saved positions and velocities and at
-/// displaced ones, tells whether they are the same; parameters that matter at neither are not noticed.
+/// program has them. Fingerprints of every field that they read, and of what they read of the bodies, tell whether they are
+/// the same, and one of the potential and of every force, at the saved positions and velocities and at displaced ones. Of a
+/// law written by hand no fields are known: parameters that matter at neither are not noticed.
 ///
 /// Numbers are written as text in Rust's shortest form that reads back as the same `f64`. This keeps them exact in every
 /// format of serde: JSON numbers do not survive `serde_json` without its feature `float_roundtrip`, and bits as integers
@@ -72,16 +77,19 @@ pub struct Checkpoint {
     pub(crate) masses: Numbers,
     pub(crate) pins: Vec<usize>,
     pub(crate) laws: Fingerprint,
+    pub(crate) fields: Fields,
     pub(crate) steps: u64,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
     /// The positions and velocities of the start: a scheme may hold those only to rounding.
     pub(crate) start: Vec<Numbers>,
     pub(crate) memory: Vec<Numbers>,
+    /// What was written, part by part.
+    pub(crate) seals: Vec<Fingerprint>,
 }
 
 /// The form of a checkpoint, to be raised when what a scheme carries changes.
-pub(crate) const FORMAT: u32 = 1;
+pub(crate) const FORMAT: u32 = 2;
 
 impl Checkpoint {
     /// Steps made.
@@ -149,7 +157,8 @@ impl Checkpoint {
             return Err(Difference::Pin { body, pinned: pins.contains(&body) });
         }
         Numbers::fit(&self.start, &here.start)?;
-        Numbers::fit(&self.memory, &here.memory)
+        Numbers::fit(&self.memory, &here.memory)?;
+        self.check_seals()
     }
 }
 

@@ -5,7 +5,7 @@ use super::scheme::SceneScheme;
 use super::stepper::SceneStepper;
 use super::terms::{Acts, Term};
 use super::vectors::Vectors;
-use crate::checkpoint::{Carried, Checkpoint, Difference, FORMAT, Fingerprint, Numbers, displaced, load, save};
+use crate::checkpoint::{Carried, Checkpoint, Difference, FORMAT, Fields, Fingerprint, Numbers, displaced, load, save};
 use crate::error::Error;
 use crate::simulation::Simulation;
 
@@ -43,20 +43,24 @@ where
             options: Checkpoint::options(&self.scheme),
             dimension: D,
             bodies,
-            times: Numbers(vec![self.t0, setting.dt]),
+            times: Numbers(vec![self.t0, setting.dt, self.t()]),
             masses: Numbers(setting.masses.clone()),
             pins: (0..bodies).filter(pinned).collect(),
             laws: self.fingerprint(),
+            fields: self.fields().saved(),
             steps: self.steps,
             evaluations: self.evaluations,
             iterations: self.iterations,
             start: [&self.start.0, &self.start.1].map(|x| Numbers(x.flat().to_vec())).into(),
             memory: save(&self.memory),
+            seals: Vec::new(),
         }
+        .sealed()
     }
 
     fn restore(&mut self, saved: &Checkpoint) -> Result<(), Difference> {
         saved.fits::<S>(&self.checkpoint())?;
+        self.fields().compare(&saved.fields)?;
         for (place, numbers) in [&mut self.start.0, &mut self.start.1].into_iter().zip(&saved.start) {
             numbers.copy_to(place.flat_mut())?;
         }
@@ -64,6 +68,13 @@ where
         (self.steps, self.evaluations, self.iterations) = (saved.steps, saved.evaluations, saved.iterations);
         self.before = self.memory.clone();
         if self.fingerprint() == saved.laws { Ok(()) } else { Err(Difference::Laws) }
+    }
+
+    /// What the laws read of themselves and of the bodies, and whom they link.
+    fn fields(&self) -> Fields<&'static str> {
+        let mut fields = Fields::new();
+        self.system.acts.fields(&mut |name, x| fields.see(name, x));
+        fields
     }
 
     /// Φ, ∇Φ and F now, and where bodies and velocities are displaced.

@@ -118,6 +118,11 @@ pub trait Scheme<L, const D: usize, R: Real = f64>: Method {
         0
     }
 
+    /// Finds again what the memory does not carry because it follows from the length of the steps; the memory is that of a run
+    /// that was saved.
+    #[doc(hidden)]
+    fn restore(&self, _stride: &Stride<R>, _memory: &mut Self::Memory) {}
+
     /// The time after so many steps from `start`: t₀ + k h, unless the scheme chooses its steps.
     #[inline(always)]
     fn time(&self, start: f64, steps: u64, dt: f64, _memory: &Self::Memory) -> f64 {

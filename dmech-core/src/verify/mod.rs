@@ -1,6 +1,6 @@
 //! A law put through what the tests of this crate do.
 //!
-//! [`verify`] measures a law and every scheme that fits it: derivatives against differences, the identities of the
+//! [`verify`] measures a law and every scheme that fits it: what was derived against the method as it is written, derivatives against differences, the identities of the
 //! discrete gradient, the order of convergence, invariants, reversibility. The outcome is data, a table, and one line
 //! in a test.
 
@@ -11,6 +11,7 @@ mod order;
 mod points;
 mod report;
 mod secant;
+mod text;
 mod trial;
 
 pub use report::{Check, Outcome, Verification};
@@ -18,6 +19,7 @@ pub use report::{Check, Outcome, Verification};
 use crate::law::{Law, VelocityIndependent};
 use crate::scheme::{DiscreteGradient, Explicit, Implicit, Kanatani, Leapfrog, Scheme};
 use crate::state::State;
+use crate::written::Written;
 
 pub(crate) use points::Scales;
 use trial::Trial;
@@ -96,6 +98,7 @@ impl<L: Law<D>, const D: usize> Verify<L, D> {
         let Verify { law, start, mass } = self;
         let mut checks = Vec::new();
         let scales = Scales::new(&law, &start, mass);
+        text::check(&law, &start, &scales, &mut checks);
         derivatives::check(&law, &start, &scales, &mut checks);
         secant::check(&law, &start, &scales, &mut checks);
         scheme(&law, Explicit, &start, &scales, &mut checks);
@@ -146,6 +149,10 @@ impl<L: Law<D>, const D: usize> Law<D> for Borrowed<'_, L> {
     #[inline(always)]
     fn mass_ratios(&self) -> [f64; D] {
         self.0.mass_ratios()
+    }
+
+    fn written(&self) -> Option<&dyn Written<D>> {
+        self.0.written()
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::{SceneScheme, Start};
 use crate::newton::NotConverged;
-use crate::scene::newton::Solver;
 use crate::scene::setting::{Setting, System};
 use crate::scene::terms::Acts;
 use crate::scene::vectors::Vectors;
@@ -12,12 +11,13 @@ use crate::simulation::NoScheme;
 /// Of no scene, as [`WithScheme`] never holds: so that the compiler says what is missing.
 impl<const D: usize, A: Acts<D> + WithScheme> SceneScheme<D, A> for NoScheme {
     type Memory = NeverBegun;
+    type Workspace = ();
 
-    fn begin(&self, _: &System<D, A>, _: Start<'_, D>, _: &mut Solver<D>) -> Result<NeverBegun, NotConverged> {
+    fn begin(&self, _: &System<D, A>, _: Start<'_, D>, _: &mut ()) -> Result<NeverBegun, NotConverged> {
         NeverBegun::begin()
     }
 
-    fn step(&self, _: &System<D, A>, _: f64, m: &mut NeverBegun, _: &mut Solver<D>) -> Result<Effort, NotConverged> {
+    fn step(&self, _: &System<D, A>, _: f64, m: &mut NeverBegun, _: &mut ()) -> Result<Effort, NotConverged> {
         match *m {}
     }
 

@@ -7,6 +7,7 @@ use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::vectors::Vectors;
+use crate::written::{self, Culprit, agree};
 
 /// A law that acts on each body by itself.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +27,20 @@ impl<X: VelocityIndependent> WithoutVelocities for EachReady<X> {}
 impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
     type Ready = EachReady<X>;
 
+    /// Compares the law with its author's methods on every body, and around the first.
     fn prepare(self, bodies: &Bodies<D, P>) -> Result<EachReady<X>, Error> {
+        if let Some(written) = self.law.written() {
+            let place = |i: usize| written::Place {
+                q: bodies.q[i],
+                v: [bodies.v[i]; 2],
+                m: [bodies.masses[i]; 2],
+                t: bodies.t,
+            };
+            for body in 0..bodies.q.len() {
+                let agreed = agree(written, &place(body), body == 0);
+                agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Body(body))))?;
+            }
+        }
         Ok(EachReady { law: self.law, masses: bodies.masses.clone() })
     }
 }
@@ -114,6 +128,12 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
 
     fn links(&self, _: usize) -> Topology {
         Topology::Chain
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        if let Some(written) = self.law.written() {
+            written.fields(see);
+        }
     }
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {

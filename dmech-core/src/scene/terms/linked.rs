@@ -14,6 +14,7 @@ use crate::pair::{Between, LinkLaw, Numbers, PairLaw, Reads};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::vectors::Vectors;
+use crate::written::{self, Culprit, Place, agree};
 
 /// A law that acts along links.
 #[derive(Clone, Debug)]
@@ -36,8 +37,20 @@ impl<X: Reads<P> + VelocityIndependent, T, P> WithoutVelocities for LinkedReady<
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
     type Ready = LinkedReady<X, T, P>;
 
+    /// Compares the law with its author's methods on the first thousand links of a sample ([`Links::sample`]), and around
+    /// the first of them.
     fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
-        self.links.check(bodies.masses.len())?;
+        const LINKS: usize = 1000;
+        let Bodies { masses, q, v, data, t, .. } = bodies;
+        self.links.check(masses.len())?;
+        if let Some(law) = PairLaw::<D, P, f64>::written(&self.law) {
+            for (i, (a, b)) in self.links.sample(masses.len()).take(LINKS).enumerate() {
+                let d = core::array::from_fn(|k| q[a][k] - q[b][k]);
+                let place = Place { q: d, v: [v[a], v[b]], m: [masses[a], masses[b]], t: *t };
+                let agreed = agree(&written::Between { law, a: &data[a], b: &data[b] }, &place, i == 0);
+                agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Link(a, b))))?;
+            }
+        }
         let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| self.law.numbers(mass, data));
         let numbers = NumberColumns::new(read);
         Ok(LinkedReady { law: self.law, links: self.links, numbers, data: PhantomData })
@@ -235,6 +248,17 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
 
     fn links(&self, _: usize) -> Topology {
         self.links.topology()
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        if let Some(written) = PairLaw::<D, P, f64>::written(&self.law) {
+            written.fields(see);
+        }
+        self.numbers.flat().iter().for_each(|&x| see("data of the bodies", x));
+        for &(a, b) in self.links.listed() {
+            see("list of bonds", a as f64);
+            see("list of bonds", b as f64);
+        }
     }
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {

@@ -25,6 +25,17 @@ pub trait Links {
         found
     }
 
+    /// At most as many links as there are bodies or as are listed, in which every linked body takes part: of all pairs, those
+    /// of neighbours.
+    fn sample(&self, bodies: usize) -> impl Iterator<Item = (usize, usize)> {
+        (1..bodies).map(|b| (b - 1, b))
+    }
+
+    /// The links of a list.
+    fn listed(&self) -> &[(usize, usize)] {
+        &[]
+    }
+
     /// Adds the gradient of every link to its two bodies; if `SET`, in place of what is there.
     fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
@@ -106,6 +117,14 @@ impl Links for Bonds {
         for &(a, b) in &self.list {
             sweep::link(kernel, q, numbers, a, b, out);
         }
+    }
+
+    fn sample(&self, _: usize) -> impl Iterator<Item = (usize, usize)> {
+        self.list.iter().copied()
+    }
+
+    fn listed(&self) -> &[(usize, usize)] {
+        &self.list
     }
 
     fn topology(&self) -> Topology {

@@ -88,6 +88,9 @@ pub trait Acts<const D: usize> {
     fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
     /// Every pair of bodies that the Jacobian links; how far apart in the order of bodies says which solver fits.
     fn links(&self, bodies: usize) -> Topology;
+    /// Every number that makes this what it is, by name: the fields of the laws, what they read of the bodies, listed links.
+    #[doc(hidden)]
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
     /// The first link or body on which what acts is not finite at q, or ∇̄Φ from another position to q.
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault>;
 }
@@ -180,6 +183,7 @@ impl<const D: usize> Acts<D> for () {
     fn links(&self, _: usize) -> Topology {
         Topology::Chain
     }
+    fn fields(&self, _: &mut dyn FnMut(&'static str, f64)) {}
     fn fault(&self, _: Option<&Vectors<D>>, _: &Vectors<D>, _: &Vectors<D>, _: f64) -> Option<Fault> {
         None
     }
@@ -261,6 +265,10 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     }
     fn links(&self, bodies: usize) -> Topology {
         self.0.links(bodies).and(self.1.links(bodies))
+    }
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        self.0.fields(see);
+        self.1.fields(see);
     }
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
         self.0.fault(from, q, v, t).or_else(|| self.1.fault(from, q, v, t))

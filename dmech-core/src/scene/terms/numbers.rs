@@ -25,6 +25,11 @@ impl<N: Numbers> NumberColumns<N> {
         NumberColumns { bodies, flat, layout: core::marker::PhantomData }
     }
 
+    /// All of them, column by column.
+    pub(super) fn flat(&self) -> &[f64] {
+        &self.flat
+    }
+
     /// The number of bodies.
     pub(super) fn bodies(&self) -> usize {
         self.bodies

@@ -223,6 +223,10 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
         self.scheme.work(law, stride, &before.inner, &after.inner)
     }
 
+    fn restore(&self, stride: &Stride<f64>, memory: &mut Self::Memory) {
+        self.scheme.restore(&Stride::new(memory.last, stride.mass), &mut memory.inner);
+    }
+
     #[inline]
     fn time(&self, _: f64, _: u64, _: f64, memory: &Self::Memory) -> f64 {
         memory.time.value()

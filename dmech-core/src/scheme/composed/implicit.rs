@@ -78,8 +78,13 @@ where
     #[inline]
     fn stretch(&self, _: &L, stride: &Stride<R>, _: R, ratio: R, memory: &mut Self::Memory) -> u32 {
         Self::RESAMPLE.apply(ratio, &mut memory.gradients);
-        memory.strides = from_fn(|k| stride.times(Self::gamma(k)));
+        Scheme::<L, D, R>::restore(self, stride, memory);
         0
+    }
+
+    #[inline]
+    fn restore(&self, stride: &Stride<R>, memory: &mut Self::Memory) {
+        memory.strides = from_fn(|k| stride.times(Self::gamma(k)));
     }
 
     #[inline]

@@ -1,0 +1,117 @@
+//! The author's own methods, called as the compiler understands them: what is stepped must give the same.
+
+use dmech_symbolic::expression::Graph;
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::{ReturnType, parse_quote};
+
+use super::kernels::{on_law, receiver, underscored};
+use super::names::{ident, runtime};
+use crate::lower::{Parameter, Source};
+use crate::model::{ArgumentRole, Body, Formula, Model, PairArgument, Shape};
+
+/// The items of `Author` or, between two bodies, of `PairAuthor`.
+pub(super) fn items(
+    model: &Model,
+    graph: &Graph,
+    parameters: &[Parameter],
+    dimension: &TokenStream,
+    data: Option<&TokenStream>,
+) -> TokenStream {
+    let (runtime, receiver, place, see) = (runtime(), receiver(), ident("place"), ident("see"));
+    let potential = model.potential.as_ref().map(|potential| call(model, potential));
+    let potential = potential.unwrap_or_else(|| quote!(0.0));
+    let force = match &model.force {
+        None => quote!([0.0; #dimension]),
+        Some((force, shape)) => {
+            let force = call(model, force);
+            match shape {
+                Shape::Number => quote!([#force]),
+                Shape::Array => force,
+                Shape::Vector => quote!(::core::convert::Into::into(#force)),
+            }
+        }
+    };
+    let named = |body: Body| {
+        let role = ArgumentRole::Pair(PairArgument::Data(body));
+        model.formulas().flat_map(|formula| &formula.arguments).any(|argument| argument.role == role)
+    };
+    let bodies = data.into_iter().flat_map(|data| {
+        [Body::A, Body::B].map(|body| {
+            let name = underscored(&ident(body.name()), named(body));
+            quote!(#name: &#data)
+        })
+    });
+    let fields = parameters.iter().filter_map(|parameter| match &parameter.source {
+        Source::Law(tokens) => {
+            let name = graph.name(parameter.symbol);
+            Some(quote!(#see(#name, #tokens);))
+        }
+        _ => None,
+    });
+    let fields: Vec<_> = fields.collect();
+    let see = underscored(&see, !fields.is_empty());
+    quote! {
+        fn own(&#receiver, #place: &#runtime::written::Place<#dimension>, #(#bodies),*)
+            -> #runtime::written::Values<#dimension>
+        {
+            #runtime::written::Values { potential: #potential, force: #force }
+        }
+        fn fields(&#receiver, #see: &mut dyn ::core::ops::FnMut(&'static ::core::primitive::str, ::core::primitive::f64)) {
+            #(#fields)*
+        }
+    }
+}
+
+/// The method, or the closure, with the numbers of a place for its arguments.
+fn call(model: &Model, formula: &Formula) -> TokenStream {
+    let (self_ty, receiver) = (&model.self_ty, receiver());
+    let arguments = formula.arguments.iter().map(|argument| value(argument.role));
+    match &formula.closure {
+        None => {
+            let method = &formula.ident;
+            quote!(<#self_ty>::#method(#receiver, #(#arguments),*))
+        }
+        Some(closure) => {
+            let mut closure = closure.clone();
+            if matches!(closure.output, ReturnType::Default) {
+                let body = &closure.body;
+                closure.body = parse_quote!({ #body });
+                closure.output = parse_quote!(-> ::core::primitive::f64);
+            }
+            // The receiver of the generated function is meant, wherever the text stands.
+            let closure = on_law(closure.into_token_stream(), &quote!(#receiver));
+            let law = ident("law");
+            quote!({ let #law = #closure; #law(#(#arguments),*) })
+        }
+    }
+}
+
+fn value(role: ArgumentRole) -> TokenStream {
+    let (runtime, place) = (runtime(), ident("place"));
+    let vector = |vector: TokenStream, shape: Shape| match shape {
+        Shape::Number => quote!(#vector[0]),
+        Shape::Array => vector,
+        Shape::Vector => quote!(#runtime::written::arranged(#vector)),
+    };
+    let of = |body: Body| proc_macro2::Literal::usize_unsuffixed(body as usize);
+    match role {
+        ArgumentRole::Position(shape) => vector(quote!(#place.q), shape),
+        ArgumentRole::Velocity(shape) => vector(quote!(#place.v[0]), shape),
+        ArgumentRole::Mass => quote!(#place.m[0]),
+        ArgumentRole::Time => quote!(#place.t),
+        ArgumentRole::Pair(PairArgument::Distance) => quote!(#runtime::radial::square(#place.q).sqrt()),
+        ArgumentRole::Pair(PairArgument::Separation(shape)) => vector(quote!(#place.q), shape),
+        ArgumentRole::Pair(PairArgument::Velocity(body, shape)) => {
+            let body = of(body);
+            vector(quote!(#place.v[#body]), shape)
+        }
+        ArgumentRole::Pair(PairArgument::Mass(body)) => {
+            let body = of(body);
+            quote!(#place.m[#body])
+        }
+        ArgumentRole::Pair(PairArgument::Data(body)) => ident(body.name()).into_token_stream(),
+        // A law that is refused is not emitted.
+        ArgumentRole::Refused => TokenStream::new(),
+    }
+}

@@ -1,0 +1,33 @@
+//! What was derived from the text of a law against the method itself.
+
+use super::points::{Scales, around};
+use super::report::Check;
+use crate::law::Law;
+use crate::state::State;
+use crate::written::{Agreement, Place, agreement};
+
+/// At the start and the points around it where the potential is finite.
+pub(super) fn check<L: Law<D>, const D: usize>(law: &L, start: &State<D>, scales: &Scales, checks: &mut Vec<Check>) {
+    const NAME: &str = "as written";
+    let Some(written) = law.written() else {
+        checks.push(Check::not_applicable(NAME, "written by hand, not derived from a text"));
+        return;
+    };
+    let points = around(&law.field(scales.mass, start.t), start.q, scales.length);
+    let places = points.iter().map(|&q| Place { q, v: [start.v; 2], m: [scales.mass; 2], t: start.t });
+    let (mut worst, mut compared) = (0.0_f64, 0);
+    for place in places {
+        match agreement(written, &place) {
+            Agreement::Compared(ratio, difference) if ratio > 1.0 => {
+                checks.push(Check::failed(NAME, difference.to_string()));
+                return;
+            }
+            Agreement::Compared(ratio, _) => (worst, compared) = (worst.max(ratio), compared + 1),
+            Agreement::OneSided(_) | Agreement::Nowhere => {}
+        }
+    }
+    checks.push(match compared {
+        0 => Check::not_applicable(NAME, "not finite around the start"),
+        _ => Check::at_most(NAME, worst, 1.0, "the method's own values, in units of what rounding may change"),
+    });
+}

@@ -1,0 +1,277 @@
+//! Whether what is stepped is what was written.
+
+use core::fmt;
+use core::panic::AssertUnwindSafe;
+use std::panic::catch_unwind;
+
+use super::tracked::{MARGIN, ROUNDING};
+use super::{Values, Written};
+
+/// Where a law is looked at; of a law between two bodies `q` is d = q_a − q_b, and there are two velocities and masses.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<const D: usize> {
+    /// The position, or the separation.
+    pub q: [f64; D],
+    /// The velocities.
+    pub v: [[f64; D]; 2],
+    /// The masses.
+    pub m: [f64; 2],
+    /// The time.
+    pub t: f64,
+}
+
+/// A law that does not step what its author wrote: both values, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disagreement {
+    quantity: &'static str,
+    written: f64,
+    derived: f64,
+    time: f64,
+    /// The first coordinates, and how many there are.
+    place: [f64; 3],
+    dimension: u32,
+    culprit: Culprit,
+}
+
+/// Which body or bodies of a scene it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Culprit {
+    /// There is only one.
+    Alone,
+    /// This one.
+    #[cfg(feature = "scene")]
+    Body(usize),
+    /// These two.
+    #[cfg(feature = "scene")]
+    Link(usize, usize),
+}
+
+impl Disagreement {
+    /// `potential` or `force`.
+    pub fn quantity(&self) -> &'static str {
+        self.quantity
+    }
+
+    /// What the author's method gives.
+    pub fn written(&self) -> f64 {
+        self.written
+    }
+
+    /// What was derived from its text.
+    pub fn derived(&self) -> f64 {
+        self.derived
+    }
+
+    /// The time.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The position, or the separation of two bodies: at most the first three coordinates.
+    pub fn place(&self) -> &[f64] {
+        &self.place[..self.place.len().min(self.dimension as usize)]
+    }
+
+    /// The same law, on these bodies of a scene.
+    #[cfg(feature = "scene")]
+    pub(crate) fn on(self, culprit: Culprit) -> Self {
+        Disagreement { culprit, ..self }
+    }
+}
+
+impl fmt::Display for Disagreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Disagreement { quantity, written, derived, time, .. } = self;
+        let place = if matches!(self.culprit, Culprit::Alone) || self.is_on_one() { "q" } else { "d" };
+        write!(f, "the law is not stepped as it is written: at {place} = ")?;
+        let more = if self.place().len() < self.dimension as usize { ", …" } else { "" };
+        match self.place() {
+            [x] => write!(f, "{x:?}")?,
+            [x, y] => write!(f, "({x:?}, {y:?})")?,
+            [x, y, z, ..] => write!(f, "({x:?}, {y:?}, {z:?}{more})")?,
+            [] => {}
+        }
+        write!(f, ", t = {time:?}")?;
+        match self.culprit {
+            Culprit::Alone => {}
+            #[cfg(feature = "scene")]
+            Culprit::Body(body) => write!(f, ", body {body}")?,
+            #[cfg(feature = "scene")]
+            Culprit::Link(a, b) => write!(f, ", bodies {a} and {b}")?,
+        }
+        write!(
+            f,
+            " the method gives the {quantity} {written:?}, and what was derived from its text {derived:?}. A name in it stands \
+             for something else than the macro, which sees text only, takes it for: a constant, module or type of your own \
+             that is called like one of `std` or nalgebra, or two variables of a `macro_rules!` that are spelt alike; give it \
+             another name"
+        )
+    }
+}
+
+impl Disagreement {
+    fn is_on_one(&self) -> bool {
+        #[cfg(feature = "scene")]
+        return matches!(self.culprit, Culprit::Body(_));
+        #[cfg(not(feature = "scene"))]
+        true
+    }
+}
+
+/// How well both agree at one place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Agreement {
+    /// The largest difference, over the one that rounding may make.
+    Compared(f64, Disagreement),
+    /// Only one of the two is a number there, as where a factor that is 0/0 has cancelled.
+    OneSided(Disagreement),
+    /// Neither is: nothing to compare.
+    Nowhere,
+}
+
+/// Compares at the start of a motion and at places around it, in position, velocity, mass and time.
+///
+/// Around it, because at a special start, at rest in a minimum at t = 0, many laws agree. That is looked at once for a law and
+/// not on every body that it acts on: `closely`. Where only one of the two is finite it counts as a difference if there is no
+/// place at all where both are.
+///
+/// # Errors
+/// The first [`Disagreement`].
+pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Place<D>, closely: bool) -> Result<(), Disagreement> {
+    const PLACES: usize = 8;
+    let (mut compared, mut one_sided) = (false, None);
+    for place in core::iter::once(*start).chain((1..=PLACES).map(|k| start.displaced(k))) {
+        match agreement(law, &place) {
+            Agreement::Compared(ratio, difference) if ratio > 1.0 => return Err(difference),
+            Agreement::Compared(..) if !closely => return Ok(()),
+            Agreement::Compared(..) => compared = true,
+            Agreement::OneSided(difference) => one_sided = one_sided.or(Some(difference)),
+            Agreement::Nowhere => {}
+        }
+    }
+    match one_sided {
+        Some(difference) if !compared => Err(difference),
+        _ => Ok(()),
+    }
+}
+
+/// Compares Φ and the components of F at one place.
+///
+/// ```text
+/// |written − derived| ≤ 64 (ε + noise)
+/// ```
+///
+/// ε is the error bound of the derived formula by running error analysis ([`Tracked`](super::Tracked)), with every number that goes in off by
+/// a rounding: that knows what cancels in it, and how steep it is. Normal forms may have lost a cancellation that the method
+/// still has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only
+/// where the first bound does not do.
+pub(crate) fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agreement {
+    let (own, derived) = (own(law, place), law.derived(place));
+    let mut tracked = None;
+    let (mut worst, mut one_sided, mut compared) = (None::<(f64, usize)>, None, false);
+    for i in 0..=D {
+        let (written, value) = (own.get(i), derived.get(i));
+        match (written.is_finite(), value.is_finite()) {
+            (true, true) => compared = true,
+            (false, false) => continue,
+            _ => {
+                one_sided = one_sided.or(Some(i));
+                continue;
+            }
+        }
+        let difference = (written - value).abs();
+        if difference <= MARGIN * ROUNDING * written.abs().min(value.abs()) {
+            continue;
+        }
+        let error = tracked.get_or_insert_with(|| law.tracked(place)).get(i).error();
+        let mut bound = MARGIN * ROUNDING * error;
+        if difference > bound {
+            bound += MARGIN * noise(law, place, i);
+        }
+        let ratio = difference / bound;
+        // Where the bound is no number, rounding may do anything.
+        if worst.is_none_or(|(worst, _)| ratio > worst) && !ratio.is_nan() {
+            worst = Some((ratio, i));
+        }
+    }
+    let here = |i: usize| Disagreement {
+        quantity: if i == 0 { "potential" } else { "force" },
+        written: own.get(i),
+        derived: derived.get(i),
+        time: place.t,
+        place: core::array::from_fn(|k| place.q.get(k).copied().unwrap_or_default()),
+        dimension: D as u32,
+        culprit: Culprit::Alone,
+    };
+    match (worst, one_sided) {
+        (Some((ratio, i)), _) if ratio > 1.0 => Agreement::Compared(ratio, here(i)),
+        (_, Some(i)) => Agreement::OneSided(here(i)),
+        (Some((ratio, i)), None) => Agreement::Compared(ratio, here(i)),
+        (None, None) if compared => Agreement::Compared(0.0, here(0)),
+        (None, None) => Agreement::Nowhere,
+    }
+}
+
+/// What the author's method gives. One that panics, as `clamp` does between ends in the wrong order, gives no number.
+fn own<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Values<D> {
+    catch_unwind(AssertUnwindSafe(|| law.own(place))).unwrap_or(Values { potential: f64::NAN, force: [f64::NAN; D] })
+}
+
+impl<const D: usize, R: Copy> Values<D, R> {
+    /// Φ, F₁, F₂, …
+    fn get(&self, i: usize) -> R {
+        if i == 0 { self.potential } else { self.force[i - 1] }
+    }
+}
+
+/// The noise of the author's method: sixth differences of seven places in a row, over √(12!)/6! of which they have as much
+/// more. What is smooth has next to none at such distances, of 2⁻¹² to 2⁻³⁶ of the size of the position. A method that is off
+/// by more than that, as (1 + q) − 1 at q = 10⁻¹⁵, has lost all its digits, and shows none.
+///
+/// # Reference
+/// J. J. Moré and S. M. Wild, "Estimating computational noise", SIAM J. Sci. Comput. 33 (2011) 1292–1314.
+fn noise<const D: usize>(law: &dyn Written<D>, place: &Place<D>, i: usize) -> f64 {
+    const BINOMIALS: [f64; 7] = [1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0];
+    const GROWTH: f64 = 30.397_368_307_141_33;
+    let at = |n: usize| {
+        // Where one distance is in step with the roundings another is not. Nor do they lie evenly about the place, where
+        // roundings to both sides could be opposite.
+        let distance = f64::exp2(-(n as f64)) * (1.0 + fraction(n));
+        let row = BINOMIALS.iter().enumerate().map(|(k, binomial)| {
+            let place = place.moved(distance * (k as f64 - 2.4), |i| 0.5 + fraction(i));
+            binomial * own(law, &place).get(i)
+        });
+        (row.sum::<f64>() / GROWTH).abs()
+    };
+    (12..36).map(at).filter(|noise| noise.is_finite()).fold(0.0, f64::max)
+}
+
+/// Numbers in [0, 1) that have nothing to do with each other.
+fn fraction(i: usize) -> f64 {
+    ((i + 7) * 389 % 1009) as f64 / 1009.0
+}
+
+impl<const D: usize> Place<D> {
+    /// The k-th place around this one, off by up to a quarter of the sizes here.
+    fn displaced(&self, k: usize) -> Self {
+        self.moved(0.5, |i| fraction(i + 37 * k) - 0.47)
+    }
+
+    /// Every number moved by a part of the largest of its kind, or of 1 where all are 0, times a weight of its own.
+    fn moved(&self, part: f64, weight: impl Fn(usize) -> f64) -> Self {
+        let mut place = *self;
+        let Place { q, v: [va, vb], m: [ma, mb], t } = &mut place;
+        let mut count = 0;
+        for numbers in
+            [q.as_mut_slice(), va, vb, core::slice::from_mut(ma), core::slice::from_mut(mb), core::slice::from_mut(t)]
+        {
+            let largest = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+            let size = if largest > 0.0 { largest } else { 1.0 };
+            for x in numbers {
+                *x += part * size * weight(count);
+                count += 1;
+            }
+        }
+        place
+    }
+}

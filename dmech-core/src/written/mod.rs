@@ -1,0 +1,106 @@
+//! What the author of a law wrote, beside what a macro made of it.
+//!
+//! A macro sees names as text and cannot ask what they stand for: a constant of one's own called like one of `std`, a
+//! type called like one of nalgebra, two variables of a `macro_rules!` that are spelt alike. The author's own method,
+//! which the compiler has resolved, is therefore called before a law is stepped, and has to give the same numbers.
+//! Nothing here is for use by hand: a law written by hand is its own method.
+
+mod compare;
+mod pair;
+mod tracked;
+
+pub use compare::{Disagreement, Place};
+pub use pair::{PairAuthor, WrittenPair};
+pub use tracked::Tracked;
+
+#[cfg(feature = "scene")]
+pub(crate) use compare::Culprit;
+pub(crate) use compare::{Agreement, agree, agreement};
+#[cfg(feature = "scene")]
+pub(crate) use pair::Between;
+
+use dmech_scalar::Real;
+
+use crate::law::{Field, Law, Potential};
+
+/// What a law gives at one place.
+#[derive(Clone, Copy, Debug)]
+pub struct Values<const D: usize, R = f64> {
+    /// Φ, or 0 where there is none.
+    pub potential: R,
+    /// F, or 0 where there is none.
+    pub force: [R; D],
+}
+
+impl<const D: usize, R: Real> Values<D, R> {
+    /// Nothing acts.
+    pub const NOTHING: Self = Values { potential: R::ZERO, force: [R::ZERO; D] };
+}
+
+/// What the macro says of the author's own methods.
+pub trait Author<const D: usize>: Law<D> + Law<D, Tracked> {
+    /// What the methods give.
+    fn own(&self, place: &Place<D>) -> Values<D>;
+
+    /// Every number that they read of the law, by its name.
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
+}
+
+/// An [`Author`], whatever the law: in `f64` and as it is stepped.
+pub trait Written<const D: usize> {
+    /// What the author's methods give.
+    fn own(&self, place: &Place<D>) -> Values<D>;
+    /// What was derived from their text.
+    fn derived(&self, place: &Place<D>) -> Values<D>;
+    /// The same with what rounding may do to it.
+    fn tracked(&self, place: &Place<D>) -> Values<D, Tracked>;
+    /// Every number that they read of the law, by its name.
+    fn fields(&self, _see: &mut dyn FnMut(&'static str, f64)) {}
+}
+
+impl<L: Author<D>, const D: usize> Written<D> for L {
+    fn own(&self, place: &Place<D>) -> Values<D> {
+        Author::own(self, place)
+    }
+
+    fn derived(&self, place: &Place<D>) -> Values<D> {
+        acting::<L, D, f64>(self, place)
+    }
+
+    fn tracked(&self, place: &Place<D>) -> Values<D, Tracked> {
+        acting::<L, D, Tracked>(self, place)
+    }
+
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        Author::fields(self, see);
+    }
+}
+
+fn acting<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Place<D>) -> Values<D, R> {
+    let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
+    let field = law.field(R::from_f64(place.m[0]), t);
+    Values { potential: field.potential(q), force: field.force(q, v, t) }
+}
+
+/// A position in the form in which the author's method takes it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be made of the {D} coordinates of a position",
+    note = "positions and velocities of a law are `f64`, `[f64; {D}]` or vectors of nalgebra",
+    note = "a type of your own that is called like one of nalgebra is taken for it: give it another name, or take `[f64; {D}]`"
+)]
+pub trait Arranged<const D: usize>: Sized {
+    /// Of the coordinates.
+    fn arranged(coordinates: [f64; D]) -> Self;
+}
+
+#[diagnostic::do_not_recommend]
+impl<V: From<[f64; D]>, const D: usize> Arranged<D> for V {
+    fn arranged(coordinates: [f64; D]) -> Self {
+        V::from(coordinates)
+    }
+}
+
+/// A position as the author's method takes it.
+pub fn arranged<V: Arranged<D>, const D: usize>(coordinates: [f64; D]) -> V {
+    V::arranged(coordinates)
+}

@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::damped;
 use super::drive::{largest, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
@@ -55,6 +56,10 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
                 }
             }
         }
+    }
+    if equation.piecewise {
+        let spent = evaluations.min(equation.max_iterations / 2);
+        return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, correct);
     }
     Err(NotConverged { iterations: evaluations.into(), residual })
 }

@@ -83,7 +83,8 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let half = R::from_f64(0.5);
     let mut delta = equation.guess;
     let mut last = R::ZERO;
-    for iteration in 1..=PATIENCE.min(equation.max_iterations) {
+    let patience = if equation.piecewise { 3 * PATIENCE } else { PATIENCE }.min(equation.max_iterations);
+    for iteration in 1..=patience {
         let Correction { delta: change, gradient, parts } = correct(equation, delta, equation.end(delta));
         delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let size = length(&change);
@@ -104,7 +105,8 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             let rate = if equation.piecewise { R::ONE } else { size / last };
             let small = (size * rate * rate).less_or_equal(margin * pull).or(size.equal(R::ZERO));
             settled = small.or(at_rest);
-            astray = halved.not();
+            // Past a seam the slope is another, and a correction may be longer than the last for once.
+            astray = if equation.piecewise { (last + last).less(size) } else { halved.not() };
         }
         if settled.all() {
             return Ok(Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration });
@@ -114,7 +116,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         }
         last = size;
     }
-    Err(NotConverged { iterations: PATIENCE.min(equation.max_iterations).into(), residual: last.to_f64() })
+    Err(NotConverged { iterations: patience.into(), residual: last.to_f64() })
 }
 
 /// Σ|xᵢ|: unlike a maximum it does not lose a NaN.

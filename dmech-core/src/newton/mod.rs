@@ -6,6 +6,7 @@
 //! unknown and uses [`central`].
 
 mod continuation;
+mod damped;
 mod dense;
 mod drive;
 pub(crate) mod elimination;

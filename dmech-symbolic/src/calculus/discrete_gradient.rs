@@ -229,7 +229,9 @@ fn of_powf(
     let zero = graph.zero();
     let vanishes = Condition::equal(both, zero).and(Condition::less(zero, lowered));
     let limit = graph.select(vanishes, zero, limit);
-    let far = graph.select(Condition::equal(ua, ub), limit, quotient);
+    // A power of the gap that is lost before the square by which the derivative divides.
+    let fourth = graph.powi(gap, 4);
+    let far = graph.select(Condition::equal(fourth, zero), limit, quotient);
     let size = graph.unary(Unary::Abs, delta);
     vec![(u, graph.select(Condition::less_or_equal(size, one), closed, far))]
 }

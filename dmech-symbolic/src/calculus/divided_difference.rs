@@ -204,7 +204,8 @@ pub(super) fn of_power(g: &mut Graph, a: Expr, b: Expr, n: i32) -> Expr {
 /// A power of a root, fⁿ between the values a and b of what is below it, where its exponent there is above 1.
 ///
 /// Formed of roots it would divide by them where one end is 0, and its derivative even where none is. Where the ends are
-/// that far apart the powers themselves do not cancel; between 0 and 0 it is 0.
+/// that far apart the powers themselves do not cancel; between 0 and 0 it is 0, and so it is where both are so small that
+/// the square of the gap, by which the derivative divides, would be lost.
 pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> Expr {
     let (root, times) = if degree == 3 { (Unary::Cbrt, 1) } else { (Unary::Sqrt, degree.trailing_zeros()) };
     let mut closed = vec![];
@@ -218,13 +219,17 @@ pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> E
     let closed = g.mul(&closed);
     let values = roots.map(|root| g.powi(root, n));
     let (rise, gap) = (g.sub(values[1], values[0]), g.sub(b, a));
-    let (zero, quotient) = (g.zero(), g.div(rise, gap));
-    let far = g.select(Condition::equal(a, b), zero, quotient);
+    let far = g.div(rise, gap);
     // By the roots, which are 0 where a and b are: a sum of these may be rounded otherwise.
     let (between, sum) = (g.sub(first[1], first[0]), g.add(&first));
     let (distance, size) = (g.unary(Unary::Abs, between), g.unary(Unary::Abs, sum));
     let half = g.scale(0.5, size);
-    g.select(Condition::less(distance, half), closed, far)
+    let secant = g.select(Condition::less(distance, half), closed, far);
+    let magnitudes = if degree == 3 { first.map(|root| g.unary(Unary::Abs, root)) } else { first };
+    let reach = g.add(&magnitudes);
+    let times = if degree == 3 { 12 } else { 8 };
+    let (zero, reach) = (g.zero(), g.powi(reach, times));
+    g.select(Condition::equal(reach, zero), zero, secant)
 }
 
 /// (eᵝ − eᵅ)/(β − α) = e^m sinhc δ, given e^m, δ = (β − α)/2 and the values at the ends, which do not cancel where δ is

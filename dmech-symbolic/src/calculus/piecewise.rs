@@ -213,11 +213,11 @@ fn mixture(graph: &mut Graph, weights: [Expr; 2], x: Expr, y: Expr) -> Expr {
     graph.add(&parts)
 }
 
-/// The quotient, 0 where the denominator is: where rounding puts ends on two sides of a seam that are one point.
+/// The quotient, 0 where the denominator is, or nearly: where rounding puts ends on two sides of a seam that are one point.
 fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
-    // The magnitude is the same expression for b − a and a − b.
-    let (zero, size, quotient) = (graph.zero(), graph.unary(Unary::Abs, below), graph.div(above, below));
-    graph.select(Condition::equal(size, zero), zero, quotient)
+    // A power that is lost before the square by which the derivative divides.
+    let (zero, fourth, quotient) = (graph.zero(), graph.powi(below, 4), graph.div(above, below));
+    graph.select(Condition::equal(fourth, zero), zero, quotient)
 }
 
 /// A function that is negative where the condition holds, positive where it does not, and 0 on the seam between.

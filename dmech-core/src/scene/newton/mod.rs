@@ -91,6 +91,8 @@ impl<const D: usize> Equation<'_, D> {
 pub(super) trait Unknown<const D: usize> {
     /// G is linear in b and v.
     const LINEAR: bool;
+    /// G may bend or jump between two iterates.
+    const PIECEWISE: bool;
     /// G depends on the velocity at the end of the step.
     const FORCED: bool;
     /// The step conserves the energy: what rounding keeps from G, always of one sign where corrections are, is asked for.

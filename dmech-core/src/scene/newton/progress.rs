@@ -34,7 +34,7 @@ impl Progress {
     ///
     /// What must be right is the force: after the correction δₖ that of G + J δₖ is off by about r |δₖ|/g, where r is the
     /// rate at which corrections shrink. Of the first, r is |δ|/|Δ|: the force is taken to vary over lengths no shorter than
-    /// the step.
+    /// the step. Where it may bend or jump on the way, r is 1.
     ///
     /// # Errors
     /// The corrections are not finite, or lead away from the guess.
@@ -49,7 +49,8 @@ impl Progress {
         }
         let rate = if iteration == 1 { size / step } else { size / self.last };
         self.last = size;
-        let settled = size == 0.0 || U::LINEAR || rate * size <= MARGIN * force;
+        let neglected = if U::PIECEWISE { size } else { rate * size };
+        let settled = size == 0.0 || U::LINEAR || neglected <= MARGIN * force;
         // Corrections that no longer shrink and that a position can no longer show: forces that cancel, as in an
         // equilibrium, are not known better.
         let at_rounding =

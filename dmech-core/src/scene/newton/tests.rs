@@ -15,6 +15,7 @@ struct Spring;
 
 impl Unknown<1> for Spring {
     const LINEAR: bool = false;
+    const PIECEWISE: bool = false;
     const FORCED: bool = false;
     const EXACT: bool = true;
 

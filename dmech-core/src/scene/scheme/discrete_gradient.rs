@@ -45,6 +45,7 @@ struct Exact<'a, const D: usize, A> {
 
 impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
+    const PIECEWISE: bool = A::PIECEWISE;
     const FORCED: bool = A::FORCED;
     const EXACT: bool = true;
 

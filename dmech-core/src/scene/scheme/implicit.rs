@@ -41,6 +41,7 @@ struct AtEnd<'a, A> {
 
 impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
+    const PIECEWISE: bool = A::PIECEWISE;
     const FORCED: bool = A::FORCED;
     const EXACT: bool = false;
 

@@ -57,6 +57,7 @@ impl<const D: usize, A: Acts<D>> Exact<'_, D, A> {
 
 impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const LINEAR: bool = A::LINEAR;
+    const PIECEWISE: bool = A::PIECEWISE;
     const FORCED: bool = false;
     const EXACT: bool = true;
 

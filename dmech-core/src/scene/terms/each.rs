@@ -61,6 +61,7 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     const LINEAR_MOMENTUM: bool = false;
     const ANGULAR_MOMENTUM: bool = X::Field::<'_>::CENTRAL;
     const LINEAR: bool = X::Field::<'_>::LINEAR;
+    const PIECEWISE: bool = X::Field::<'_>::PIECEWISE;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         self.fields(t).map(|(i, field)| field.potential(q.get(i))).sum()

@@ -145,6 +145,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     const ANGULAR_MOMENTUM: bool =
         <X as PairLaw<D, P>>::Between::<'_>::CENTRAL && !<X as PairLaw<D, P>>::Between::<'_>::FORCED;
     const LINEAR: bool = <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
+    const PIECEWISE: bool = <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         let mut sum = 0.0;

@@ -54,6 +54,8 @@ pub trait Acts<const D: usize> {
     const ANGULAR_MOMENTUM: bool;
     /// Every Hessian is constant.
     const LINEAR: bool;
+    /// What acts may bend or jump: [`Potential::PIECEWISE`](crate::Potential::PIECEWISE).
+    const PIECEWISE: bool;
 
     /// Nothing acts.
     const NOTHING: bool = false;
@@ -168,6 +170,7 @@ impl<const D: usize> Acts<D> for () {
     const LINEAR_MOMENTUM: bool = true;
     const ANGULAR_MOMENTUM: bool = true;
     const LINEAR: bool = true;
+    const PIECEWISE: bool = false;
 
     fn potential(&self, _: &Vectors<D>, _: f64) -> f64 {
         0.0
@@ -209,6 +212,7 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     const LINEAR_MOMENTUM: bool = A::LINEAR_MOMENTUM && B::LINEAR_MOMENTUM;
     const ANGULAR_MOMENTUM: bool = A::ANGULAR_MOMENTUM && B::ANGULAR_MOMENTUM;
     const LINEAR: bool = A::LINEAR && B::LINEAR;
+    const PIECEWISE: bool = A::PIECEWISE || B::PIECEWISE;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         self.0.potential(q, t) + self.1.potential(q, t)

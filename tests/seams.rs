@@ -1,0 +1,188 @@
+//! Motions that cross seams: laws with choices, contacts and kinks, single and in scenes, by every scheme.
+
+use dmech::prelude::*;
+
+mod laws {
+    use dmech::prelude::*;
+
+    /// Declares a law with named numbers and a potential of q.
+    macro_rules! laws {
+        ($($(#[$doc:meta])* $name:ident($($field:ident),*) $q:ident: $at:ty, $energy:expr;)*) => {$(
+            $(#[$doc])*
+            #[derive(Clone, Copy, Debug)]
+            pub(super) struct $name {
+                $(pub(super) $field: f64,)*
+            }
+
+            #[dmech::law]
+            impl $name {
+                #[potential]
+                fn energy(&self, $q: $at) -> f64 {
+                    let Self { $($field),* } = *self;
+                    $energy
+                }
+            }
+        )*};
+    }
+
+    laws! {
+        /// A ball that bounces on a tent.
+        Tent(k, g) q: f64, k * q.abs() + g * q;
+        Kinked(k) q: f64, q * q / 2.0 + k * q.abs();
+        Ramps(k) q: f64, if q > 0.0 { k * q } else { -2.0 * k * q };
+        Manhattan(k) q: [f64; 2], k * (q[0].abs() + 1.3 * q[1].abs());
+        /// Its branches do not couple x and y; the choice does.
+        Larger(a, b) q: [f64; 2], (a * q[0] * q[0]).max(b * q[1] * q[1]);
+        Chord(k) q: [f64; 2], k * (q[0] - q[1]).abs() + 0.3 * q[0] * q[0] + 0.2 * q[1] * q[1];
+        /// The curved seam knows nothing of z, which moves all the same.
+        Spectator(k, c) q: [f64; 3], {
+            let [x, y, z] = q;
+            let over = x + y * y - c;
+            let beyond = if over > 0.0 { k * over * (1.0 + x * x) } else { 0.0 };
+            0.5 * (x * x + 1.3 * y * y + 0.7 * z * z) + 0.1 * z * x + beyond
+        };
+        /// A Hertzian contact under a weight.
+        Hertz(k, g) q: f64, k * (-q).max(0.0).powf(2.5) + g * q;
+        Soft(k, g) q: f64, k * (-q).max(0.0).powf(1.5) + g * q;
+        /// A round wall, and a valley with two edges.
+        Walls(k) q: [f64; 2], {
+            let r = q[0].hypot(q[1]);
+            let wall = if r > 1.0 { 0.5 * k * (r - 1.0) * (r - 1.0) } else { 0.0 };
+            wall + 0.2 * q[0].clamp(-0.4, 0.3) + 0.1 * q[1]
+        };
+        Nested(k) q: [f64; 2], {
+            let [x, y] = q;
+            let slope = if x > 0.2 { if y > x - 0.2 { x - 0.2 } else { y } } else { (y).min(0.0) };
+            0.5 * (x * x + y * y) + k * slope
+        };
+    }
+}
+
+use laws::*;
+
+/// Starts that differ in all coordinates.
+fn starts<const D: usize>(count: usize) -> Vec<State<D>> {
+    let wave = |i: usize, k: usize| (1.7 * i as f64 + 2.3 * k as f64 + 0.4).sin();
+    (0..count)
+        .map(|i| State::new(std::array::from_fn(|k| wave(i, k)), std::array::from_fn(|k| wave(i + 31, k + 7))))
+        .collect()
+}
+
+/// Every step of an energy-exact scheme keeps the energy, and every run crosses the seam.
+macro_rules! keeps_its_energy {
+    ($($test:ident: $law:expr, $d:literal, |$q:ident| $side:expr;)*) => {$(
+        #[test]
+        fn $test() {
+            let law = $law;
+            let side = |$q: [f64; $d]| -> bool { $side };
+            for start in starts::<$d>(6) {
+                for h in [0.013, 0.057] {
+                    let simulation = || Simulation::new(law, start).dt(h).record_every(1);
+                    let exact = simulation().scheme(DiscreteGradient).run(4000).expect("every step has a root");
+                    let composed = simulation().scheme(Composed::order4(DiscreteGradient)).run(800).expect("likewise");
+                    for run in [&exact, &composed] {
+                        let energy = run.drift(Invariant::Energy).expect("the law is conservative").max_relative();
+                        assert!(energy < 1e-13, "{law:?} from {start:?}, h = {h}: {energy:e}");
+                    }
+                    let kanatani = simulation().scheme(Kanatani).run(4000).expect("likewise");
+                    let energy = kanatani.drift(Invariant::DiscreteEnergy).expect("likewise").max_relative();
+                    assert!(energy < 1e-13, "{law:?} from {start:?}, h = {h}, Kanatani: {energy:e}");
+                    let crossings = exact.states().windows(2).filter(|w| side(w[0].q) != side(w[1].q)).count();
+                    assert!(crossings > 3, "{law:?} from {start:?} crosses its seam {crossings} times");
+                }
+            }
+        }
+    )*};
+}
+
+keeps_its_energy! {
+    a_tent: Tent { k: 3.0, g: 1.1 }, 1, |q| q[0] > 0.0;
+    an_oscillator_with_a_kink: Kinked { k: 0.7 }, 1, |q| q[0] > 0.0;
+    two_ramps: Ramps { k: 0.7 }, 1, |q| q[0] > 0.0;
+    kinks_side_by_side: Manhattan { k: 0.8 }, 2, |q| q[1] > 0.0;
+    a_kink_along_a_difference: Chord { k: 0.8 }, 2, |q| q[0] > q[1];
+    a_seam_that_ignores_a_coordinate: Spectator { k: 0.8, c: 0.3 }, 3, |q| q[0] + q[1] * q[1] > 0.3;
+    a_hertzian_contact: Hertz { k: 50.0, g: 1.1 }, 1, |q| q[0] > 0.0;
+    a_soft_contact: Soft { k: 50.0, g: 1.1 }, 1, |q| q[0] > 0.0;
+    walls_and_edges: Walls { k: 9.0 }, 2, |q| q[0].hypot(q[1]) > 1.0;
+    choices_within_choices: Nested { k: 0.4 }, 2, |q| q[0] > 0.2;
+    a_choice_that_couples: Larger { a: 1.0, b: 2.0 }, 2, |q| q[0].abs() > 2f64.sqrt() * q[1].abs();
+}
+
+/// 10⁵ bounces of a ball on a tent k|q| + m g q.
+#[test]
+fn a_ball_on_a_tent_keeps_its_energy_over_a_hundred_thousand_steps() {
+    let run = Simulation::new(Tent { k: 3.0, g: 1.1 }, State::new([0.8], [0.3]))
+        .scheme(DiscreteGradient)
+        .dt(0.0137)
+        .run(100_000)
+        .expect("every step has a root");
+    let energy = run.drift(Invariant::Energy).expect("the law is conservative").max_relative();
+    assert!(energy < 1e-13, "{energy:e}");
+}
+
+/// What these laws are said to be.
+#[test]
+fn no_law_with_a_choice_is_called_linear() {
+    fn says<L: Derivation>(law: &L) -> &'static str {
+        law.derivation()
+    }
+    let kinked = [says(&Tent { k: 3.0, g: 1.1 }), says(&Kinked { k: 0.7 }), says(&Ramps { k: 0.7 })];
+    for text in kinked.into_iter().chain([says(&Manhattan { k: 0.8 }), says(&Chord { k: 0.8 })]) {
+        assert!(!text.contains("linear:") && text.contains("piecewise:"), "{text}");
+    }
+    let coupled = says(&Larger { a: 1.0, b: 2.0 });
+    assert!(!coupled.contains("do not interact"), "{coupled}");
+    assert!(says(&Manhattan { k: 0.8 }).contains("do not interact"));
+    const { assert!(!<Tent as Potential<1>>::LINEAR && <Tent as Potential<1>>::PIECEWISE) };
+}
+
+/// A contact that is open at both ends is not there.
+#[test]
+fn an_open_contact_is_exactly_nothing() {
+    let (hertz, soft) = (Hertz { k: 50.0, g: 0.0 }, Soft { k: 50.0, g: 0.0 });
+    for (a, b) in [(0.3, 1.2), (2.0, 0.1), (1e-300, 5.0), (0.0, 0.7), (0.0, 0.0), (3.0, 3.0)] {
+        assert_eq!((hertz.gradient([a]), soft.gradient([a])), ([0.0], [0.0]));
+        assert_eq!((hertz.discrete_gradient([a], [b]), soft.discrete_gradient([a], [b])), ([0.0], [0.0]), "{a} {b}");
+        assert_eq!(hertz.discrete_gradient_jacobian([a], [b]), [[0.0]], "{a} {b}");
+        assert_eq!(soft.discrete_gradient_jacobian([a], [b]), [[0.0]], "{a} {b}");
+        assert_eq!((hertz.hessian([a]), soft.hessian([a])), ([[0.0]], [[0.0]]), "{a} {b}");
+    }
+}
+
+/// Powers that vanish, at rest where they do.
+#[test]
+fn a_body_rests_in_the_minimum_of_a_power() {
+    macro_rules! rests {
+        ($($name:ident: $at:ty, |$q:ident| $energy:expr, $d:literal;)*) => {$({
+            #[derive(Clone, Copy, Debug)]
+            struct $name;
+            #[dmech::law]
+            impl $name {
+                #[potential]
+                fn energy(&self, $q: $at) -> f64 {
+                    $energy
+                }
+            }
+            let rest = State::new([0.0; $d], [0.0; $d]);
+            assert_eq!($name.gradient([0.0; $d]), [0.0; $d]);
+            let simulation = || Simulation::new($name, rest).dt(0.01);
+            let run = simulation().scheme(DiscreteGradient).run(10).expect("it can start");
+            assert_eq!(run.last().q, rest.q);
+            assert_eq!(simulation().scheme(Leapfrog).run(10).expect("it can start").last().q, rest.q);
+            assert_eq!(simulation().scheme(Implicit).run(10).expect("it can start").last().q, rest.q);
+            // And it swings there.
+            let start = State::new([0.3; $d], [0.1; $d]);
+            let run = Simulation::new($name, start).scheme(DiscreteGradient).dt(0.01).run(1000).expect("it can start");
+            assert!(run.drift(Invariant::Energy).expect("conservative").max_relative() < 1e-13);
+        })*};
+    }
+    rests! {
+        Abs: f64, |q| q.abs().powf(2.5), 1;
+        Squared: f64, |q| (q * q).powf(1.25), 1;
+        Cubic: f64, |q| q.cbrt() * q, 1;
+        Steep: f64, |q| q.abs().powf(1.5), 1;
+        Round: [f64; 2], |q| (q[0] * q[0] + q[1] * q[1]).powf(1.25), 2;
+        RoundCube: [f64; 2], |q| q[0].hypot(q[1]).powi(3), 2;
+    }
+}

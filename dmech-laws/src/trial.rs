@@ -106,8 +106,8 @@ fn failed(promise: Promise, words: String) -> Result<(), Failure> {
 fn secant(law: &Law, engine: &Engine, a: &[f64], b: &[f64], scale: &Scale, ulps: &mut f64) -> Result<(), Failure> {
     let g = engine.between(&engine.discrete_gradient, a, b);
     if !all_finite(&g) {
-        // The tip of a cone, or the foot of a vertical root, from which nothing moves.
-        if scale.vertical && (0..a.len()).any(|i| a[i] == b[i]) {
+        // The tip of a cone, or the foot of a vertical root.
+        if scale.vertical {
             return Ok(());
         }
         return failed(Promise::Finite, format!("the discrete gradient is {g:?}"));
@@ -248,6 +248,14 @@ fn slope_of_law(law: &Law, q: &[f64], i: usize) -> Option<(f64, f64)> {
 /// Directions that have nothing to do with any seam.
 const DIRECTIONS: [[f64; 4]; 2] = [[0.83, 0.57, -0.71, 0.39], [-0.37, 0.91, 0.67, 0.53]];
 
+/// How many choices take another side around a point than at it.
+fn seams_met(law: &Law, q: &[f64]) -> usize {
+    let at = |s: f64, d: &[f64; 4]| law.tree.sides_taken(&q.iter().zip(d).map(|(x, d)| x + s * d).collect::<Vec<_>>());
+    let around: Vec<_> = DIRECTIONS.iter().flat_map(|d| [at(1e-7, d), at(-1e-7, d)]).collect();
+    let own = law.tree.sides_taken(q);
+    (0..own.len()).filter(|&i| around.iter().any(|sides| sides[i] != own[i])).count()
+}
+
 /// Whether some choice is on its seam there and on one and the same side all around: its other branch is a single point.
 fn is_touched(law: &Law, q: &[f64]) -> bool {
     let at = |s: f64, d: &[f64; 4]| law.tree.sides_taken(&q.iter().zip(d).map(|(x, d)| x + s * d).collect::<Vec<_>>());
@@ -331,8 +339,9 @@ fn derivatives(
     let special = scale.doubtful || scale.vertical;
     if !special || is_smooth(law, a) {
         for j in 0..d {
-            // The slope of a vertical root times what vanishes with it may have a limit; not every one is found.
-            if scale.vertical && !gradient[j].is_finite() {
+            // The slope of a vertical root times what vanishes with it may have a limit; not every one is found. On a seam
+            // of one choice within another the branch that is taken may be taken nowhere else.
+            if (scale.vertical && !gradient[j].is_finite()) || (scale.doubtful && seams_met(law, a) > 1) {
                 continue;
             }
             let derivative = Derivative {
@@ -344,7 +353,8 @@ fn derivatives(
                 wide: &|x| law.tree.value(&moved(a, j, x)),
                 exactly: &|| engine.at(&engine.gradient, &lift(a))[j].to_f64(),
                 // That of Φ in double-double over the step of the difference.
-                rounding: 2f64.powi(-92) * scale.value_error[0] / (1e-9 * size(a[j])),
+                rounding: 2f64.powi(-92) * scale.value_error[0] / (1e-9 * size(a[j]))
+                    + ULPS * 2.0 * ROUNDING * along(law, a, j).error,
             };
             *settled += usize::from(derivative.check()?);
         }

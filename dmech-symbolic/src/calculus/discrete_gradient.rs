@@ -222,13 +222,15 @@ fn of_powf(
     let rise = graph.sub(value_b, value_a);
     let quotient = graph.div(rise, gap);
     let lowered = graph.sub(wa, one);
-    let both = graph.mean(ua, ub);
-    let power = graph.binary(Binary::Powf, both, lowered);
-    let limit = graph.mul(&[wa, power]);
-    // With derivative 0 where that of the limit is infinite.
+    // At each end by itself: their mean may be rounded to below 0. With derivative 0 where that of the limit is infinite.
     let zero = graph.zero();
-    let vanishes = Condition::equal(both, zero).and(Condition::less(zero, lowered));
-    let limit = graph.select(vanishes, zero, limit);
+    let limits = [ua, ub].map(|u| {
+        let vanishes = Condition::equal(u, zero).and(Condition::less(zero, lowered));
+        let power = graph.binary(Binary::Powf, u, lowered);
+        graph.select(vanishes, zero, power)
+    });
+    let limit = graph.mean(limits[0], limits[1]);
+    let limit = graph.mul(&[wa, limit]);
     // A power of the gap that is lost before the square by which the derivative divides.
     let fourth = graph.powi(gap, 4);
     let far = graph.select(Condition::equal(fourth, zero), limit, quotient);

@@ -6,7 +6,7 @@
 //!
 //! The fewest are found as a least cut between the expression and the coordinates (L. R. Ford and D. R. Fulkerson,
 //! Canad. J. Math. 8 (1956) 399), and of several such cuts the one next to the coordinates, whose expressions are the
-//! simplest. Sums count without what does not move: x − y and x − y − d have one variable.
+//! simplest. Sums and products count without what does not move: x − y and x − y − d have one variable, x y and −k x y too.
 
 use std::collections::HashMap;
 
@@ -31,8 +31,8 @@ impl Gateways {
         for (sum, part) in network.parts {
             let Some(k) = inner.iter().position(|&u| u == part.moving) else { continue };
             let u = graph.symbol(symbols[k]);
-            let turned = graph.scale(part.sign, u);
-            inside.push((sum, graph.add(&[turned, part.fixed])));
+            let scaled = graph.mul(&[part.scale, u]);
+            inside.push((sum, graph.add(&[scaled, part.fixed])));
         }
         Self { inner, symbols, inside: Substitution::of_expressions(inside) }
     }
@@ -43,21 +43,27 @@ impl Gateways {
     }
 }
 
-/// A sum as ±moving + fixed.
+/// An expression as scale·moving + fixed.
 struct Part {
     moving: Expr,
-    sign: f64,
+    scale: Expr,
     fixed: Expr,
 }
 
-/// The moving part of a sum, its first coefficient positive, and the rest.
+/// The moving part of a sum, its first coefficient positive, or of a product; and the rest.
 fn parts(graph: &mut Graph, e: Expr, moves: &[bool]) -> Option<Part> {
+    if let Node::Product { coefficient, factors } = graph.node(e).clone() {
+        let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|(f, _)| moves[f.index()]);
+        let (moving, scale) = (graph.product_of(Number::ONE, moving), graph.product_of(coefficient, fixed));
+        return Some(Part { moving, scale, fixed: graph.zero() });
+    }
     let Node::Sum { constant, terms } = graph.node(e).clone() else { return None };
     let (moving, mut fixed): (Vec<_>, Vec<_>) = terms.iter().copied().partition(|(_, t)| moves[t.index()]);
     let sign = if moving.first()?.0.value() < 0.0 { -1.0 } else { 1.0 };
     fixed.push((constant, graph.one()));
     let turned: Vec<_> = moving.into_iter().map(|(c, t)| (Number::new(sign * c.value()), t)).collect();
-    Some(Part { moving: graph.linear_combination(&turned), sign, fixed: graph.linear_combination(&fixed) })
+    let scale = graph.number(sign);
+    Some(Part { moving: graph.linear_combination(&turned), scale, fixed: graph.linear_combination(&fixed) })
 }
 
 /// The way from the roots to the coordinates as a network in which each expression may be passed once.
@@ -69,7 +75,7 @@ struct Network {
     heads: Vec<usize>,
     /// What an edge may still carry; edge 2 k + 1 is edge 2 k backwards.
     capacity: Vec<usize>,
-    /// The sums that have a fixed part or another sign.
+    /// The sums and products that have a fixed part or another sign.
     parts: Vec<(Expr, Part)>,
 }
 

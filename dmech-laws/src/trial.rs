@@ -341,7 +341,8 @@ fn derivatives(
         for j in 0..d {
             // The slope of a vertical root times what vanishes with it may have a limit; not every one is found. On a seam
             // of one choice within another the branch that is taken may be taken nowhere else.
-            if (scale.vertical && !gradient[j].is_finite()) || (scale.doubtful && seams_met(law, a) > 1) {
+            let met = seams_met(law, a) + usize::from(scale.vertical);
+            if (scale.vertical && !gradient[j].is_finite()) || (scale.doubtful && met > 1) {
                 continue;
             }
             let derivative = Derivative {

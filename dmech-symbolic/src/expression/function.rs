@@ -3,7 +3,7 @@
 //! | rule | domain |
 //! |---|---|
 //! | f(−u) = f(u) for even f, −f(u) for odd f | all |
-//! | √(a b²) = \|b\| √a, ∛(a bⁿ) = ∛bⁿ ∛a, \|a b²\| = \|a\| b² | a ≥ 0 below a square root |
+//! | √(a b²) = \|b\| √a, ∛(a bⁿ) = ∛bⁿ ∛a for n ≠ ±1, \|a b²\| = \|a\| b² | a ≥ 0 below a square root |
 //! | exact values: √4 = 2, sin 0 = 0, e⁰ = 1, … | the point |
 //! | u^p by integer powers and roots where p is n/2, n/3 or n/4 (for n/3 the nearest number) | u ≥ 0, which u^p demands |
 //! | a root or power of a choice is the choice of the roots or powers: that of a contact is 0 where it is open | all |
@@ -354,7 +354,7 @@ impl Graph {
         let Node::Product { coefficient, factors } = self.node(u).clone() else { return None };
         let may = |n: i32| match f {
             Unary::Sqrt | Unary::Abs => n % 2 == 0,
-            Unary::Cbrt => n.abs() != 1 || factors.len() > 1,
+            Unary::Cbrt => n.abs() != 1,
             _ => false,
         };
         let (powers, rest): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(_, n)| may(n));

@@ -295,8 +295,9 @@ fn the_last_step_lands() {
         assert!(run.states().windows(2).all(|pair| pair[0].t < pair[1].t));
         assert!(distance(run.last().q, exact(0.5, end)) < 1e-4 * (1.0 + end / TAU));
     }
-    let none = orbit(DiscreteGradient, 0.5, 1e-4, -1.0, 1);
-    assert_eq!((none.steps(), none.last().t), (0, 0.0));
+    let simulation = Simulation::new(SUN, from_apocentre(0.5)).scheme(DiscreteGradient).adaptive(1e-4);
+    let refused = simulation.run_until(-1.0).expect_err("the end comes before the start");
+    assert!(matches!(refused.cause(), Error::Span { .. }), "{refused}");
 }
 
 /// Time is a sum of many different numbers, and correct to its last digit.

@@ -3,8 +3,6 @@
 use dmech::prelude::*;
 
 mod laws {
-    use dmech::prelude::*;
-
     /// Declares a law with named numbers and a potential of q.
     macro_rules! laws {
         ($($(#[$doc:meta])* $name:ident($($field:ident),*) $q:ident: $at:ty, $energy:expr;)*) => {$(
@@ -147,6 +145,22 @@ fn an_open_contact_is_exactly_nothing() {
         assert_eq!(hertz.discrete_gradient_jacobian([a], [b]), [[0.0]], "{a} {b}");
         assert_eq!(soft.discrete_gradient_jacobian([a], [b]), [[0.0]], "{a} {b}");
         assert_eq!((hertz.hessian([a]), soft.hessian([a])), ([[0.0]], [[0.0]]), "{a} {b}");
+    }
+}
+
+/// In a chain of contacts overlaps fall to the smallest numbers, and squares of them are lost.
+#[test]
+fn contacts_are_finite_at_any_overlap() {
+    let (hertz, soft) = (Hertz { k: 50.0, g: 0.0 }, Soft { k: 50.0, g: 0.0 });
+    let sizes = || (0..330).flat_map(|i| [1.0, 1.5, 7.0].map(|f| f * 10f64.powi(-i)));
+    for (a, b) in sizes().flat_map(|a| sizes().step_by(3).map(move |b| (a, b))) {
+        for (a, b) in [(-a, -b), (a, -b), (-a, b)] {
+            let secants = [hertz.discrete_gradient([a], [b]), soft.discrete_gradient([a], [b])];
+            let hertz = [hertz.discrete_gradient_jacobian([a], [b]), hertz.hessian([a])];
+            let soft = [soft.discrete_gradient_jacobian([a], [b]), soft.hessian([a])];
+            let all = secants.into_iter().chain(hertz.into_iter().chain(soft).map(|[row]| row));
+            assert!(all.clone().flatten().all(f64::is_finite), "{a:e} {b:e}: {:?}", all.collect::<Vec<_>>());
+        }
     }
 }
 

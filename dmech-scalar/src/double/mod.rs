@@ -27,7 +27,7 @@ pub use text::ParseDoubleDoubleError;
 /// use dmech_scalar::{DoubleDouble, Real};
 ///
 /// let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
-/// assert_eq!(third.to_string(), "0.3333333333333333333333333333333");
+/// assert_eq!(format!("{third:.31}"), "0.3333333333333333333333333333333");
 /// // The nearest f64 to 1/10 is not 1/10; thirty-one digits are better, and are read from text.
 /// let tenth: DoubleDouble = "0.1".parse()?;
 /// let rounded = DoubleDouble::from(0.1) - tenth;

@@ -231,9 +231,10 @@ fn of_powf(
     });
     let limit = graph.mean(limits[0], limits[1]);
     let limit = graph.mul(&[wa, limit]);
-    // A power of the gap that is lost before the square by which the derivative divides.
-    let fourth = graph.powi(gap, 4);
-    let far = graph.select(Condition::equal(fourth, zero), limit, quotient);
+    // The derivative of the quotient divides by the square of the gap.
+    let square = graph.square(gap);
+    let at_one = Condition::lost(graph, square);
+    let far = graph.select(at_one, limit, quotient);
     let size = graph.unary(Unary::Abs, delta);
     vec![(u, graph.select(Condition::less_or_equal(size, one), closed, far))]
 }

@@ -205,7 +205,7 @@ pub(super) fn of_power(g: &mut Graph, a: Expr, b: Expr, n: i32) -> Expr {
 ///
 /// Formed of roots it would divide by them where one end is 0, and its derivative even where none is. Where the ends are
 /// that far apart the powers themselves do not cancel; between 0 and 0 it is 0, and so it is where both are so small that
-/// the square of the gap, by which the derivative divides, would be lost.
+/// what the derivative divides by would be lost.
 pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> Expr {
     let (root, times) = if degree == 3 { (Unary::Cbrt, 1) } else { (Unary::Sqrt, degree.trailing_zeros()) };
     let mut closed = vec![];
@@ -227,9 +227,11 @@ pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> E
     let secant = g.select(Condition::less(distance, half), closed, far);
     let magnitudes = if degree == 3 { first.map(|root| g.unary(Unary::Abs, root)) } else { first };
     let reach = g.add(&magnitudes);
-    let times = if degree == 3 { 12 } else { 8 };
+    // The square of what is below the root, or what more the derivative divides by.
+    let times = if degree == 2 { 4 } else { 6 };
     let (zero, reach) = (g.zero(), g.powi(reach, times));
-    g.select(Condition::equal(reach, zero), zero, secant)
+    let nothing = Condition::lost(g, reach);
+    g.select(nothing, zero, secant)
 }
 
 /// (eᵝ − eᵅ)/(β − α) = e^m sinhc δ, given e^m, δ = (β − α)/2 and the values at the ends, which do not cancel where δ is

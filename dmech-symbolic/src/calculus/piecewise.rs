@@ -215,9 +215,10 @@ fn mixture(graph: &mut Graph, weights: [Expr; 2], x: Expr, y: Expr) -> Expr {
 
 /// The quotient, 0 where the denominator is, or nearly: where rounding puts ends on two sides of a seam that are one point.
 fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
-    // A power that is lost before the square by which the derivative divides.
-    let (zero, fourth, quotient) = (graph.zero(), graph.powi(below, 4), graph.div(above, below));
-    graph.select(Condition::equal(fourth, zero), zero, quotient)
+    // Its derivative divides by the square.
+    let (zero, square, quotient) = (graph.zero(), graph.square(below), graph.div(above, below));
+    let nothing = Condition::lost(graph, square);
+    graph.select(nothing, zero, quotient)
 }
 
 /// A function that is negative where the condition holds, positive where it does not, and 0 on the seam between.

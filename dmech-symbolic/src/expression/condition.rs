@@ -43,6 +43,12 @@ impl Condition {
         Self::Compare(Relation::Equal, left.min(right), left.max(right))
     }
 
+    /// A square, or a higher power, is so small that its inverse is lost. (In binary64; the bound is 0 in binary32.)
+    pub(crate) fn lost(graph: &mut Graph, power: Expr) -> Self {
+        let (zero, least) = (graph.zero(), graph.number(1e-307));
+        Self::equal(power, zero).or(Self::less(power, least))
+    }
+
     /// Both conditions.
     pub fn and(self, other: Self) -> Self {
         let (one, two) = (self.clone().min(other.clone()), self.max(other));

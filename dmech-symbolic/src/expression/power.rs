@@ -1,5 +1,7 @@
 //! Reading a product as a power.
 
+use std::collections::HashMap;
+
 use super::{Expr, Graph, Node, Number, Unary};
 
 impl Graph {
@@ -33,13 +35,23 @@ impl Graph {
 
     /// c e, within the branches if e is a choice: where a branch is 0, c may be infinite.
     pub(crate) fn mul_within(&mut self, c: Expr, e: Expr) -> Expr {
-        match self.node(e).clone() {
+        if c == self.one() { e } else { self.mul_within_known(c, e, &mut HashMap::new()) }
+    }
+
+    /// The branches of one choice may be those of many others.
+    fn mul_within_known(&mut self, c: Expr, e: Expr, known: &mut HashMap<Expr, Expr>) -> Expr {
+        if let Some(&product) = known.get(&e) {
+            return product;
+        }
+        let product = match self.node(e).clone() {
             Node::Select(condition, yes, no) => {
-                let (yes, no) = (self.mul_within(c, yes), self.mul_within(c, no));
+                let (yes, no) = (self.mul_within_known(c, yes, known), self.mul_within_known(c, no, known));
                 self.select(condition, yes, no)
             }
             _ => self.mul(&[c, e]),
-        }
+        };
+        known.insert(e, product);
+        product
     }
 }
 

@@ -31,7 +31,8 @@ pub(crate) fn case(length: Length) -> Case {
         "The body turns round at r = 0.001, where the force is a million times that at the start and lasts 1e-5 of the time.",
         "A scheme that keeps the energy never leaves the sphere that it started from, and none leaves the line; where the turn is not resolved the run stops and says so.",
         &["nearest", "farthest", "bounces", "off line"],
-    );
+    )
+    .resolved_to(9e-4);
     // Along a line that is not an axis.
     let start = State::new([0.6, 0.8], [0.0, 0.0]);
     for steps in length.of([1000, 10_000], [1000, 200_000]) {

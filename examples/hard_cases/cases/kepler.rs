@@ -18,7 +18,8 @@ pub(crate) fn case(length: Length) -> Case {
         "The body falls to within 1e-2 or 1e-4 of the sun and turns round there in 1e-3 or 1e-6 of a period: no fixed step is right both far out and there.",
         "A scheme that keeps the energy goes through with the energy and the angular momentum that it came with, and on a bound orbit, or it stops and says so; the others may throw the body out.",
         &["ang. mom.", "farthest"],
-    );
+    )
+    .resolved_to(3e-3);
     let mut paths = Vec::new();
     for e in [0.99, 0.9999] {
         for steps in length.of([200, 2000], [1000, 50_000]) {

@@ -71,6 +71,8 @@ pub(crate) struct Case {
     pub(crate) holds: &'static str,
     /// Columns of its own.
     pub(crate) heads: Vec<&'static str>,
+    /// The longest step that resolves the motion: with longer ones an implicit step may have no root.
+    pub(crate) longest: f64,
     pub(crate) rows: Vec<Row>,
     pub(crate) checks: Vec<Check>,
     pub(crate) pictures: Vec<Picture>,
@@ -177,7 +179,13 @@ impl Case {
         heads: &[&'static str],
     ) -> Self {
         let (rows, checks, pictures) = (Vec::new(), Vec::new(), Vec::new());
-        Case { name, title, hard, holds, heads: heads.to_vec(), rows, checks, pictures }
+        let longest = f64::INFINITY;
+        Case { name, title, hard, holds, heads: heads.to_vec(), longest, rows, checks, pictures }
+    }
+
+    /// With longer steps than this a run may end early.
+    pub(crate) fn resolved_to(self, longest: f64) -> Self {
+        Case { longest, ..self }
     }
 
     /// Notes a trial, with what holds for all of them: that it is sound, and that what its scheme keeps exactly is kept.
@@ -198,6 +206,10 @@ impl Case {
         self.check(what, if sound.is_ok() { 0.0 } else { f64::NAN }, 0.0);
         if trial.exact_energy() && !trial.run.states().is_empty() {
             self.check(format!("{scheme} at dt = {dt:e}: energy error"), trial.own_energy_error(), most);
+            if dt <= self.longest {
+                let missing = trial.asked - trial.run.steps();
+                self.check(format!("{scheme} at dt = {dt:e}: steps missing"), missing as f64, 0.0);
+            }
         }
     }
 

@@ -115,7 +115,9 @@ impl<X: Recorded> Trial<X> {
             Some(Error::NotConverged { step, time, dt, .. } | Error::NotFinite { step, time, dt }) => {
                 next(step, time) && dt == self.dt
             }
-            Some(Error::Link { step, time, .. } | Error::Body { step, time, .. }) => next(step, time),
+            Some(
+                Error::Link { step, time, .. } | Error::Body { step, time, .. } | Error::LawInStep { step, time, .. },
+            ) => next(step, time),
             Some(Error::Law { .. } | Error::Underflow { .. }) if recorded.is_empty() => return Ok(()),
             Some(_) => false,
         };

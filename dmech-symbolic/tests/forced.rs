@@ -7,12 +7,15 @@ use common::laws::Law;
 use common::notation::{E, squared, within};
 use dmech_symbolic::kernel::ForcedKernels;
 
+/// F in q, v and parameters.
+type Force = fn(&[E], &[E], &[E]) -> Vec<E>;
+
 /// A force beside a potential, in q, v and parameters, and whether its steps are solved by one correction.
 struct Example {
     name: &'static str,
     dimension: usize,
     phi: fn(&[E]) -> E,
-    force: fn(&[E], &[E], &[E]) -> Vec<E>,
+    force: Force,
     implicit_is_linear: bool,
     discrete_is_linear: bool,
     workless: bool,

@@ -37,7 +37,7 @@ impl<X: Reads<P> + VelocityIndependent, T, P> WithoutVelocities for LinkedReady<
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
     type Ready = LinkedReady<X, T, P>;
 
-    /// Compares the law with its author's methods on the first thousand links of a sample ([`Links::sample`]), and around
+    /// Compares the law with its author's methods on the first thousand links of a sample (`Links::sample`), and around
     /// the first of them.
     fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
         const LINKS: usize = 1000;

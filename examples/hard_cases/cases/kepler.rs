@@ -19,7 +19,7 @@ pub(crate) fn case(length: Length) -> Case {
         "A scheme that keeps the energy goes through with the energy and the angular momentum that it came with, and on a bound orbit, or it stops and says so; the others may throw the body out.",
         &["ang. mom.", "farthest"],
     )
-    .resolved_to(3e-3);
+    .resolved_to(1e-4);
     let mut paths = Vec::new();
     for e in [0.99, 0.9999] {
         for steps in length.of([200, 2000], [1000, 50_000]) {

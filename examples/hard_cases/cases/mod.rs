@@ -206,7 +206,8 @@ impl Case {
         self.check(what, if sound.is_ok() { 0.0 } else { f64::NAN }, 0.0);
         if trial.exact_energy() && !trial.run.states().is_empty() {
             self.check(format!("{scheme} at dt = {dt:e}: energy error"), trial.own_energy_error(), most);
-            if dt <= self.longest {
+            // The energy that Kanatani's scheme keeps is its own, and does not hold a body in a well.
+            if dt <= self.longest && trial.run.kept(Invariant::Energy) == Kept::Exact {
                 let missing = trial.asked - trial.run.steps();
                 self.check(format!("{scheme} at dt = {dt:e}: steps missing"), missing as f64, 0.0);
             }

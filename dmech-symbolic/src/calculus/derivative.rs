@@ -124,14 +124,12 @@ impl Walk<'_> {
                 }
                 found
             }
-            // cos √s is smooth in s where √s is not.
-            Node::Unary(f @ (Unary::Cos | Unary::Cosh), u) if let Some(s) = graph.radicand(u) => {
-                let (cardinal, half) = if f == Unary::Cos { (Unary::Sinc, -0.5) } else { (Unary::Sinhc, 0.5) };
-                let slope = graph.unary(cardinal, u);
-                vec![(s, graph.scale(half, slope))]
-            }
-            Node::Unary(f, u) => match graph.root(node) {
-                Some(root) if self.of_slope && is_whole => {
+            Node::Unary(f, u) => match (graph.even_of_root(node), graph.root(node)) {
+                (Some(even), _) => {
+                    let slope = graph.unary(even.cardinal, even.root);
+                    vec![(even.below, graph.scale(even.half, slope))]
+                }
+                (_, Some(root)) if self.of_slope && is_whole => {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
                 }
                 _ => vec![(u, slope(graph, f, u))],

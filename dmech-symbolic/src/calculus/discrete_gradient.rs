@@ -108,19 +108,15 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
             let fixed = graph.product_of(coefficient, fixed);
             of_product(graph, fixed, &moving, ends)
         }
-        // cos √s is smooth in s where √s is not: sin m sinc δ/(√a + √b) = sinc m sinc δ/2.
-        Node::Unary(f @ (Unary::Cos | Unary::Cosh), u) if let Some(s) = graph.radicand(u) => {
-            let (a, b) = ends.values(graph, u);
-            let (cardinal, half) = if f == Unary::Cos { (Unary::Sinc, -0.5) } else { (Unary::Sinhc, 0.5) };
-            let (middle, gap) = (graph.mean(a, b), graph.sub(b, a));
-            let delta = graph.scale(0.5, gap);
-            let factors = [graph.unary(cardinal, middle), graph.unary(cardinal, delta)];
-            let secant = graph.mul(&factors);
-            vec![(s, graph.scale(half, secant))]
-        }
         Node::Unary(f, u) => {
             let (a, b) = ends.values(graph, u);
-            vec![(u, divided_difference(graph, f, a, b))]
+            let Some(even) = graph.even_of_root(node) else { return vec![(u, divided_difference(graph, f, a, b))] };
+            // sin m sinc δ/(√a + √b) = sinc m sinc δ/2.
+            let (middle, gap) = (graph.mean(a, b), graph.sub(b, a));
+            let delta = graph.scale(0.5, gap);
+            let factors = [graph.unary(even.cardinal, middle), graph.unary(even.cardinal, delta)];
+            let secant = graph.mul(&factors);
+            vec![(even.below, graph.scale(even.half, secant))]
         }
         Node::Binary(f, u, w) => {
             let both = of_binary(graph, f, u, w, ends, moves);

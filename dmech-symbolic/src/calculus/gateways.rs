@@ -24,7 +24,7 @@ pub(super) struct Gateways {
 impl Gateways {
     /// Those between the roots and the coordinates.
     pub(super) fn of(graph: &mut Graph, roots: &[Expr], coordinates: &[Symbol]) -> Self {
-        let network = Network::new(graph, roots, coordinates);
+        let mut network = Network::new(graph, roots, coordinates);
         let inner = network.least_cut();
         let symbols: Vec<_> = (0..inner.len()).map(|k| graph.coordinate(&format!("u{k}"))).collect();
         let mut inside: Vec<_> = inner.iter().zip(&symbols).map(|(&u, &name)| (u, graph.symbol(name))).collect();
@@ -147,27 +147,20 @@ impl Network {
     }
 
     /// Sends one unit after the other until no way is left; then the cut is where the ways to the sink begin.
-    fn least_cut(&self) -> Vec<Expr> {
-        let mut network = Self {
-            expressions: self.expressions.clone(),
-            edges: self.edges.clone(),
-            heads: self.heads.clone(),
-            capacity: self.capacity.clone(),
-            parts: vec![],
-        };
+    fn least_cut(&mut self) -> Vec<Expr> {
         loop {
-            let by = network.reach(SOURCE, false);
+            let by = self.reach(SOURCE, false);
             let mut vertex = SINK;
             if by[SINK].is_none() {
                 break;
             }
             while let Some(edge) = by[vertex] {
-                network.capacity[edge] -= 1;
-                network.capacity[edge ^ 1] += 1;
-                vertex = network.heads[edge ^ 1];
+                self.capacity[edge] -= 1;
+                self.capacity[edge ^ 1] += 1;
+                vertex = self.heads[edge ^ 1];
             }
         }
-        let to_sink = network.reach(SINK, true);
+        let to_sink = self.reach(SINK, true);
         let cut = |i: &usize| to_sink[2 * i + 3].is_some() && to_sink[2 * i + 2].is_none();
         let mut inner: Vec<_> = (0..self.expressions.len()).filter(cut).map(|i| self.expressions[i]).collect();
         inner.sort_unstable();

@@ -8,8 +8,8 @@
 //! - for `min` and `max` of u and w, with the gaps g = u − w at the ends, it is ω ∇̄u + (1 − ω) ∇̄w with
 //!   ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger: max = (u + w)/2 + |u − w|/2;
 //! - for `if` the step is cut where the seam is crossed, at p = a + λ (b − a) with λ = cₐ/(cₐ − c_b), where c is 0 on
-//!   the seam: λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b) if the condition holds at a. Where the seam is curved, the rest of the rise goes along b − a, as
-//!   in Gonzalez' correction (J. Nonlinear Sci. 6 (1996) 449).
+//!   the seam: λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b) if the condition holds at a. Where the seam is curved, the rest of the
+//!   rise goes along b − a, as in Gonzalez' correction (J. Nonlinear Sci. 6 (1996) 449).
 
 use std::rc::Rc;
 

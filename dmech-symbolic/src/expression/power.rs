@@ -25,12 +25,16 @@ impl Graph {
         }
     }
 
-    /// s, if the expression is √s.
-    pub(crate) fn radicand(&self, f: Expr) -> Option<Expr> {
-        match *self.node(f) {
-            Node::Unary(Unary::Sqrt, s) => Some(s),
-            _ => None,
-        }
+    /// cos √s and cosh √s, which are smooth in s where √s is not: with sinc and sinhc the derivative is ∓sinc(√s)/2.
+    pub(crate) fn even_of_root(&self, e: Expr) -> Option<EvenOfRoot> {
+        let Node::Unary(f, root) = *self.node(e) else { return None };
+        let Node::Unary(Unary::Sqrt, below) = *self.node(root) else { return None };
+        let (cardinal, half) = match f {
+            Unary::Cos => (Unary::Sinc, -0.5),
+            Unary::Cosh => (Unary::Sinhc, 0.5),
+            _ => return None,
+        };
+        Some(EvenOfRoot { cardinal, half, root, below })
     }
 
     /// c e, within the branches if e is a choice: where a branch is 0, c may be infinite.
@@ -53,6 +57,15 @@ impl Graph {
         known.insert(e, product);
         product
     }
+}
+
+/// cos √s or cosh √s: the cardinal function of its derivative with the factor, √s and s.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EvenOfRoot {
+    pub(crate) cardinal: Unary,
+    pub(crate) half: f64,
+    pub(crate) root: Expr,
+    pub(crate) below: Expr,
 }
 
 /// A root: its degree, and what is below it.

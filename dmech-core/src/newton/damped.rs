@@ -24,7 +24,7 @@ pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     spent: u32,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    // |drift − frozen − g G − Δ|, G where the correction was made.
+    // |drift − frozen − g G − Δ|, G where the correction was made; of a trapezoid, whose G comes with J δ added, |δ|.
     let rest = |delta: [R; D], made: &Correction<D, R>| {
         let wanted = equation.increment(made.parts[0]);
         length(&core::array::from_fn::<_, D, _>(|i| wanted[i] - delta[i])).to_f64()

@@ -151,7 +151,9 @@ fn of_function(u: &Scale, jet: &dyn Fn(f64) -> [f64; 3]) -> Scale {
         (s.abs(), change.sum())
     };
     let mut all = node(jets.map(|j| j[0]), &[Edge { child: u, factor, factor_error, moves }]);
-    all.vertical |= jets.iter().any(|j| !j[1].is_finite());
+    // At the foot of a root, or so near to it that rounding may put it there.
+    let at_foot = |k: usize| u.ends[k].abs() <= 8.0 * ROUNDING * u.value_error[k] && !jet(0.0)[1].is_finite();
+    all.vertical |= jets.iter().any(|j| !j[1].is_finite()) || (0..2).any(at_foot);
     if all.doubtful {
         all.error += all.value_error[0] + all.value_error[1];
     }

@@ -227,7 +227,11 @@ fn difference<R: Real>(f: &dyn Fn(R) -> R, x: f64, h: f64, noise: f64) -> Option
         return None;
     }
     let size = up_near.abs().max(down_near.abs());
-    Some((fine, 4.0 * (fine - coarse).abs() + 0.5 * bend_near.min(bend) + 64.0 * grain + 1e-11 * size))
+    let allowed = 4.0 * (fine - coarse).abs() + 0.5 * bend_near.min(bend) + 64.0 * grain + 1e-11 * size;
+    // A sine that turns many times within the steps may agree with itself by chance, but not at odd fractions as well.
+    const ODD: f64 = 187.3;
+    let finest = 0.5 * (slope(h / ODD) + slope(-h / ODD));
+    ((finest - fine).abs() <= allowed + 64.0 * ODD * grain).then_some((fine, allowed))
 }
 
 /// q with coordinate j replaced.

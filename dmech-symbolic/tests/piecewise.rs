@@ -55,6 +55,17 @@ fn seams() -> Vec<Seam> {
             let r = norm(q);
             choose(r.less(p[0]), p[1] * r * r / 2.0, p[1] * p[0] * r - p[1] * p[0] * p[0] / 2.0)
         }),
+        seam("quartic in the square of r", sphere, |q, p| {
+            // Normal form flattens s + s² into the terms of s.
+            let s = norm(q).powi(2);
+            let edge = p[0] * p[0];
+            choose(norm(q).at_most(p[0]), s.powi(2) + s - edge.powi(2) - edge, 0.0)
+        }),
+        seam("quartic down in the square of r", sphere, |q, p| {
+            let s = norm(q).powi(2);
+            let edge = p[0] * p[0];
+            choose(norm(q).at_most(p[0]), s.powi(2) - s - edge.powi(2) + edge, 0.0)
+        }),
         seam("through one inner expression", bowl, |q, p| choose(bend(q).less(p[0]), 0.0, spring(bend(q), p[0], p[2]))),
         seam("several coordinates", bowl, |q, p| {
             let wave = q[1].sin();
@@ -160,5 +171,24 @@ fn the_quotient_approaches_the_gradient() {
         };
         let (coarse, fine) = (error(1e-2), error(1e-4));
         assert!(coarse < 1e-1 && fine < 1.2e-2 * coarse, "{coarse} {fine}");
+    }
+}
+
+/// Up to a flat seam nothing changes, from there on the branch has its own form: ∇̄Φ = (1 − λ) ∇̄no(p, b) with p on the seam.
+/// What the branch would be on the other side is huge here, and no number.
+#[test]
+fn what_a_branch_would_be_elsewhere_does_not_matter() {
+    let mut law = Law::build(4, |q, p| {
+        choose(q[0].less(p[0]), 0.0, (q[0] - p[0]) * (q[1] * q[2] + q[3] * q[1] * q[2] * q[0].sqrt()))
+    });
+    let kernels = law.kernels();
+    let (a, b) = ([-3.3, 26.8, -6.9, 4.2], [0.9, -0.6, 0.5, 1.3]);
+    let share = (0.7 - a[0]) / (b[0] - a[0]);
+    let p: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a + share * (b - a)).collect();
+    let g = kernels.discrete_gradient.run(law.at(&a, &b));
+    let beyond = kernels.discrete_gradient.run(law.at(&p, &b));
+    for (i, (g, beyond)) in g.iter().zip(&beyond).enumerate() {
+        let expected = (1.0 - share) * beyond;
+        assert!(beyond.abs() > 1e-3 && (g - expected).abs() <= 1e-14 * expected.abs(), "{i}: {g} {expected}");
     }
 }

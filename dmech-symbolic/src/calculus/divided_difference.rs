@@ -224,7 +224,9 @@ pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> E
     let (between, sum) = (g.sub(first[1], first[0]), g.add(&first));
     let (distance, size) = (g.unary(Unary::Abs, between), g.unary(Unary::Abs, sum));
     let half = g.scale(0.5, size);
-    let secant = g.select(Condition::less(distance, half), closed, far);
+    let square = g.square(gap);
+    let near = Condition::less(distance, half).or(Condition::lost(g, square));
+    let secant = g.select(near, closed, far);
     let magnitudes = if degree == 3 { first.map(|root| g.unary(Unary::Abs, root)) } else { first };
     let reach = g.add(&magnitudes);
     // The square of what is below the root, or what more the derivative divides by.

@@ -1,16 +1,21 @@
-//! The fewest inner expressions through which an expression depends on the coordinates.
+//! The fewest inner expressions through which a choice depends on the coordinates.
 //!
 //! A choice between potentials of a distance is a choice in one variable, whatever the number of coordinates. What is
 //! chosen across its seam is formed in that variable, and the way from there to the coordinates is the same in all
 //! branches: so that central laws stay central and what depends on differences does not push the whole.
 //!
-//! The fewest are found as a least cut between the expression and the coordinates (L. R. Ford and D. R. Fulkerson,
+//! The fewest are found as a least cut between the choice and the coordinates (L. R. Ford and D. R. Fulkerson,
 //! Canad. J. Math. 8 (1956) 399), and of several such cuts the one next to the coordinates, whose expressions are the
-//! simplest. Sums and products count without what does not move: x − y and x − y − d have one variable, x y and −k x y too.
+//! simplest. Sums and products count without what does not move: x − y and x − y − d have one variable, x y and −k x y too;
+//! and a sum that another was flattened into counts by itself: r² + r⁴ has the one variable r².
+//!
+//! The branches of an `if` join on its seam, which is a place in the variables only if these are independent there. As
+//! y (x − d) is not of x at x = d, what stands in a branch alone is no variable unless it has nothing to do with the
+//! condition or is a sum of coordinates; nor is anything that need not be a number where the other branch is taken.
 
 use std::collections::HashMap;
 
-use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
+use crate::expression::{Choice, Expr, Graph, Node, Number, Substitution, Symbol};
 
 /// Inner expressions, each with a variable that stands for it.
 pub(super) struct Gateways {
@@ -22,19 +27,27 @@ pub(super) struct Gateways {
 }
 
 impl Gateways {
-    /// Those between the roots and the coordinates.
-    pub(super) fn of(graph: &mut Graph, roots: &[Expr], coordinates: &[Symbol]) -> Self {
-        let mut network = Network::new(graph, roots, coordinates);
+    /// Those between a choice and the coordinates.
+    pub(super) fn of(graph: &mut Graph, e: Expr, choice: &Choice, coordinates: &[Symbol]) -> Self {
+        let mut network = Network::new(graph, choice, coordinates);
+        if matches!(graph.node(e), Node::Select(..)) {
+            network.close_dependent(graph, coordinates);
+        }
         let inner = network.least_cut();
         let symbols: Vec<_> = (0..inner.len()).map(|k| graph.coordinate(&format!("u{k}"))).collect();
-        let mut inside: Vec<_> = inner.iter().zip(&symbols).map(|(&u, &name)| (u, graph.symbol(name))).collect();
-        for (sum, part) in network.parts {
-            let Some(k) = inner.iter().position(|&u| u == part.moving) else { continue };
-            let u = graph.symbol(symbols[k]);
-            let scaled = graph.mul(&[part.scale, u]);
-            inside.push((sum, graph.add(&[scaled, part.fixed])));
+        let pairs: Vec<_> = inner.iter().zip(&symbols).map(|(&u, &name)| (u, graph.symbol(name))).collect();
+        let mut inside = Substitution::of_expressions(pairs);
+        // The simpler ones first: others are made of them.
+        network.parts.sort_by_cached_key(|(e, parts)| (graph.children(*e).into_iter().max(), parts.rank(graph, *e)));
+        for (e, Parts { moving, fixed }) in network.parts {
+            let images = moving.into_iter().map(|(scale, part)| (scale, inside.apply(graph, part)));
+            let images: Vec<_> = images.collect();
+            let mut terms: Vec<_> = images.into_iter().map(|(scale, image)| graph.mul(&[scale, image])).collect();
+            terms.push(fixed);
+            let image = graph.add(&terms);
+            inside.remember(e, image);
         }
-        Self { inner, symbols, inside: Substitution::of_expressions(inside) }
+        Self { inner, symbols, inside }
     }
 
     /// The expression in the variables.
@@ -43,80 +56,179 @@ impl Gateways {
     }
 }
 
-/// An expression as scale·moving + fixed.
-struct Part {
-    moving: Expr,
-    scale: Expr,
+/// An expression as Σ scale·moving + fixed.
+struct Parts {
+    moving: Vec<(Expr, Expr)>,
     fixed: Expr,
 }
 
-/// The moving part of a sum, its first coefficient positive, or of a product; and the rest.
-fn parts(graph: &mut Graph, e: Expr, moves: &[bool]) -> Option<Part> {
-    if let Node::Product { coefficient, factors } = graph.node(e).clone() {
-        let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|(f, _)| moves[f.index()]);
-        let (moving, scale) = (graph.product_of(Number::ONE, moving), graph.product_of(coefficient, fixed));
-        return Some(Part { moving, scale, fixed: graph.zero() });
+impl Parts {
+    /// Of expressions with the same terms, those that others are made of come first.
+    fn rank(&self, graph: &Graph, e: Expr) -> (bool, usize) {
+        (self.moving.len() == 1, graph.children(e).len())
     }
-    let Node::Sum { constant, terms } = graph.node(e).clone() else { return None };
-    let (moving, mut fixed): (Vec<_>, Vec<_>) = terms.iter().copied().partition(|(_, t)| moves[t.index()]);
-    let sign = if moving.first()?.0.value() < 0.0 { -1.0 } else { 1.0 };
-    fixed.push((constant, graph.one()));
-    let turned: Vec<_> = moving.into_iter().map(|(c, t)| (Number::new(sign * c.value()), t)).collect();
-    let scale = graph.number(sign);
-    Some(Part { moving: graph.linear_combination(&turned), scale, fixed: graph.linear_combination(&fixed) })
+
+    /// What moves of a sum, its first coefficient positive, or of a product; or a sum within a sum, and the rest.
+    fn of(graph: &mut Graph, e: Expr, moves: &dyn Fn(Expr) -> bool, sums: &[Expr]) -> Option<Self> {
+        let whole = match graph.node(e).clone() {
+            Node::Product { coefficient, factors } => {
+                let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| moves(f));
+                let scale = graph.product_of(coefficient, fixed);
+                let moving = vec![(scale, graph.product_of(Number::ONE, moving))];
+                Self { moving, fixed: graph.zero() }
+            }
+            Node::Sum { .. } => {
+                let Moving { sign, terms, fixed } = Moving::of(graph, e, moves)?;
+                let (scale, fixed) = (graph.number(sign), graph.linear_combination(&fixed));
+                Self { moving: vec![(scale, graph.linear_combination(&terms))], fixed }
+            }
+            _ => return None,
+        };
+        if whole.moving[0].1 != e { Some(whole) } else { Self::split(graph, e, sums) }
+    }
+
+    /// The longest of the sums whose terms all stand in this one, or all with the other sign, and the rest.
+    fn split(graph: &mut Graph, e: Expr, sums: &[Expr]) -> Option<Self> {
+        let Node::Sum { terms, .. } = graph.node(e).clone() else { return None };
+        for &sum in sums.iter().filter(|&&sum| sum != e) {
+            let Node::Sum { terms: inner, .. } = graph.node(sum).clone() else { continue };
+            for sign in [1.0, -1.0] {
+                let turned = |c: Number| Number::new(sign * c.value());
+                let stands = |&(c, t): &(Number, Expr)| terms.contains(&(turned(c), t));
+                if inner.len() >= terms.len() || !inner.iter().all(stands) {
+                    continue;
+                }
+                let is_rest = |&&(c, t): &&(Number, Expr)| !inner.contains(&(turned(c), t));
+                let rest: Vec<_> = terms.iter().filter(is_rest).copied().collect();
+                let moving = vec![(graph.number(sign), sum), (graph.one(), graph.linear_combination(&rest))];
+                return Some(Self { moving, fixed: graph.zero() });
+            }
+        }
+        None
+    }
 }
 
-/// The way from the roots to the coordinates as a network in which each expression may be passed once.
+/// The terms of a sum that move, the first one positive, and those that do not.
+struct Moving {
+    sign: f64,
+    terms: Vec<(Number, Expr)>,
+    fixed: Vec<(Number, Expr)>,
+}
+
+impl Moving {
+    fn of(graph: &mut Graph, e: Expr, moves: &dyn Fn(Expr) -> bool) -> Option<Self> {
+        let Node::Sum { constant, terms } = graph.node(e).clone() else { return None };
+        let (moving, mut fixed): (Vec<_>, Vec<_>) = terms.iter().copied().partition(|&(_, t)| moves(t));
+        let sign = if moving.first()?.0.value() < 0.0 { -1.0 } else { 1.0 };
+        fixed.push((constant, graph.one()));
+        Some(Self { sign, terms: moving.into_iter().map(|(c, t)| (Number::new(sign * c.value()), t)).collect(), fixed })
+    }
+
+    /// Those of all sums in the expressions, as expressions, the longest first.
+    fn all(graph: &mut Graph, roots: &[Expr], moves: &dyn Fn(Expr) -> bool) -> Vec<Expr> {
+        let reachable: Vec<_> = graph.reachable(roots).into_iter().filter(|&e| moves(e)).collect();
+        let mut sums: Vec<_> = reachable.into_iter().filter_map(|e| Self::of(graph, e, moves)).collect();
+        sums.retain(|sum| sum.terms.len() > 1);
+        sums.sort_by_key(|sum| std::cmp::Reverse(sum.terms.len()));
+        sums.into_iter().map(|sum| graph.linear_combination(&sum.terms)).collect()
+    }
+}
+
+/// The way from a choice to the coordinates as a network in which each expression may be passed once.
 struct Network {
     expressions: Vec<Expr>,
+    /// How many of them are below the condition; these come first.
+    of_condition: usize,
     /// To each vertex the edges that leave it. Vertex 0 is the source, 1 the sink; expression i is entered at 2 i + 2 and
     /// left at 2 i + 3.
     edges: Vec<Vec<usize>>,
     heads: Vec<usize>,
     /// What an edge may still carry; edge 2 k + 1 is edge 2 k backwards.
     capacity: Vec<usize>,
-    /// The sums and products that have a fixed part or another sign.
-    parts: Vec<(Expr, Part)>,
+    /// More than can ever flow.
+    unbounded: usize,
+    /// The sums and products that are taken by their parts.
+    parts: Vec<(Expr, Parts)>,
 }
 
 const SOURCE: usize = 0;
 const SINK: usize = 1;
 
 impl Network {
-    fn new(graph: &mut Graph, roots: &[Expr], coordinates: &[Symbol]) -> Self {
-        let moves = graph.dependence(coordinates);
-        let mut network =
-            Self { expressions: vec![], edges: vec![vec![], vec![]], heads: vec![], capacity: vec![], parts: vec![] };
-        let unbounded = coordinates.len() + 1;
+    fn new(graph: &mut Graph, choice: &Choice, coordinates: &[Symbol]) -> Self {
+        let moving = graph.dependence(coordinates);
+        // What is made on the way is made of what moves.
+        let moves = |e: Expr| moving.get(e.index()).is_none_or(|&moves| moves);
+        let sums = Moving::all(graph, &choice.roots(), &moves);
+        let mut network = Self {
+            expressions: vec![],
+            of_condition: 0,
+            edges: vec![vec![], vec![]],
+            heads: vec![],
+            capacity: vec![],
+            unbounded: coordinates.len() + 1,
+            parts: vec![],
+        };
         let mut index: HashMap<Expr, usize> = HashMap::new();
-        let mut open: Vec<(usize, Expr)> = roots.iter().filter(|e| moves[e.index()]).map(|&e| (SOURCE, e)).collect();
-        while let Some((from, e)) = open.pop() {
-            if let Some(&i) = index.get(&e) {
-                network.connect(from, 2 * i + 2, unbounded);
-                continue;
-            }
-            let i = network.expressions.len();
-            index.insert(e, i);
-            network.expressions.push(e);
-            network.edges.extend([vec![], vec![]]);
-            network.connect(2 * i + 2, 2 * i + 3, 1);
-            network.connect(from, 2 * i + 2, unbounded);
-            if matches!(graph.node(e), Node::Symbol(_)) {
-                network.connect(2 * i + 3, SINK, unbounded);
-                continue;
-            }
-            match parts(graph, e, &moves) {
-                Some(part) if part.moving != e => {
-                    open.push((2 * i + 3, part.moving));
-                    network.parts.push((e, part));
-                }
-                _ => {
-                    let children = graph.children(e).into_iter().filter(|c| moves[c.index()]);
-                    open.extend(children.map(|c| (2 * i + 3, c)));
-                }
+        for (k, roots) in [choice.condition.operands(), vec![choice.yes, choice.no]].into_iter().enumerate() {
+            let moving = roots.into_iter().filter(|&e| moves(e));
+            network.grow(graph, moving.map(|e| (SOURCE, e)).collect(), &moves, &sums, &mut index);
+            if k == 0 {
+                network.of_condition = network.expressions.len();
             }
         }
         network
+    }
+
+    /// Adds all that the open expressions are made of.
+    fn grow(
+        &mut self,
+        graph: &mut Graph,
+        mut open: Vec<(usize, Expr)>,
+        moves: &dyn Fn(Expr) -> bool,
+        sums: &[Expr],
+        index: &mut HashMap<Expr, usize>,
+    ) {
+        while let Some((from, e)) = open.pop() {
+            if let Some(&i) = index.get(&e) {
+                self.connect(from, 2 * i + 2, self.unbounded);
+                continue;
+            }
+            let i = self.expressions.len();
+            index.insert(e, i);
+            self.expressions.push(e);
+            self.edges.extend([vec![], vec![]]);
+            self.connect(2 * i + 2, 2 * i + 3, 1);
+            self.connect(from, 2 * i + 2, self.unbounded);
+            if matches!(graph.node(e), Node::Symbol(_)) {
+                self.connect(2 * i + 3, SINK, self.unbounded);
+            } else if let Some(parts) = Parts::of(graph, e, moves, sums) {
+                open.extend(parts.moving.iter().map(|&(_, part)| (2 * i + 3, part)));
+                self.parts.push((e, parts));
+            } else {
+                let children = graph.children(e).into_iter().filter(|&c| moves(c));
+                open.extend(children.map(|c| (2 * i + 3, c)));
+            }
+        }
+    }
+
+    /// No cut passes through what a branch alone is made of and the condition has to do with, or what may be no number.
+    fn close_dependent(&mut self, graph: &Graph, coordinates: &[Symbol]) {
+        let symbol = |e: &Expr| match graph.node(*e) {
+            Node::Symbol(symbol) => Some(*symbol),
+            _ => None,
+        };
+        let of_condition: Vec<_> = self.expressions[..self.of_condition].iter().filter_map(symbol).collect();
+        let (moves, bound) = (graph.dependence(coordinates), graph.dependence(&of_condition));
+        for (i, &e) in self.expressions.iter().enumerate().skip(self.of_condition) {
+            let is_open = symbol(&e).is_some()
+                || is_linear(graph, e, &moves)
+                || !bound[e.index()] && is_polynomial(graph, e, &moves);
+            if !is_open {
+                let through = self.edges[2 * i + 2][0];
+                self.capacity[through] = self.unbounded;
+            }
+        }
     }
 
     fn connect(&mut self, from: usize, to: usize, capacity: usize) {
@@ -166,4 +278,19 @@ impl Network {
         inner.sort_unstable();
         inner
     }
+}
+
+/// A sum of coordinates.
+fn is_linear(graph: &Graph, e: Expr, moves: &[bool]) -> bool {
+    let Node::Sum { terms, .. } = graph.node(e) else { return false };
+    terms.iter().all(|(_, t)| !moves[t.index()] || matches!(graph.node(*t), Node::Symbol(_)))
+}
+
+/// A sum or product of coordinates, sums and products.
+fn is_polynomial(graph: &Graph, e: Expr, moves: &[bool]) -> bool {
+    graph.reachable(&[e]).into_iter().filter(|e| moves[e.index()]).all(|e| match graph.node(e) {
+        Node::Symbol(_) | Node::Sum { .. } => true,
+        Node::Product { factors, .. } => factors.iter().all(|&(f, n)| n > 0 || !moves[f.index()]),
+        _ => false,
+    })
 }

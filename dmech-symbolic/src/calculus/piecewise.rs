@@ -57,7 +57,7 @@ pub(super) fn shares(graph: &mut Graph, e: Expr, adjoint: Expr, ends: &mut TwoPo
 impl Placed {
     fn new(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Self {
         let choice = graph.choice(e).expect("the expression is a choice");
-        let mut gateways = Gateways::of(graph, &choice.roots(), &ends.coordinates);
+        let mut gateways = Gateways::of(graph, e, &choice, &ends.coordinates);
         let forms = Inside::new(graph, e, choice, &mut gateways).forms(graph);
         let mut pairs = vec![];
         for (k, &u) in gateways.inner.iter().enumerate() {

@@ -22,6 +22,11 @@ impl Substitution {
         Self { done: pairs.into_iter().collect() }
     }
 
+    /// Replaces this expression too, unless it is replaced already.
+    pub(crate) fn remember(&mut self, e: Expr, image: Expr) {
+        self.done.entry(e).or_insert(image);
+    }
+
     /// The expression after the replacement, in normal form.
     pub fn apply(&mut self, graph: &mut Graph, e: Expr) -> Expr {
         let mut missing = vec![e];

@@ -3,7 +3,7 @@
 //! The other crates are dependencies of the program only, which is a bench:
 //!
 //! ```text
-//! cargo bench -p dmech-peers
+//! cargo bench -p dmech-peers --features solvers
 //! ```
 //!
 //! An [`Entrant`] runs a motion once for a knob, which is the number of steps or the tolerance. All entrants of a motion

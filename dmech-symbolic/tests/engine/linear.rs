@@ -1,0 +1,89 @@
+//! Symbolic solution of small linear systems against nalgebra.
+
+use crate::common::{U, Worst};
+use dmech_symbolic::expression::{Expr, Graph, Symbol};
+use dmech_symbolic::program::Program;
+use nalgebra::{DMatrix, DVector};
+
+/// A symbol with its row and column.
+type Entry = (Symbol, usize, usize);
+
+/// A matrix of symbols where `pattern` says so, and zeros elsewhere; mirrored if symmetric.
+fn matrix(
+    g: &mut Graph,
+    n: usize,
+    symmetric: bool,
+    pattern: impl Fn(usize, usize) -> bool,
+) -> (Vec<Vec<Expr>>, Vec<Entry>) {
+    let mut entries = vec![vec![g.zero(); n]; n];
+    let mut symbols = vec![];
+    for i in 0..n {
+        for j in 0..n {
+            if symmetric && j < i {
+                entries[i][j] = entries[j][i];
+            } else if pattern(i, j) || i == j {
+                let symbol = g.parameter(&format!("a{i}_{j}"));
+                symbols.push((symbol, i, j));
+                entries[i][j] = g.symbol(symbol);
+            }
+        }
+    }
+    (entries, symbols)
+}
+
+/// Solutions of linear systems for n = 1 … 6, dense, banded and with an arrow of entries, symmetric or not.
+#[test]
+fn linear_systems() {
+    type Pattern = fn(usize, usize) -> bool;
+    let patterns: [(&str, Pattern); 4] = [
+        ("dense", |_, _| true),
+        ("diagonal", |i, j| i == j),
+        ("banded", |i, j| i.abs_diff(j) <= 1),
+        ("arrow", |i, j| i == 0 || j == 0),
+    ];
+    let worst = Worst::new();
+    for n in 1..=6 {
+        for (name, pattern) in patterns {
+            for symmetric in [true, false] {
+                let mut g = Graph::new();
+                let (a, symbols) = matrix(&mut g, n, symmetric, pattern);
+                let right: Vec<_> = (0..n).map(|i| g.parameter(&format!("r{i}"))).collect();
+                let r: Vec<_> = right.iter().map(|&s| g.symbol(s)).collect();
+                let x = dmech_symbolic::linear::solve(&mut g, &a, &r, symmetric);
+                let program = Program::schedule(&mut g, &x);
+                for seed in 0..6 {
+                    // 1 + g H: the diagonal leads, the rest is smaller and of either sign.
+                    let entry = |i: usize, j: usize| {
+                        let wave = ((7 * i + 3 * j + 5 * seed + 1) as f64).sin();
+                        if i == j { 1.0 + 0.4 * wave } else { 0.3 * wave }
+                    };
+                    let mut dense = DMatrix::zeros(n, n);
+                    for &(_, i, j) in &symbols {
+                        dense[(i, j)] = entry(i, j);
+                        if symmetric {
+                            dense[(j, i)] = entry(i, j);
+                        }
+                    }
+                    let value = |s: Symbol| match symbols.iter().find(|entry| entry.0 == s) {
+                        Some(&(_, i, j)) => entry(i, j),
+                        None => 0.7 - 0.4 * right.iter().position(|&t| t == s).expect("known") as f64,
+                    };
+                    let exact = dense
+                        .clone()
+                        .full_piv_lu()
+                        .solve(&DVector::from_fn(n, |i, _| value(right[i])))
+                        .expect("regular");
+                    let condition = dense.norm() * dense.try_inverse().expect("regular").norm();
+                    for (computed, exact) in program.run(value).into_iter().zip(exact.iter()) {
+                        let scale = condition * exact.abs().max(1.0);
+                        worst.see((computed - exact).abs() / (2.0 * U * scale), || format!("{name} {n} {symmetric}"));
+                    }
+                }
+                let divisions = program.cost().divisions;
+                println!("{name:>8} {n} {}: {}", if symmetric { "symmetric" } else { "general  " }, program.cost());
+                assert!(divisions <= n, "{name} {n}: {divisions} divisions");
+            }
+        }
+    }
+    worst.at_most(16.0, "linear systems, ulp times the condition");
+}

@@ -1,0 +1,17 @@
+//! What is promised of the engine.
+
+mod choices;
+mod common;
+mod derivatives;
+mod discrete_gradient;
+mod divided_difference;
+mod forced;
+mod jacobian;
+mod linear;
+mod normal_form;
+mod pairs;
+mod paper;
+mod piecewise;
+mod programs;
+mod rules;
+mod structure;

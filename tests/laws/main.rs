@@ -1,0 +1,14 @@
+//! The language of a law, and what is generated from one.
+
+mod as_written;
+mod derivation;
+mod forces;
+mod generated;
+mod language;
+mod magnetic;
+mod masses;
+mod models;
+mod pairs;
+mod random;
+mod readme;
+mod verify;

@@ -1,0 +1,1 @@
+//! Nothing but a suite: see `tests/messages.rs`.

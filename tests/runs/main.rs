@@ -1,0 +1,5 @@
+//! Runs: saved, resumed, shown.
+
+mod checkpoint;
+mod progress;
+mod resumed;

@@ -1,0 +1,8 @@
+//! Many bodies.
+
+mod bonds;
+mod chains;
+mod closed;
+mod granular;
+mod memory;
+mod random;

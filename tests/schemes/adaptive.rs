@@ -1,0 +1,375 @@
+//! Steps that follow the motion: what is kept, what a tolerance means, what it saves.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::hint::black_box;
+
+use dmech::models::{DampedPendulum, DrivenPendulum, HenonHeiles, Kepler, Pendulum, Quartic, Wall};
+use dmech::prelude::*;
+use dmech::{Adaptable, Drift};
+
+use dmech_tests::memory::allocations;
+use dmech_tests::motion::distance;
+
+const SUN: Kepler = Kepler { gm: 1.0 };
+
+/// An orbit of half-axis 1 from its apocentre.
+fn from_apocentre(e: f64) -> State<2> {
+    State::new([-1.0 - e, 0.0], [0.0, -((1.0 - e) / (1.0 + e)).sqrt()])
+}
+
+/// Where that orbit is after a time.
+fn exact(e: f64, t: f64) -> [f64; 2] {
+    SUN.exact(1.0, e, t + 0.5 * TAU)
+}
+
+/// An adaptive run on that orbit that records every n-th step.
+fn orbit<S>(scheme: S, e: f64, tolerance: f64, end: f64, every: u64) -> Run<State<2>>
+where
+    S: Adaptable + Scheme<Kepler, 2>,
+{
+    let simulation = Simulation::new(SUN, from_apocentre(e)).scheme(scheme).adaptive(tolerance);
+    simulation.record_every(every).run_until(end).unwrap_or_else(|interrupted| panic!("{interrupted}"))
+}
+
+/// The distance from the exact position at the end.
+fn error(run: &Run<State<2>>, e: f64) -> f64 {
+    distance(run.last().q, exact(e, run.last().t))
+}
+
+#[test]
+fn energy_and_angular_momentum_are_exact_over_many_steps() {
+    fn check<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, e: f64, tolerance: f64, revolutions: f64, stages: u64) {
+        let run = orbit(scheme, e, tolerance, TAU * revolutions, 7);
+        let solutions = stages * run.steps();
+        assert!(solutions > 100_000, "{solutions} equations solved");
+        let drift = |invariant| -> Drift { run.drift(invariant).unwrap() };
+        let (energy, turning) = (drift(Invariant::Energy), drift(Invariant::AngularMomentum));
+        println!("{} e = {e}: {:e} {:e}, {solutions}", S::NAME, energy.max_relative(), turning.max_relative());
+        // At the pericentre K and Φ are (1 + e)/(1 − e) times as large as the energy, and so is the rounding of their sum.
+        assert!(energy.max_relative() < 1e-13 * (0.1 / (1.0 - e)).max(1.0), "{:e}", energy.max_relative());
+        assert!(turning.max_relative() < 1e-13, "{:e}", turning.max_relative());
+        // Not more than roundings there that go to and fro: an error with a sign would be √solutions as large.
+        let rounding = f64::EPSILON * (1.0 + e) / (1.0 - e) * (solutions as f64).sqrt();
+        assert!(energy.max_relative() < 0.1 * rounding, "{:e} for {rounding:e}", energy.max_relative());
+    }
+    check(DiscreteGradient, 0.9, 1e-3, 250.0, 1);
+    check(DiscreteGradient, 0.99, 1e-3, 180.0, 1);
+    check(Composed::order4(DiscreteGradient), 0.9, 1e-5, 300.0, 5);
+    check(Composed::order6(DiscreteGradient), 0.9, 1e-7, 200.0, 13);
+    check(Composed::order6(DiscreteGradient), 0.99, 1e-7, 150.0, 13);
+    check(Composed::order8(DiscreteGradient), 0.99, 1e-7, 150.0, 21);
+}
+
+#[test]
+fn the_error_is_in_proportion_to_the_tolerance_at_every_order() {
+    fn check<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, tolerances: [f64; 2]) {
+        let revolutions = 10.3;
+        for e in [0.7, 0.9, 0.97] {
+            let runs = tolerances.map(|tolerance| orbit(scheme, e, tolerance, TAU * revolutions, 1000));
+            let errors = [error(&runs[0], e), error(&runs[1], e)];
+            let share = errors[1] / revolutions / tolerances[1];
+            // The order, by mean steps: they are as many as it takes to turn ω by ε each time.
+            let order = (errors[0] / errors[1]).ln() / (runs[1].steps() as f64 / runs[0].steps() as f64).ln();
+            println!("{:<40} e = {e}: order {order:.3}, {share:.3} of the tolerance per revolution", S::NAME);
+            assert!((order - f64::from(S::ORDER)).abs() < 0.15, "{} at e = {e}: order {order}", S::NAME);
+            assert!((0.01..4.0).contains(&share), "{} at e = {e}: {share} of the tolerance", S::NAME);
+            // Compositions of leap-frog go by the stages that were fitted to the energy-exact step.
+            let least = if S::NAME.starts_with("Composed(Leapfrog") { 0.1 } else { 0.2 };
+            if e == 0.9 {
+                assert!((least..1.5).contains(&share), "{}: {share} of the tolerance", S::NAME);
+            }
+        }
+    }
+    check(DiscreteGradient, [1e-4, 1e-6]);
+    check(Implicit, [1e-4, 1e-6]);
+    check(Composed::order4(DiscreteGradient), [1e-5, 1e-8]);
+    check(Composed::order4(Implicit), [1e-5, 1e-8]);
+    check(Composed::order6(DiscreteGradient), [1e-6, 1e-9]);
+    check(Composed::order8(DiscreteGradient), [1e-6, 1e-9]);
+    check(Composed::order4(Leapfrog), [1e-6, 1e-8]);
+    check(Composed::order6(Leapfrog), [1e-7, 1e-10]);
+    check(Composed::order8(Leapfrog), [1e-8, 1e-10]);
+    check(Nystrom::order4(), [1e-7, 1e-9]);
+    check(Nystrom::new(coefficients::BlanesMoan6S11), [1e-9, 1e-11]);
+    check(Nystrom::order6(), [1e-9, 1e-11]);
+    check(Nystrom::order8(), [1e-9, 1e-11]);
+    check(ForceGradient::new(coefficients::Omelyan4S4), [1e-7, 1e-9]);
+    check(ForceGradient::order4(), [1e-7, 1e-9]);
+    check(ForceGradient::order6(), [1e-8, 1e-10]);
+    check(ForceGradient::order8(), [1e-7, 1e-9]);
+}
+
+/// Unequal steps are not symplectic, but reversible: the energy error of a splitting is the same in each revolution.
+#[test]
+fn the_energy_of_splittings_does_not_drift() {
+    fn check<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, e: f64, tolerance: f64) {
+        let largest = |revolutions| {
+            let run = orbit(scheme, e, tolerance, TAU * revolutions, 1);
+            let turning = run.drift(Invariant::AngularMomentum).unwrap().max_relative();
+            assert!(turning < 1e-13, "{turning:e}");
+            run.drift(Invariant::Energy).unwrap().max_relative()
+        };
+        let [few, many] = [3.0, 300.0].map(largest);
+        println!("{:<40} e = {e}: {few:.2e} in 3 revolutions, {many:.2e} in 300", S::NAME);
+        assert!(few > 1e-11, "{few:e} is rounding");
+        assert!(many < 1.5 * few, "{}: {few:e} becomes {many:e}", S::NAME);
+    }
+    check(Composed::order4(Leapfrog), 0.9, 1e-5);
+    check(Nystrom::order4(), 0.9, 1e-6);
+    check(Nystrom::order6(), 0.9, 1e-7);
+    check(Nystrom::order6(), 0.99, 1e-8);
+    check(Nystrom::order8(), 0.99, 1e-8);
+    check(ForceGradient::order6(), 0.9, 1e-7);
+    check(ForceGradient::order8(), 0.99, 1e-9);
+}
+
+/// A kick that two steps of different length share is half the one's and half the other's: also its work.
+#[test]
+fn kicks_are_shared_by_unequal_steps() {
+    fn check<S: Adaptable + Scheme<HenonHeiles, 2>>(scheme: S) {
+        let run = Simulation::new(HenonHeiles { lambda: 1.0 }, State::new([0.0, 0.1], [0.42, 0.1])).mass(1.3);
+        let run = run.scheme(scheme).adaptive(1e-6).run_until(500.0).unwrap();
+        let [shortest, longest] = run.report().dt_range().unwrap();
+        assert!(longest > 1.2 * shortest, "{shortest} to {longest}");
+        let balance = run.drift(Invariant::WorkEnergy).unwrap();
+        assert!(balance.max_abs() < 1e-14, "{}: {:e}", S::NAME, balance.max_abs());
+    }
+    check(Composed::order4(Leapfrog));
+    check(Nystrom::order4());
+    check(Nystrom::order6());
+    check(ForceGradient::new(coefficients::Omelyan4S4));
+}
+
+/// h ∝ r^(3/2), up to what the direction of the fall and a finite ε make of it.
+#[test]
+fn steps_follow_the_distance_from_the_centre() {
+    for e in [0.9, 0.99] {
+        let run = orbit(DiscreteGradient, e, 1e-3, 3.0 * TAU, 1);
+        let ratios: Vec<f64> = run
+            .states()
+            .windows(2)
+            .map(|pair| {
+                let [before, after] = [0, 1].map(|i| pair[i].q[0].hypot(pair[i].q[1]));
+                (pair[1].t - pair[0].t) / (before * after).powf(0.75)
+            })
+            .collect();
+        // The last step is shortened to land.
+        let inner = &ratios[..ratios.len() - 1];
+        let (least, most) = inner.iter().fold((f64::MAX, 0.0_f64), |(a, b), x| (a.min(*x), b.max(*x)));
+        let [shortest, longest] = run.report().dt_range().unwrap();
+        println!("e = {e}: h/r^1.5 from {least:.4} to {most:.4}, h from {shortest:.2e} to {longest:.2e}");
+        assert!(most / least < 1.5, "e = {e}: {least} to {most}");
+        assert!(longest / shortest > 0.6 * ((1.0 + e) / (1.0 - e)).powf(1.5));
+    }
+}
+
+/// What is kept leaves only the phase to be wrong, and that grows in proportion to the time.
+#[test]
+fn the_error_grows_in_proportion_to_the_time() {
+    let e = 0.8;
+    let errors = [30.3, 300.3].map(|n| error(&orbit(DiscreteGradient, e, 1e-5, TAU * n, 1000), e));
+    let growth = errors[1] / errors[0];
+    assert!((8.0..12.0).contains(&growth), "{errors:?}");
+}
+
+/// Forces that it takes to reach an error, adaptive and with equal steps, by halving.
+fn forces(e: f64, target: f64) -> [u64; 2] {
+    let end = 10.3 * TAU;
+    let scheme = Composed::order6(DiscreteGradient);
+    let reached = |run: Result<Run<State<2>>, _>| {
+        let run: Option<Run<State<2>>> = run.map_err(|_: Interrupted<State<2>>| ()).ok();
+        run.filter(|run| error(run, e) < target).map(|run| run.report().evaluations())
+    };
+    let simulation = || Simulation::new(SUN, from_apocentre(e)).scheme(scheme).record_every(1000);
+    let adaptive = (0..40).find_map(|k| reached(simulation().adaptive(0.1 * (-f64::from(k)).exp2()).run_until(end)));
+    let equal =
+        (0..20).find_map(|k| reached(simulation().dt(end / (1000.0 * (0.5 * f64::from(k)).exp2())).run_until(end)));
+    [adaptive.unwrap(), equal.unwrap()]
+}
+
+#[test]
+fn following_the_motion_saves_work() {
+    for (e, least) in [(0.9, 3.0), (0.99, 30.0)] {
+        let [adaptive, equal] = forces(e, 1e-6);
+        println!("e = {e}: {adaptive} forces for 1e-6 of the half-axis, {equal} with equal steps");
+        assert!(equal as f64 > least * adaptive as f64, "e = {e}: {adaptive} and {equal}");
+    }
+}
+
+/// Where ∂a/∂q passes through 0, at a right angle and in the middle of a quartic well, the steps stay within a factor of 3.
+#[test]
+fn steps_do_not_run_away_where_the_stiffness_is_zero() {
+    fn check<L: Law<1> + Copy, S: Adaptable + Scheme<L, 1>>(
+        law: L,
+        scheme: S,
+        start: State<1>,
+        tolerance: f64,
+    ) -> Run<State<1>> {
+        let run = Simulation::new(law, start).scheme(scheme).adaptive(tolerance).run_until(300.0).unwrap();
+        let [shortest, longest] = run.report().dt_range().unwrap();
+        println!("{} from {:?}: {} steps from {shortest:.3} to {longest:.3}", S::NAME, start.q, run.steps());
+        assert!(longest < 3.0 * shortest, "{shortest} to {longest}");
+        let energy = run.drift(Invariant::Energy).unwrap();
+        assert!(energy.max_abs() < 1e-13 * energy.start().abs().max(0.1), "{energy:?}");
+        run
+    }
+    let pendulum = Pendulum { k: 1.7 };
+    for angle in [0.4, FRAC_PI_2, 2.5] {
+        check(pendulum, DiscreteGradient, State::new([angle], [0.0]), 1e-3);
+        let run = check(pendulum, Composed::order6(DiscreteGradient), State::new([angle], [0.0]), 1e-8);
+        let truth = pendulum.exact(angle, 300.0);
+        assert!((run.last().q[0] - truth).abs() < 1e-6, "{} for {truth}", run.last().q[0]);
+    }
+    check(Quartic { beta: 1.3 }, Composed::order6(DiscreteGradient), State::new([0.0], [0.8]), 1e-8);
+    check(Quartic { beta: 1.3 }, DiscreteGradient, State::new([1.1], [0.0]), 1e-3);
+}
+
+#[test]
+fn released_near_the_top() {
+    let top = std::f64::consts::PI - 1e-9;
+    let law = Pendulum { k: 1.7 };
+    let run = Simulation::new(law, State::new([top], [0.0])).scheme(Composed::order6(DiscreteGradient));
+    let run = run.adaptive(1e-9).run_until(60.0).unwrap();
+    assert!(run.states().iter().any(|state| state.q[0] < -3.0), "it swings to the other side");
+    let energy = run.drift(Invariant::Energy).unwrap();
+    assert!(energy.max_relative() < 1e-13, "{:e}", energy.max_relative());
+}
+
+#[test]
+fn chaos_keeps_its_energy_and_its_steps() {
+    let law = HenonHeiles { lambda: 1.0 };
+    // Energy 1/8.
+    let run = Simulation::new(law, State::new([0.0, 0.1], [0.49058, 0.0])).scheme(Composed::order4(DiscreteGradient));
+    let run = run.adaptive(1e-6).record_every(10).run_until(5000.0).unwrap();
+    let energy = run.drift(Invariant::Energy).unwrap();
+    assert!(energy.max_relative() < 1e-13, "{:e}", energy.max_relative());
+    // ω stays between those of |q| = 0 and 1; a density that walked off would take the steps along.
+    let [shortest, longest] = run.report().dt_range().unwrap();
+    assert!(longest < 3.0 * shortest, "{shortest} to {longest}");
+}
+
+#[test]
+fn drag_and_time_are_accounted_for() {
+    let damped = DampedPendulum { k: 1.7, alpha: 0.08 };
+    let run = Simulation::new(damped, State::new([2.8], [0.4])).mass(1.3).scheme(DiscreteGradient);
+    let run = run.adaptive(1e-4).run_until(60.0).unwrap();
+    assert!(run.drift(Invariant::Energy).is_none());
+    let balance = run.drift(Invariant::WorkEnergy).unwrap();
+    assert!(balance.max_abs() < 1e-13, "{:e}", balance.max_abs());
+
+    let driven = DrivenPendulum { k: 1.7, alpha: 0.08, amplitude: 0.9, omega: 0.7 };
+    let start = State::new([0.8], [0.4]).at_time(0.3);
+    let simulation = || Simulation::new(driven, start).scheme(Composed::order6(DiscreteGradient));
+    let refused = simulation().adaptive(1e-6).run_until(30.0).unwrap_err();
+    assert_eq!(refused.cause(), Error::NoTimeScale { step: 1, time: 0.3 });
+    let run = simulation().dt(0.4).adaptive(1e-8).run_until(30.0).unwrap();
+    let balance = run.drift(Invariant::WorkEnergy).unwrap();
+    assert!(balance.max_abs() < 1e-12, "{:e}", balance.max_abs());
+    let truth = simulation().dt(0.005).run_until(30.0).unwrap();
+    assert!((run.last().q[0] - truth.last().q[0]).abs() < 1e-6);
+    assert!(run.report().dt_range().unwrap()[1] <= 0.4);
+}
+
+/// A ball on a floor: free flight has no time scale, the contact has.
+#[test]
+fn free_flight_needs_a_longest_step() {
+    let law = Wall { k: 900.0, pull: 1.3 };
+    let simulation = || Simulation::new(law, State::new([1.0], [0.0])).scheme(DiscreteGradient);
+    let refused = simulation().adaptive(1e-4).run_until(30.0).unwrap_err();
+    assert_eq!(refused.cause(), Error::NoTimeScale { step: 1, time: 0.0 });
+    assert!(refused.run().states().is_empty());
+    let run = simulation().adaptive(1e-3).dt(0.05).run_until(30.0).unwrap();
+    let energy = run.drift(Invariant::Energy).unwrap();
+    assert!(energy.max_relative() < 1e-13, "{:e}", energy.max_relative());
+    assert!(run.states().iter().filter(|state| state.q[0] < 0.0).count() > 100, "the contact is resolved");
+}
+
+#[test]
+fn the_last_step_lands() {
+    for end in [0.1, 1.0 / 3.0, 20.7, 1e3] {
+        let run = orbit(Composed::order4(DiscreteGradient), 0.5, 1e-4, end, 1);
+        assert_eq!(run.last().t, end);
+        assert!(run.states().windows(2).all(|pair| pair[0].t < pair[1].t));
+        assert!(distance(run.last().q, exact(0.5, end)) < 1e-4 * (1.0 + end / TAU));
+    }
+    let simulation = Simulation::new(SUN, from_apocentre(0.5)).scheme(DiscreteGradient).adaptive(1e-4);
+    let refused = simulation.run_until(-1.0).expect_err("the end comes before the start");
+    assert!(matches!(refused.cause(), Error::Span { .. }), "{refused}");
+}
+
+/// Time is a sum of many different numbers, and correct to its last digit.
+#[test]
+fn time_is_not_lost_in_many_steps() {
+    let mut stepper =
+        Simulation::new(SUN, from_apocentre(0.9)).scheme(DiscreteGradient).adaptive(1e-6).stepper().unwrap();
+    let (mut sum, mut rest) = (0.0_f64, 0.0_f64);
+    for _ in 0..300_000 {
+        let before = stepper.t();
+        stepper.step().unwrap();
+        // Differences of times are exact but for the last digit of the times themselves.
+        let change = stepper.t() - before;
+        let next = sum + (change + rest);
+        rest += change - (next - sum);
+        sum = next;
+    }
+    assert_eq!(sum, stepper.t());
+    let mut at_once =
+        Simulation::new(SUN, from_apocentre(0.9)).scheme(DiscreteGradient).adaptive(1e-6).stepper().unwrap();
+    at_once.advance(300_000).unwrap();
+    assert_eq!((at_once.state(), at_once.evaluations()), (stepper.state(), stepper.evaluations()));
+}
+
+#[test]
+fn what_cannot_be_done_is_told() {
+    let simulation = || Simulation::new(SUN, from_apocentre(0.5)).scheme(DiscreteGradient);
+    for tolerance in [0.0, -1e-3, f64::NAN, f64::INFINITY] {
+        let refused = simulation().adaptive(tolerance).stepper().err();
+        assert!(matches!(refused, Some(Error::Tolerance { .. })), "{tolerance}: {refused:?}");
+    }
+    assert!(matches!(simulation().adaptive(1e-3).dt(-1.0).stepper().err(), Some(Error::TimeStep { .. })));
+    assert!(matches!(simulation().adaptive(1e-3).run_until(f64::NAN).unwrap_err().cause(), Error::EndTime { .. }));
+
+    // Straight into the centre: steps shrink as r^(3/2), and the fall ends in an error and not in endless steps.
+    let fall = Simulation::new(SUN, State::new([1.0, 0.0], [0.0, 0.0])).scheme(DiscreteGradient).adaptive(1e-3);
+    let ended = fall.run_until(10.0).unwrap_err();
+    println!("{ended}");
+    assert!(ended.run().steps() > 100 && ended.run().steps() < 100_000, "{ended}");
+    assert!((ended.run().last().t - 0.25 * TAU / 2.0_f64.sqrt()).abs() < 1e-3, "{ended}");
+
+    // Newton may hardly do anything: the error has the step that was tried.
+    let stuck = Simulation::new(Pendulum { k: 1.7 }, State::new([2.5], [0.3]));
+    let stuck = stuck.scheme(DiscreteGradient.with(Newton::from_previous().max_iterations(1))).adaptive(1e-1);
+    let Error::NotConverged { dt, step, .. } = stuck.run_until(10.0).unwrap_err().cause() else {
+        panic!("one iteration is not enough");
+    };
+    assert!(step == 1 && dt.is_finite() && dt > 0.01, "{step} {dt}");
+}
+
+#[test]
+fn the_report_tells_the_steps() {
+    let run = orbit(DiscreteGradient, 0.9, 1e-3, 10.0, 10);
+    let report = run.report();
+    assert_eq!((report.tolerance(), report.scheme()), (Some(1e-3), "Adaptive(DiscreteGradient)"));
+    let [shortest, longest] = report.dt_range().unwrap();
+    assert!(shortest < 0.1 * longest);
+    let text = report.to_string();
+    let line = format!("tolerance 1e-3, dt from {shortest:.3e} to {longest:.3e}, {} steps", run.steps());
+    assert!(text.contains(&line), "{text}");
+}
+
+#[test]
+fn no_step_allocates() {
+    let mut stepper = Simulation::new(SUN, from_apocentre(0.9))
+        .scheme(Composed::order6(DiscreteGradient))
+        .adaptive(1e-4)
+        .stepper()
+        .unwrap();
+    let counted = allocations(|| {
+        for _ in 0..500 {
+            stepper.step().unwrap();
+            black_box(stepper.state());
+        }
+        stepper.advance(500).unwrap();
+    });
+    assert_eq!((counted, stepper.steps()), (0, 1000));
+}

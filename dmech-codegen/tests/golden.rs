@@ -141,3 +141,15 @@ fn the_same_law_expands_to_the_same_tokens() {
         }
     }
 }
+
+/// The incremental compiler goes through a whole function once for every closure in it.
+#[test]
+fn nested_choices_are_not_closures() {
+    let law = "impl Nested { #[potential] fn energy(&self, q: [f64; 3]) -> f64 {
+        let [x, y, z] = q;
+        if x + y < 1.0 { x * x + y * z } else if x * y + z < 2.0 { 0.5 * y * y + x * z * z } else { x * y * z }
+    } }";
+    let code = expansion(law).to_string();
+    let [closures, choices] = ["R :: select (", "R :: either ("].map(|call| code.matches(call).count());
+    assert!(choices > 500 && closures < 20, "{closures} choices in closures, {choices} in blocks");
+}

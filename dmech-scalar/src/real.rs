@@ -71,6 +71,11 @@ pub trait Real:
     fn finite(self) -> Self::Mask;
     /// `yes()` where the mask holds, `no()` elsewhere. A single number evaluates one branch only.
     fn select(mask: Self::Mask, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self;
+    /// `yes` where the mask holds, `no` elsewhere: [`select`](Real::select) between what is known already.
+    #[inline(always)]
+    fn either(mask: Self::Mask, yes: Self, no: Self) -> Self {
+        Self::select(mask, || yes, || no)
+    }
 
     /// self·b + c, rounded once where the target has the instruction, twice elsewhere
     /// (never a slow call into a library).

@@ -1,15 +1,20 @@
 //! A program as the statements of a function body.
 
-use dmech_symbolic::program::{Operation, Program, Value};
+use std::collections::HashMap;
+
+use dmech_symbolic::program::{Operation, Program, Test, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::names::{Names, ident};
+use super::names::{Names, ident, runtime};
 use super::operation::{self, Fragment};
 use super::region::{Branch, Regions};
+use super::shared_test::SharedTests;
 
 /// Expressions with more operations than this are cut.
 const LONGEST: usize = 5;
+/// Branches with no more additions and multiplications than this are computed whether or not they are taken.
+const LIGHTEST: usize = 4;
 
 /// Statements, and the expressions of the results.
 pub(super) struct Body {
@@ -19,13 +24,18 @@ pub(super) struct Body {
 
 /// Prints a program; symbols must be bound under their names.
 pub(super) fn body(program: &Program, names: &Names, scalar: &Ident) -> Body {
+    let regions = Regions::new(program);
+    let tests = SharedTests::new(program, &regions);
+    let mut values: HashMap<Option<Branch>, Vec<Value>> = HashMap::new();
+    program.values().for_each(|value| values.entry(regions.of(value)).or_default().push(value));
     let mut printer = Printer {
         program,
         scalar,
         idents: names.values(program),
         unnamed: 0,
-        uses: program.uses(),
-        regions: Regions::new(program),
+        uses: tests.uses(program),
+        values,
+        tests,
         inline: vec![None; program.operations.len()],
     };
     let statements = printer.region(None);
@@ -40,7 +50,9 @@ struct Printer<'a> {
     /// How many values have been called t0, t1, …
     unnamed: usize,
     uses: Vec<usize>,
-    regions: Regions,
+    /// The values of each region.
+    values: HashMap<Option<Branch>, Vec<Value>>,
+    tests: SharedTests,
     /// Values that are printed where they are used, not in a `let`.
     inline: Vec<Option<Fragment>>,
 }
@@ -49,20 +61,20 @@ impl Printer<'_> {
     /// The `let`s of one region, in order.
     fn region(&mut self, region: Option<Branch>) -> TokenStream {
         let mut statements = TokenStream::new();
-        let values: Vec<Value> = self.program.values().collect();
+        let values = self.values.get(&region).cloned().unwrap_or_default();
         for value in values {
-            if self.regions.of(value) != region {
-                continue;
+            while let Some(test) = self.tests.due(region, value) {
+                let mask = operation::mask(&test, &mut |v| self.fragment(v));
+                let name = self.temporary();
+                statements.extend(quote!(let #name = #mask;));
+                self.tests.name(&test, name);
             }
             let fragment = match self.program.operation(value) {
                 Operation::Symbol(_) => continue,
                 Operation::Select(test, yes, no) => {
                     let (test, yes, no) = (test.clone(), *yes, *no);
-                    let mask = operation::mask(&test, &mut |v| self.fragment(v));
-                    let yes = self.branch(value, true, yes);
-                    let no = self.branch(value, false, no);
-                    let scalar = self.scalar;
-                    Fragment { size: LONGEST, ..Fragment::atom(quote!(#scalar::select(#mask, || #yes, || #no))) }
+                    let chosen = self.choice(value, &test, [yes, no]);
+                    Fragment { size: LONGEST, ..Fragment::atom(chosen) }
                 }
                 other => {
                     let other = other.clone();
@@ -82,10 +94,45 @@ impl Printer<'_> {
         statements
     }
 
-    fn branch(&mut self, choice: Value, yes: bool, value: Value) -> TokenStream {
-        let statements = self.region(Some(Branch { choice, yes }));
-        let tokens = self.fragment(value).tokens;
-        if statements.is_empty() { tokens } else { quote!({ #statements #tokens }) }
+    fn choice(&mut self, choice: Value, test: &Test, [yes, no]: [Value; 2]) -> TokenStream {
+        let scalar = self.scalar;
+        let Some(mask) = self.tests.mask(test) else {
+            let mask = operation::mask(test, &mut |v| self.fragment(v));
+            let [yes, no] = [(true, yes), (false, no)].map(|(yes, value)| {
+                let (statements, value) = self.branch(Branch { choice, yes }, value);
+                if statements.is_empty() { value } else { quote!({ #statements #value }) }
+            });
+            return quote!(#scalar::select(#mask, || #yes, || #no));
+        };
+        let (runtime, otherwise) = (runtime(), quote!(#scalar::ZERO));
+        let [yes, no] = [(true, yes), (false, no)].map(|(yes, value)| {
+            let branch = Branch { choice, yes };
+            let is_light = self.is_light(branch);
+            let (statements, value) = self.branch(branch, value);
+            match (is_light, yes) {
+                (true, _) if statements.is_empty() => value,
+                (true, _) => quote!({ #statements #value }),
+                (false, true) => quote!(if #runtime::Mask::any(#mask) { #statements #value } else { #otherwise }),
+                (false, false) => quote!(if #runtime::Mask::all(#mask) { #otherwise } else { #statements #value }),
+            }
+        });
+        quote!(#scalar::either(#mask, #yes, #no))
+    }
+
+    /// Whether computing a branch in vain costs no more than asking whether it is needed.
+    fn is_light(&self, branch: Branch) -> bool {
+        use Operation::{Add, Mul, MulAdd, Neg, NegMulAdd, Number, Sub};
+        let values = self.values.get(&Some(branch)).map_or(&[][..], Vec::as_slice);
+        let operations = || values.iter().map(|&value| self.program.operation(value));
+        values.len() <= LIGHTEST
+            && operations().all(|operation| {
+                matches!(operation, Number(_) | Neg(_) | Add(..) | Sub(..) | Mul(..) | MulAdd(..) | NegMulAdd(..))
+            })
+    }
+
+    fn branch(&mut self, branch: Branch, value: Value) -> (TokenStream, TokenStream) {
+        let statements = self.region(Some(branch));
+        (statements, self.fragment(value).tokens)
     }
 
     fn fragment(&mut self, value: Value) -> Fragment {
@@ -99,11 +146,16 @@ impl Printer<'_> {
     }
 
     fn ident(&mut self, value: Value) -> Ident {
-        let unnamed = &mut self.unnamed;
-        let named = self.idents[value.index()].get_or_insert_with(|| {
-            *unnamed += 1;
-            ident(&format!("t{}", *unnamed - 1))
-        });
-        named.clone()
+        if let Some(named) = &self.idents[value.index()] {
+            return named.clone();
+        }
+        let name = self.temporary();
+        self.idents[value.index()].insert(name).clone()
+    }
+
+    /// The next of t0, t1, …
+    fn temporary(&mut self) -> Ident {
+        self.unnamed += 1;
+        ident(&format!("t{}", self.unnamed - 1))
     }
 }

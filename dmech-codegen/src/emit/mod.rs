@@ -11,6 +11,7 @@ mod operation;
 mod pair;
 mod pair_document;
 mod region;
+mod shared_test;
 mod stand_in;
 mod withheld;
 

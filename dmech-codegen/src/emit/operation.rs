@@ -42,7 +42,9 @@ pub(super) fn number(x: f64, scalar: &Ident) -> TokenStream {
     } else if x == 1.0 {
         quote!(#scalar::ONE)
     } else {
-        let magnitude = Literal::f64_unsuffixed(x.abs());
+        // As it is debugged: with an exponent where it is far from 1.
+        let magnitude: Literal =
+            format!("{:?}", x.abs()).parse().expect("what is debugged of a finite number is its literal");
         let sign = (x < 0.0).then(|| quote!(-));
         quote!(#scalar::from_f64(#sign #magnitude))
     }

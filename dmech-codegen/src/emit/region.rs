@@ -3,7 +3,7 @@
 use dmech_symbolic::program::{Operation, Program, Value};
 
 /// A branch of a choice: the choice's value and which branch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Branch {
     pub(super) choice: Value,
     pub(super) yes: bool,
@@ -51,7 +51,7 @@ impl Regions {
     }
 
     /// The innermost region around both.
-    fn meet(&self, one: Option<Branch>, two: Option<Branch>) -> Option<Branch> {
+    pub(super) fn meet(&self, one: Option<Branch>, two: Option<Branch>) -> Option<Branch> {
         let outward = |region: Option<Branch>| {
             std::iter::successors(Some(region), |r| r.map(|branch| self.of[branch.choice.index()]))
         };

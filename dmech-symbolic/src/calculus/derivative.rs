@@ -6,7 +6,7 @@ use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Ro
 
 /// ∂e/∂xᵢ for each symbol: one walk from the expression down to the symbols.
 pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
-    Walk { symbols, of_slope: false, choices: HashMap::new() }.gradient(graph, e)
+    Walk::new(symbols, false).gradient(graph, e)
 }
 
 /// As [`gradient`], of an expression that is a slope itself: where a root in it vanishes and has no slope, 0 stands for that.
@@ -14,7 +14,7 @@ pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
 /// Newton's method then makes a plain iteration there, where ∞·0 would end it; and where the product does have a limit, as
 /// r·x has at the origin, it is this one.
 pub fn tangent(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
-    Walk { symbols, of_slope: true, choices: HashMap::new() }.gradient(graph, e)
+    Walk::new(symbols, true).gradient(graph, e)
 }
 
 struct Walk<'a> {
@@ -23,23 +23,29 @@ struct Walk<'a> {
     of_slope: bool,
     /// The slopes of the branches of a choice, which may be wanted in many places.
     choices: HashMap<Expr, [Vec<Expr>; 2]>,
+    /// Which expressions contain a symbol, as far as they have been looked at.
+    depends: Vec<bool>,
 }
 
-impl Walk<'_> {
+impl<'a> Walk<'a> {
+    fn new(symbols: &'a [Symbol], of_slope: bool) -> Self {
+        Self { symbols, of_slope, choices: HashMap::new(), depends: vec![] }
+    }
+
     fn gradient(&mut self, graph: &mut Graph, e: Expr) -> Vec<Expr> {
         let symbols = self.symbols;
-        let depends = graph.dependence(symbols);
+        graph.extend_dependence(&mut self.depends, symbols);
         let order = graph.reachable(&[e]);
-        // What arrives at a node: the derivative of e with respect to its value, as a list of summands.
-        let mut arriving: Vec<Vec<Expr>> = vec![Vec::new(); depends.len()];
-        let one = graph.one();
-        arriving[e.index()].push(one);
+        // What arrives at a node: the derivative of e with respect to its value, as a list of summands. Nested choices have
+        // many small walks in one large store.
+        let mut arriving: HashMap<Expr, Vec<Expr>> = HashMap::new();
+        arriving.insert(e, vec![graph.one()]);
         let mut found = vec![graph.zero(); symbols.len()];
         for &node in order.iter().rev() {
-            if !depends[node.index()] {
+            if !self.depends[node.index()] {
                 continue;
             }
-            let summands = std::mem::take(&mut arriving[node.index()]);
+            let Some(summands) = arriving.remove(&node) else { continue };
             let adjoint = graph.add(&summands);
             if graph.is_zero(adjoint) {
                 continue;
@@ -65,17 +71,17 @@ impl Walk<'_> {
                     let share = graph.select(condition.clone(), yes, no);
                     if !graph.is_zero(share) {
                         let symbol = graph.symbol(symbols[i]);
-                        arriving[symbol.index()].push(share);
+                        arriving.entry(symbol).or_default().push(share);
                     }
                 }
                 continue;
             }
-            for (child, partial) in self.partials(graph, node, &|c: Expr| depends[c.index()], node == e) {
+            for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], node == e) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
                 // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
                 let summands = if is_cardinal_slope(graph, node) { &summands[..] } else { &[adjoint] };
                 let shares: Vec<_> = summands.iter().map(|&summand| graph.mul(&[summand, partial])).collect();
-                arriving[child.index()].push(graph.add(&shares));
+                arriving.entry(child).or_default().push(graph.add(&shares));
             }
         }
         found
@@ -158,7 +164,8 @@ pub fn derivative(graph: &mut Graph, e: Expr, symbol: Symbol) -> Expr {
 
 /// ∂eᵢ/∂xⱼ of components that are slopes: see [`tangent`].
 pub fn jacobian(graph: &mut Graph, components: &[Expr], symbols: &[Symbol]) -> Vec<Vec<Expr>> {
-    components.iter().map(|&e| tangent(graph, e, symbols)).collect()
+    let mut walk = Walk::new(symbols, true);
+    components.iter().map(|&e| walk.gradient(graph, e)).collect()
 }
 
 /// ∂²e/∂xᵢ∂xⱼ; both halves are the same expressions.

@@ -89,10 +89,12 @@ impl<'a> Display<'a> {
     }
 
     fn write_number(self, f: &mut Formatter<'_>, x: f64, within: Binding) -> fmt::Result {
+        let size = x.abs();
+        let digits = if x == 0.0 || (1e-5..1e16).contains(&size) { format!("{size}") } else { format!("{size:e}") };
         match (x < 0.0 && within > Binding::Sum, x < 0.0) {
-            (true, _) => write!(f, "(−{})", -x),
-            (false, true) => write!(f, "−{}", -x),
-            (false, false) => write!(f, "{x}"),
+            (true, _) => write!(f, "(−{digits})"),
+            (false, true) => write!(f, "−{digits}"),
+            (false, false) => write!(f, "{digits}"),
         }
     }
 

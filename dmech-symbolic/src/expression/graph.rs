@@ -192,26 +192,32 @@ impl Graph {
 
     /// All expressions that the given ones are made of, themselves included, children before parents.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
-        let mut seen = vec![false; self.nodes.len()];
+        let end = roots.iter().map(|e| e.index() + 1).max().unwrap_or(0);
+        let mut seen = vec![false; end];
         let mut stack: Vec<Expr> = roots.to_vec();
         while let Some(e) = stack.pop() {
             if !std::mem::replace(&mut seen[e.index()], true) {
                 stack.extend(self.children(e));
             }
         }
-        (0..self.nodes.len()).filter(|&i| seen[i]).map(|i| Expr(i as u32)).collect()
+        (0..end).filter(|&i| seen[i]).map(|i| Expr(i as u32)).collect()
     }
 
     /// For every expression, whether it contains one of the symbols.
     pub fn dependence(&self, symbols: &[Symbol]) -> Vec<bool> {
-        let mut depends = vec![false; self.nodes.len()];
-        for i in 0..self.nodes.len() {
-            depends[i] = match &self.nodes[i] {
+        let mut depends = vec![];
+        self.extend_dependence(&mut depends, symbols);
+        depends
+    }
+
+    /// The same for the expressions that have been stored since.
+    pub(crate) fn extend_dependence(&self, depends: &mut Vec<bool>, symbols: &[Symbol]) {
+        for i in depends.len()..self.nodes.len() {
+            depends.push(match &self.nodes[i] {
                 Node::Symbol(s) => symbols.contains(s),
                 _ => self.children(Expr(i as u32)).iter().any(|c| depends[c.index()]),
-            };
+            });
         }
-        depends
     }
 
     /// Whether the expression contains one of the symbols.

@@ -9,9 +9,9 @@ const SQRT: u32 = 21;
 const FUNCTION: u32 = 50;
 
 /// The earliest time at which each expression is known, symbols being known at 0.
-pub(super) fn ready(graph: &Graph, order: &[Expr]) -> Vec<u32> {
+pub(super) fn ready(graph: &Graph) -> Vec<u32> {
     let mut ready = vec![0; graph.len()];
-    for &e in order {
+    for e in (0..graph.len()).map(|i| Expr(i as u32)) {
         let of = |c: &Expr| ready[c.index()];
         ready[e.index()] = match graph.node(e) {
             Node::Number(_) | Node::Symbol(_) => 0,

@@ -20,7 +20,7 @@ pub(super) fn schedule(graph: &mut Graph, outputs: &[Expr], exchange: Option<Sub
             mirror.images.insert(e, image);
         }
     }
-    let ready = latency::ready(graph, &graph.reachable(&(0..graph.len()).map(|i| Expr(i as u32)).collect::<Vec<_>>()));
+    let ready = latency::ready(graph);
     let mut lowering = Lowering {
         graph,
         ready,
@@ -28,7 +28,7 @@ pub(super) fn schedule(graph: &mut Graph, outputs: &[Expr], exchange: Option<Sub
         atoms: Atoms::new(),
         products: BTreeMap::new(),
         uses: BTreeMap::new(),
-        shared_pairs: vec![],
+        company: HashMap::new(),
         operations: vec![],
         index: HashMap::new(),
         of_expr: HashMap::new(),
@@ -96,7 +96,8 @@ struct Lowering<'g> {
     atoms: Atoms,
     products: BTreeMap<ProductKey, Vec<Atom>>,
     uses: BTreeMap<ProductKey, usize>,
-    shared_pairs: Vec<(Atom, Atom)>,
+    /// How many products and shared pairs each atom is part of.
+    company: HashMap<Atom, usize>,
     operations: Vec<Operation>,
     index: HashMap<Operation, Value>,
     of_expr: HashMap<Expr, Value>,
@@ -163,15 +164,20 @@ impl Lowering<'_> {
         }
         sharing::share(&mut lists, &mut self.atoms, &mut exchange, &self.ready);
         self.products = self.uses.keys().cloned().zip(lists).collect();
-        self.shared_pairs = self
-            .atoms
-            .kinds
-            .iter()
-            .filter_map(|kind| match kind {
-                AtomKind::Pair(one, two) => Some((*one, *two)),
-                _ => None,
-            })
-            .collect();
+        for list in self.products.values() {
+            let mut list = list.clone();
+            list.sort_unstable();
+            list.dedup();
+            list.into_iter().for_each(|atom| *self.company.entry(atom).or_default() += 1);
+        }
+        for kind in &self.atoms.kinds {
+            if let &AtomKind::Pair(one, two) = kind {
+                *self.company.entry(one).or_default() += 1;
+                if two != one {
+                    *self.company.entry(two).or_default() += 1;
+                }
+            }
+        }
     }
 
     fn push(&mut self, operation: Operation) -> Value {
@@ -268,19 +274,12 @@ impl Lowering<'_> {
 
     /// numerator·(1/x) as numerator/x, where 1/x is needed here only and the numerator does not come late.
     fn quotient(&mut self, numerator: Atom, numerator_ready: u32, inverse: Atom) -> Option<Value> {
-        let in_products: usize = self.products.values().map(|list| usize::from(list.contains(&inverse))).sum();
-        let in_pairs = self.pairs_with(inverse);
-        if in_products + in_pairs != 1 || numerator_ready + latency::DIV > self.atom_ready(inverse) {
+        if self.company.get(&inverse) != Some(&1) || numerator_ready + latency::DIV > self.atom_ready(inverse) {
             return None;
         }
         let below = self.below(inverse)?;
         let numerator = self.atom(numerator);
         Some(self.push(Operation::Div(numerator, below)))
-    }
-
-    /// How many shared pairs the atom is part of.
-    fn pairs_with(&self, atom: Atom) -> usize {
-        self.shared_pairs.iter().filter(|(one, two)| *one == atom || *two == atom).count()
     }
 
     /// x where the atom is 1/x.

@@ -67,6 +67,20 @@ where
     run.unwrap_or_else(|interrupted| panic!("{interrupted}"))
 }
 
+/// A quantity that goes to and fro has no trend: the least-squares line through it rises over the run by a small part of
+/// the largest deviation. Of one that accumulates the line is the deviation, however small that still is. Rounding walks.
+pub(crate) fn does_not_drift<const D: usize>(run: &Run<State<D>>, invariant: Invariant, what: &str) {
+    let drift = run.drift(invariant).unwrap_or_else(|| panic!("{what}: no {invariant}"));
+    let rise = drift.slope().abs() * (run.last().t - run.states()[0].t);
+    println!("{what:<50} {invariant}: rises by {:.4} of {:.1e}", rise / drift.max_abs(), drift.max_abs());
+    let rounding = 16.0 * f64::EPSILON * (drift.samples() as f64).sqrt() * drift.start().abs().max(1.0);
+    assert!(
+        rise < 0.1 * drift.max_abs() + rounding,
+        "{what}: {invariant} rises by {rise:e}, deviates by {:e}",
+        drift.max_abs()
+    );
+}
+
 /// How many invariants were found kept, and the worst of those that are exact.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
@@ -90,6 +104,7 @@ impl Tally {
                 }
                 Kept::Bounded => {
                     assert!(worst < 0.02, "{what}");
+                    does_not_drift(run, invariant, &what);
                     self.bounded += 1;
                 }
                 Kept::No => {}

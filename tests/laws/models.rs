@@ -332,7 +332,7 @@ fn what_is_kept_exactly_is_kept_to_round_off_and_what_is_bounded_does_not_drift(
             let law = $name $p;
             let run = long_run::<_, _, $d>(law, $scheme, State::new($q, $v));
             // Driving adds energy: the scale is the largest of the run.
-            tally.check($scheme, &run, energy_scale(&law, run.states()), stringify!($name));
+            tally.check($scheme, &run, energy_scale(&law, run.states()), smooth::<_, $d>(&law), stringify!($name));
             let name = concat!(stringify!($scheme), " on ", stringify!($name));
             let (keeps_energy, central) = capabilities::<_, $d>(&law);
             assert_eq!(keeps_energy, stringify!($kind) != "damped", "{name}");

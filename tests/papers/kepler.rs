@@ -77,17 +77,18 @@ fn check_kept<S: Scheme<Kepler, 2>>(scheme: S, eccentricity: f64, energy: Invari
         energy.max_relative(),
         turning.max_relative()
     );
-    assert!(energy.max_relative() < bound && turning.max_relative() < bound, "{} at e = {eccentricity}", S::NAME);
+    // At the pericentre K and Φ are many times the energy, and so is their rounding; the angular momentum is the same all round.
+    assert!(energy.max_relative() < bound && turning.max_relative() < 1e-14, "{} at e = {eccentricity}", S::NAME);
     // The rounding is there, or nothing was looked at.
     assert!(energy.max_relative() > 0.0 && turning.max_relative() > 0.0);
 }
 
 #[test]
 fn energy_and_angular_momentum_are_kept_over_500_orbits() {
-    check_kept(DiscreteGradient, 0.3, Invariant::Energy, 1e-13);
-    check_kept(DiscreteGradient, 0.9, Invariant::Energy, 5e-13);
-    check_kept(Kanatani, 0.3, Invariant::DiscreteEnergy, 1e-13);
-    check_kept(Kanatani, 0.9, Invariant::DiscreteEnergy, 5e-13);
+    check_kept(DiscreteGradient, 0.3, Invariant::Energy, 1e-14);
+    check_kept(DiscreteGradient, 0.9, Invariant::Energy, 2e-13);
+    check_kept(Kanatani, 0.3, Invariant::DiscreteEnergy, 1e-14);
+    check_kept(Kanatani, 0.9, Invariant::DiscreteEnergy, 1e-13);
 }
 
 /// x″ = −k x.

@@ -3,6 +3,5 @@
 mod bonds;
 mod chains;
 mod closed;
-mod granular;
 mod memory;
 mod random;

@@ -2,6 +2,7 @@
 
 use std::hint::black_box;
 
+use dmech::Kept;
 use dmech::prelude::coefficients::*;
 use dmech::prelude::*;
 
@@ -90,6 +91,9 @@ fn energy_and_angular_momentum_stay_exact_at_every_order() {
                 turning.max_relative()
             );
             assert!(energy.max_relative() < $energy, "{}: {energy:?}", run.report().scheme());
+            if run.kept(Invariant::Energy) == Kept::Bounded {
+                does_not_drift(&run, Invariant::Energy, run.report().scheme());
+            }
             assert!(turning.max_relative() < 1e-13, "{}: {turning:?}", run.report().scheme());
             work_balances(&run, [MASS; 2], "Kepler");
         }};

@@ -4,10 +4,7 @@
 //! In all of them every recorded state is finite and stands at the time of its step, a run that does not reach its end
 //! says at which step and why, and what a scheme keeps exactly is kept to rounding.
 
-#[path = "../../examples/hard_cases/cases/mod.rs"]
-mod cases;
-
-use cases::{CASES, Length};
+use crate::cases::{CASES, Length};
 
 /// Everything that a case states; how many statements there must be at least, so that none is without.
 fn holds(name: &str, at_least: usize) {

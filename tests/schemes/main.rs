@@ -1,5 +1,8 @@
 //! What every scheme promises, over laws.
 
+#[path = "../../examples/hard_cases/cases/mod.rs"]
+mod cases;
+
 mod adaptive;
 mod allocation;
 mod compensated;
@@ -8,5 +11,4 @@ mod double_double;
 mod hard_cases;
 mod order;
 mod round_off;
-mod seams;
 mod splittings;

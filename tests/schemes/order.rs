@@ -50,7 +50,7 @@ fn what_is_kept_exactly_is_kept_to_round_off_and_what_is_bounded_does_not_drift(
         ($scheme:ident, $law:ident, $d:literal, $q:expr, $v:expr) => {{
             let law = $law::new();
             let run = long_run::<_, _, $d>(law, $scheme, State::new($q, $v));
-            tally.check($scheme, &run, energy_scale(&law, &run.states()[..1]), stringify!($law));
+            tally.check($scheme, &run, energy_scale(&law, &run.states()[..1]), smooth::<_, $d>(&law), stringify!($law));
             let name = concat!(stringify!($scheme), " on ", stringify!($law));
             assert!(run.drift(Invariant::Energy).is_some() && run.drift(Invariant::WorkEnergy).is_some(), "{name}");
             let central = <$law as Potential<$d>>::CENTRAL;

@@ -153,6 +153,7 @@ fn energy_is_bounded_and_angular_momentum_stays_exact() {
                 turning.max_relative()
             );
             assert!(energy.max_relative() < 2e-2, "{}: {energy:?}", run.report().scheme());
+            does_not_drift(&run, Invariant::Energy, run.report().scheme());
             assert!(turning.max_relative() < 1e-13, "{}: {turning:?}", run.report().scheme());
             work_balances(&run, [MASS; 2], "Kepler");
         }};

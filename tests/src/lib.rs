@@ -6,6 +6,7 @@
 //! | `laws` | the language of a law; what is generated from one, against the law itself |
 //! | `schemes` | order, invariants, reversal, seams, round-off of every scheme |
 //! | `scenes` | many bodies |
+//! | `seams` | motions across seams: choices, contacts, kinks |
 //! | `runs` | what is saved, resumed, shown |
 //! | `by_hand` | the core alone, with laws that no macro wrote |
 //! | `messages` | a package of its own: laws that are refused, with every word |

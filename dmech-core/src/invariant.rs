@@ -44,7 +44,8 @@ impl core::fmt::Display for Invariant {
 pub enum Kept {
     /// To round-off.
     Exact,
-    /// It deviates by a power of the step and does not drift.
+    /// It deviates by a power of the step and does not drift. Where the force of a law has a kink, what each crossing
+    /// leaves adds up as a walk.
     Bounded,
     /// Not at all.
     No,

@@ -224,9 +224,17 @@ pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> E
     let (between, sum) = (g.sub(first[1], first[0]), g.add(&first));
     let (distance, size) = (g.unary(Unary::Abs, between), g.unary(Unary::Abs, sum));
     let half = g.scale(0.5, size);
-    let square = g.square(gap);
-    let near = Condition::less(distance, half).or(Condition::lost(g, square));
-    let secant = g.select(near, closed, far);
+    let secant = g.select(Condition::less(distance, half), closed, far);
+    // Ends that are sums may differ where their difference, another sum, is 0: then the mean of the slopes.
+    let whole = g.number(f64::from(degree));
+    let halves = roots.map(|root| {
+        let (power, half) = (g.powi(root, n - degree), g.number(0.5 * f64::from(n)));
+        let slope = g.mul(&[half, power]);
+        g.div(slope, whole)
+    });
+    let (limit, square) = (g.add(&halves), g.square(gap));
+    let at_one = Condition::lost(g, square);
+    let secant = g.select(at_one, limit, secant);
     let magnitudes = if degree == 3 { first.map(|root| g.unary(Unary::Abs, root)) } else { first };
     let reach = g.add(&magnitudes);
     // The square of what is below the root, or what more the derivative divides by.

@@ -190,3 +190,28 @@ fn what_a_branch_would_be_elsewhere_does_not_matter() {
         assert!(beyond.abs() > 1e-3 && (g - expected).abs() <= 1e-14 * expected.abs(), "{i}: {g} {expected}");
     }
 }
+
+/// A contact whose overlap is a sum: at two places where it is 0 but for rounding the sums at the ends differ by less than
+/// their rounding, and the sum that is their difference may be 0 where they are not.
+#[test]
+fn ends_within_rounding_of_a_contact_are_finite() {
+    let mut met = 0;
+    for exponent in [1.25, 4.0 / 3.0, 1.5, 2.5] {
+        let mut law = Law::build(2, |q, p| (p[0] - (q[0] + 2.0 * q[1])).max(E::from(0.0)).powf(E::from(exponent)));
+        let kernels = law.kernels();
+        let touching = |k: u32| {
+            let y = (f64::from(k) * 0.618_033_988_749).fract() * 3.0 - 1.5;
+            [(0..k % 4).fold(0.7 - 2.0 * y, |x, _| x.next_down()), y]
+        };
+        for k in 0..200 {
+            let (a, b) = (touching(k), touching(k + 71));
+            let overlaps = [a, b].map(|[x, y]| 0.7 - (x + 2.0 * y));
+            met += u32::from(overlaps[0] != overlaps[1] && overlaps[0].max(overlaps[1]) > 0.0);
+            for program in [&kernels.discrete_gradient, &kernels.discrete_gradient_jacobian] {
+                let found = program.run(law.at(&a, &b));
+                assert!(found.iter().all(|x| x.is_finite()), "u^{exponent} from {a:?} to {b:?}: {found:?}");
+            }
+        }
+    }
+    assert!(met > 100, "{met} pairs with different overlaps");
+}

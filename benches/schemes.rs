@@ -10,38 +10,11 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use dmech::models::DampedPendulum;
+use dmech::models::{DampedPendulum, Kepler, Pendulum};
 use dmech::prelude::*;
 use dmech::{Error, Stepper};
 
 mod twins;
-
-#[derive(Clone, Copy, Debug)]
-struct Kepler {
-    gm: f64,
-}
-
-#[dmech::law]
-impl Kepler {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        -self.gm / (x * x + y * y).sqrt()
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Pendulum {
-    k: f64,
-}
-
-#[dmech::law]
-impl Pendulum {
-    #[potential]
-    fn energy(&self, q: [f64; 1]) -> f64 {
-        -self.k * q[0].cos()
-    }
-}
 
 /// A loop of some steps that ends in a number, so that nothing is optimised away.
 type Loop = Box<dyn FnMut(u64) -> f64>;

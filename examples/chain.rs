@@ -19,26 +19,12 @@ mod picture;
 use std::f64::consts::PI;
 use std::path::PathBuf;
 
+use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::prelude::*;
 use picture::{Axis, BLUE, Drawn, GREEN, OCHRE, PURPLE, RED};
 
 /// Springs of energy r²/2 + α r³/3, where r is by how much a spring is longer than at rest.
-#[derive(Clone, Copy, Debug)]
-struct Spring {
-    alpha: f64,
-}
-
-#[dmech::law]
-impl Spring {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        // d is the position of a body less that of the next.
-        let r = -d[0];
-        r * r * (0.5 + self.alpha * r / 3.0)
-    }
-}
-
-const SPRING: Spring = Spring { alpha: 0.25 };
+const SPRING: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.0, alpha: 0.25, beta: 0.0 };
 /// Springs; bodies 0 and N are pinned.
 const N: usize = 32;
 /// Where the picture ends, in time.
@@ -165,7 +151,7 @@ fn mode_energies(run: &Run<SceneState<1>>) -> Drawn<PathBuf> {
 fn energy_errors(leapfrog: &Run<SceneState<1>>, exact: &Run<SceneState<1>>) -> Drawn<PathBuf> {
     let energy = |state: &SceneState<1>| {
         let kinetic: f64 = state.v.iter().map(|[v]| 0.5 * v * v).sum();
-        let springs: f64 = state.q.windows(2).map(|pair| SPRING.energy([pair[0][0] - pair[1][0]])).sum();
+        let springs: f64 = state.q.windows(2).map(|pair| SPRING.energy(pair[0][0] - pair[1][0])).sum();
         kinetic + springs
     };
     picture::save("chain_energy.svg", [960, 480], |area| {

@@ -17,22 +17,12 @@ mod picture;
 
 use std::path::PathBuf;
 
+use dmech::models::pairs::LennardJones;
 use dmech::prelude::*;
 use picture::{Axis, Drawn, GREEN, INK, OCHRE};
 
 /// 4 (r⁻¹² − r⁻⁶).
-#[derive(Clone, Copy, Debug)]
-struct LennardJones;
-
-#[dmech::law]
-impl LennardJones {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        let s = 1.0 / r.powi(6);
-        4.0 * (s * s - s)
-    }
-}
-
+const ATOMS: LennardJones = LennardJones { epsilon: 1.0, sigma: 1.0 };
 /// Where the motion ends.
 const END: f64 = 40.0;
 /// The size of the icosahedron at the start, of that at rest.
@@ -65,7 +55,7 @@ fn distances(atoms: &[[f64; 3]]) -> impl Iterator<Item = f64> {
 }
 
 fn potential(atoms: &[[f64; 3]]) -> f64 {
-    distances(atoms).map(|r| LennardJones.energy(r)).sum()
+    distances(atoms).map(|r| ATOMS.energy(r)).sum()
 }
 
 /// The size R of the icosahedron at rest: Σ 4 ((R d)⁻¹² − (R d)⁻⁶) is smallest at R⁶ = 2 Σ d⁻¹²/Σ d⁻⁶.
@@ -86,12 +76,12 @@ type Outcome = Result<Run<SceneState<3>>, Interrupted<SceneState<3>>>;
 
 /// States 0.01 apart, or a step if that is longer.
 fn leapfrog(dt: f64) -> Outcome {
-    let simulation = Simulation::scene(cluster(COMPRESSION * size_at_rest()).pairs(LennardJones)).scheme(Leapfrog);
+    let simulation = Simulation::scene(cluster(COMPRESSION * size_at_rest()).pairs(ATOMS)).scheme(Leapfrog);
     simulation.dt(dt).record_every((0.01 / dt).round().max(1.0) as u64).run_until(END)
 }
 
 fn discrete_gradient(dt: f64) -> Outcome {
-    let scene = cluster(COMPRESSION * size_at_rest()).pairs(LennardJones);
+    let scene = cluster(COMPRESSION * size_at_rest()).pairs(ATOMS);
     let simulation = Simulation::scene(scene).scheme(DiscreteGradient);
     simulation.dt(dt).record_every((0.01 / dt).round().max(1.0) as u64).run_until(END)
 }

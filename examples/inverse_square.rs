@@ -25,25 +25,12 @@
 #[path = "shared/picture.rs"]
 mod picture;
 
+use dmech::models::Kepler;
 use dmech::prelude::*;
 use picture::{Axis, BLUE, Drawn, GREEN, OCHRE, PALE, RED};
 
-/// The inverse square law: Φ(q) = −k/|q|.
-#[derive(Clone, Copy, Debug)]
-struct InverseSquare {
-    k: f64,
-}
-
-#[dmech::law]
-impl InverseSquare {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        -self.k / (x * x + y * y).sqrt()
-    }
-}
-
-const SUN: InverseSquare = InverseSquare { k: 1.0 };
+/// The inverse square law Φ(q) = −k/|q|; k is called gm there.
+const SUN: Kepler = Kepler { gm: 1.0 };
 const START: State<2> = State::new([0.5, 0.0], [0.0, 1.63]);
 /// Of the exact motion.
 const PERIOD: f64 = 4.036615;
@@ -62,7 +49,7 @@ fn main() -> Drawn {
     Ok(())
 }
 
-type Planet = Stepper<InverseSquare, Kanatani, 2>;
+type Planet = Stepper<Kepler, Kanatani, 2>;
 
 fn planet(dt: f64) -> Result<Planet, Error> {
     Simulation::new(SUN, START).scheme(Kanatani).dt(dt).stepper()
@@ -126,7 +113,7 @@ fn turning(dt: f64) -> Drawn<f64> {
 fn pericentre(State { q: [x, y], v: [vx, vy], .. }: &State<2>) -> [f64; 2] {
     let momentum = x * vy - y * vx;
     let r = x.hypot(*y);
-    [vy * momentum - SUN.k * x / r, -vx * momentum - SUN.k * y / r]
+    [vy * momentum - SUN.gm * x / r, -vx * momentum - SUN.gm * y / r]
 }
 
 /// Left: 60 revolutions at h = 0.04, the first of them dark. Right: (3.28) and its parts at h = 0.02.

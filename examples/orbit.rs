@@ -23,25 +23,12 @@ mod table_1;
 
 use std::path::PathBuf;
 
+use dmech::models::Kepler;
 use dmech::prelude::*;
 use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PALE, PURPLE, RED};
 use table_1::{END, PLANET, Printed, Rule, agrees, first_orbit, five_schemes, nth_orbit, orbits};
 
 /// The sun's attraction: Φ(q) = −gm/|q|.
-#[derive(Clone, Copy, Debug)]
-struct Kepler {
-    gm: f64,
-}
-
-#[dmech::law]
-impl Kepler {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        -self.gm / (x * x + y * y).sqrt()
-    }
-}
-
 const SUN: Kepler = Kepler { gm: 1.0 };
 
 fn main() -> Drawn {

@@ -24,7 +24,7 @@ use std::time::{Duration, Instant};
 use dmech::prelude::*;
 use dmech::scheme::Scheme;
 use picture::{Axis, BLUE, Drawn, INK, OCHRE};
-use section_4::{ALPHAS, DampedPendulum, Extrema, Outcome, Pendulum, START, STEPS, TIME_STEPS};
+use section_4::{ALPHAS, Extrema, Outcome, PENDULUM, START, STEPS, TIME_STEPS};
 
 fn main() -> Drawn {
     final_states()?;
@@ -81,9 +81,9 @@ fn extrema() -> Drawn {
 fn times() -> Drawn {
     println!("{TIMES}");
     for dt in TIME_STEPS {
-        let damped = per_step(DampedPendulum { alpha: 0.0 }, Implicit, dt)?;
-        let implicit = per_step(Pendulum, Implicit, dt)?;
-        let leapfrog = per_step(Pendulum, Leapfrog, dt)?;
+        let damped = per_step(section_4::damped(0.0), Implicit, dt)?;
+        let implicit = per_step(PENDULUM, Implicit, dt)?;
+        let leapfrog = per_step(PENDULUM, Leapfrog, dt)?;
         println!("{dt:<5} │ {damped:>8.1} │ {implicit:>8.1} {leapfrog:>8.1} │ {:>5.1} : 1", implicit / leapfrog);
     }
     println!();

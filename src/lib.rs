@@ -67,7 +67,8 @@
 //! | [`.chain(law)`](Scene::chain) | between consecutive bodies: a is body j, b is body j + 1 |
 //! | [`.bonds(law, list)`](Scene::bonds) | between the bodies of each `(a, b)` in a list |
 //!
-//! [`.pin(i)`](Scene::pin) fixes body i. Schemes, invariants and reports are those of one body:
+//! [`.pin(i)`](Scene::pin) fixes body i. Well-known laws are in [`models`] and, between two bodies, in [`models::pairs`].
+//! Schemes, invariants and reports are those of one body:
 //!
 //! ```
 //! use dmech::prelude::*;

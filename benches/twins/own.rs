@@ -1,25 +1,12 @@
 //! The same scenes by the project.
 
+use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
 use dmech::scene::{Acts, Chain, Linked, SceneScheme, SceneStepper, Term, Vectors};
 
 use super::Loop;
 
-/// −g mₐ m_b / r.
-#[derive(Clone, Copy, Debug)]
-struct Gravity {
-    g: f64,
-}
-
-#[dmech::law]
-impl Gravity {
-    #[pair]
-    fn energy(&self, r: f64, ma: f64, mb: f64) -> f64 {
-        -self.g * ma * mb / r
-    }
-}
-
-/// k d²/2 + β d⁴/4.
+/// k d²/2 + β d⁴/4: the library's spring has a cubic term as well, which takes time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bond {
     k: f64,

@@ -142,7 +142,8 @@ pub fn three_bodies() -> ThreeBodies {
     ThreeBodies { g: 1.0 }
 }
 
-/// A spring of energy r²/2 + α r³/3, where r is by how much it is longer than at rest.
+/// A spring of energy r²/2 + α r³/3, where r is by how much it is longer than at rest: as the others get it, without the terms
+/// that the library's spring has besides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spring {
     alpha: f64,

@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 
+use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::models::{HenonHeiles, Kepler};
 use dmech::prelude::*;
 use dmech::scene::{Chain, Linked, SceneScheme, Term};
@@ -33,22 +34,7 @@ impl Stretched {
     }
 }
 
-/// Φ(d) = k d²/2 + β d⁴/4 along each link.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Fput {
-    k: f64,
-    beta: f64,
-}
-
-#[dmech::law]
-impl Fput {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        0.5 * self.k * d[0] * d[0] + 0.25 * self.beta * d[0].powi(4)
-    }
-}
-
-type FputChain = <((), Linked<Fput, Chain>) as Term<1, ()>>::Ready;
+type FputChain = <((), Linked<FermiPastaUlamTsingou, Chain>) as Term<1, ()>>::Ready;
 
 /// A scheme that every motion here can be stepped by.
 pub(crate) trait Any:
@@ -109,7 +95,7 @@ impl Motion {
                     let q = if i % 9 == 0 { 0.0 } else { 0.7 * along.sin() + (0.3 - 0.07 * x) * (2.0 * along).sin() };
                     scene = scene.body(1.0, [q], [0.0]);
                 }
-                let scene = scene.chain(Fput { k: 1.1, beta: 0.3 }).pin(0).pin(9);
+                let scene = scene.chain(FermiPastaUlamTsingou { k: 1.1, alpha: 0.0, beta: 0.3 }).pin(0).pin(9);
                 let simulation = Simulation::scene(scene).scheme(scheme).dt(0.1);
                 simulation.record_every(every).run(steps).map(|run| run.drift(invariant)).map_err(|e| e.to_string())
             }

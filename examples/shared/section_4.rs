@@ -2,38 +2,16 @@
 
 use std::f64::consts::FRAC_PI_4;
 
+use dmech::models::{DampedPendulum, Pendulum};
 use dmech::prelude::*;
 
-/// x″ = −sin x − α x′ (4.1), unit mass.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct DampedPendulum {
-    /// Viscous damping, ≥ 0.
-    pub(crate) alpha: f64,
-}
-
-#[dmech::law]
-impl DampedPendulum {
-    #[potential]
-    fn energy(&self, q: [f64; 1]) -> f64 {
-        -q[0].cos()
-    }
-    #[force]
-    fn damping(&self, v: [f64; 1]) -> [f64; 1] {
-        [-self.alpha * v[0]]
-    }
+/// x″ = −sin x − α x′ (4.1), unit mass, α ≥ 0.
+pub(crate) const fn damped(alpha: f64) -> DampedPendulum {
+    DampedPendulum { k: 1.0, alpha }
 }
 
 /// x″ = −sin x: a law of its own, since leap-frog is refused for one that has a velocity in it, even with α = 0.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pendulum;
-
-#[dmech::law]
-impl Pendulum {
-    #[potential]
-    fn energy(&self, q: [f64; 1]) -> f64 {
-        -q[0].cos()
-    }
-}
+pub(crate) const PENDULUM: Pendulum = Pendulum { k: 1.0 };
 
 /// x₀ = π/4, v₀ = 0.
 pub(crate) const START: State<1> = State::new([FRAC_PI_4], [0.0]);
@@ -49,7 +27,7 @@ pub(crate) type Outcome = Result<Run<State<1>>, Interrupted<State<1>>>;
 /// # Errors
 /// Those of the run.
 pub(crate) fn implicit(alpha: f64, dt: f64) -> Outcome {
-    Simulation::new(DampedPendulum { alpha }, START).scheme(Implicit).dt(dt).run(STEPS)
+    Simulation::new(damped(alpha), START).scheme(Implicit).dt(dt).run(STEPS)
 }
 
 /// One of the three cases of the leap-frog formulas (3.2)–(3.6).
@@ -57,7 +35,7 @@ pub(crate) fn implicit(alpha: f64, dt: f64) -> Outcome {
 /// # Errors
 /// Those of the run.
 pub(crate) fn leapfrog(dt: f64) -> Outcome {
-    Simulation::new(Pendulum, START).scheme(Leapfrog).dt(dt).run(STEPS)
+    Simulation::new(PENDULUM, START).scheme(Leapfrog).dt(dt).run(STEPS)
 }
 
 /// How far the relative extrema of an undamped motion are from ±π/4.
@@ -122,7 +100,7 @@ pub(crate) fn predicted_growth(alpha: f64, dt: f64) -> f64 {
 /// Those of the steps.
 pub(crate) fn measured_growth(alpha: f64, dt: f64, n: u64) -> Result<f64, Error> {
     let start: State<1> = State::new([1e-100], [0.0]);
-    let mut stepper = Simulation::new(DampedPendulum { alpha }, start).scheme(Explicit).dt(dt).stepper()?;
+    let mut stepper = Simulation::new(damped(alpha), start).scheme(Explicit).dt(dt).stepper()?;
     let mut amplitudes = [0.0; 2];
     for amplitude in &mut amplitudes {
         stepper.advance(n)?;

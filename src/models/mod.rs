@@ -20,6 +20,8 @@
 //! | [`Wall`] | 1 | piecewise potential | period |
 //! | [`LennardJones`] | 1 | potential | period of small vibrations |
 //!
+//! Laws between two bodies are in [`pairs`]: gravity, charges, atoms, springs, chains, contacts.
+//!
 //! ```
 //! use dmech::{models::Pendulum, prelude::*};
 //!
@@ -44,6 +46,8 @@ mod pendulum;
 mod quartic;
 mod van_der_pol;
 mod wall;
+
+pub mod pairs;
 
 pub use anharmonic::Anharmonic;
 pub use damped_pendulum::DampedPendulum;

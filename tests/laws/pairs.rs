@@ -112,7 +112,7 @@ const PAIR: Pair = Pair { k: 0.8, d: 1.7 };
 const SLANTED: Slanted<2> = Slanted { k: [1.3, 0.4], drag: 0.6 };
 const MOLECULAR: Molecular = Molecular { g: 1.4, h: 2.2, alpha: 0.08 };
 
-fn numbers<P, L: Reads<P>>(law: &L, mass: f64, data: &P) -> <L::Numbers as Numbers>::Of<f64> {
+pub(super) fn numbers<P, L: Reads<P>>(law: &L, mass: f64, data: &P) -> <L::Numbers as Numbers>::Of<f64> {
     let numbers = law.numbers(mass, data);
     let numbers = numbers.as_slice();
     <L::Numbers as Numbers>::gather(|i| numbers[i])
@@ -123,7 +123,7 @@ fn close(computed: f64, expected: f64, what: &str) {
 }
 
 /// Energy, gradient, Hessian and discrete gradient of what acts between two bodies, against the energy by hand.
-fn is_a_potential<const D: usize>(
+pub(super) fn is_a_potential<const D: usize>(
     acts: &impl Potential<D>,
     energy: impl Fn([f64; D]) -> f64,
     a: [f64; D],
@@ -152,7 +152,7 @@ fn is_a_potential<const D: usize>(
     }
 }
 
-fn norm<const D: usize>(d: [f64; D]) -> f64 {
+pub(super) fn norm<const D: usize>(d: [f64; D]) -> f64 {
     d.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 

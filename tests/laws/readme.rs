@@ -1,23 +1,10 @@
 //! The README shows the program and the report that the program prints.
 
+use dmech::models::Kepler;
 use dmech::prelude::*;
 
 const README: &str = include_str!("../../README.md");
 const PROGRAM: &str = include_str!("../../examples/planet.rs");
-
-#[derive(Clone, Copy, Debug)]
-struct Kepler {
-    gm: f64,
-}
-
-#[dmech::law]
-impl Kepler {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        -self.gm / (x * x + y * y).sqrt()
-    }
-}
 
 #[test]
 fn the_program_is_the_example() {

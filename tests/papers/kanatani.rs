@@ -1,23 +1,9 @@
 //! The statements of K. Kanatani, "The Accuracy and the Preservation Property of the Discrete Mechanics", J. Comput.
 //! Phys. (1983–84), measured.
 
+use dmech::models::Kepler;
 use dmech::prelude::*;
 use dmech::scheme::{KanataniMemory, LeapfrogMemory, Stride};
-
-/// (3.23).
-#[derive(Clone, Copy, Debug)]
-struct InverseSquare {
-    k: f64,
-}
-
-#[dmech::law]
-impl InverseSquare {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        -self.k / (x * x + y * y).sqrt()
-    }
-}
 
 /// (3.16).
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +20,8 @@ impl Spring {
     }
 }
 
-const SUN: InverseSquare = InverseSquare { k: 1.0 };
+/// (3.23); its k is called gm.
+const SUN: Kepler = Kepler { gm: 1.0 };
 const PLANET: State<2> = State::new([0.5, 0.0], [0.0, 1.63]);
 
 /// Greenspan's orbit at h = 0.1: i, (x, y), (zx, zy). An independent reproduction in extended precision.

@@ -1,20 +1,7 @@
 //! The generated Kepler law against the exact orbit: orders, error constants, what is kept over long times.
 
+use dmech::models::Kepler;
 use dmech::prelude::*;
-
-#[derive(Clone, Copy, Debug)]
-struct Kepler {
-    gm: f64,
-}
-
-#[dmech::law]
-impl Kepler {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        -self.gm / (x * x + y * y).sqrt()
-    }
-}
 
 const SUN: Kepler = Kepler { gm: 1.0 };
 

@@ -4,22 +4,9 @@
 #[path = "../../examples/shared/table_1.rs"]
 mod table_1;
 
+use dmech::models::Kepler;
 use dmech::prelude::*;
 use table_1::{END, PLANET, PRINTED, Printed, Rule, agrees, first_orbit, five_schemes, nth_orbit, orbits};
-
-#[derive(Clone, Copy, Debug)]
-struct Kepler {
-    gm: f64,
-}
-
-#[dmech::law]
-impl Kepler {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        -self.gm / (x * x + y * y).sqrt()
-    }
-}
 
 const SUN: Kepler = Kepler { gm: 1.0 };
 

@@ -1,40 +1,13 @@
 //! Runs that are saved and resumed go on bit for bit; a checkpoint of another simulation is refused with what differs.
 
+use dmech::models::pairs::{Charge, Coulomb, FermiPastaUlamTsingou};
 use dmech::models::{DrivenPendulum, Kepler, Wall};
 use dmech::prelude::*;
 use dmech::scene::{SceneScheme, SceneStepper, Term};
 use dmech::{Carried, Difference};
 
-#[derive(Clone, Copy, Debug)]
-struct Fput {
-    alpha: f64,
-}
-
-#[dmech::law]
-impl Fput {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        let s = d[0];
-        0.5 * s * s + self.alpha * s.powi(3) / 3.0
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Charge {
-    q: f64,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Coulomb {
-    k: f64,
-}
-
-#[dmech::law]
-impl Coulomb {
-    #[pair]
-    fn energy(&self, r: f64, a: &Charge, b: &Charge) -> f64 {
-        self.k * a.q * b.q / r
-    }
+fn spring(alpha: f64) -> FermiPastaUlamTsingou {
+    FermiPastaUlamTsingou { k: 1.0, alpha, beta: 0.0 }
 }
 
 /// A pulsating quartic bowl.
@@ -155,9 +128,9 @@ fn scenes_go_on_bit_for_bit() {
             check(&scene, Kanatani.start(Start::BackwardStep).with(Newton::from_previous()), $what);
         }};
     }
-    five!(chain().chain(Fput { alpha: 0.25 }).pin(0), "chain");
+    five!(chain().chain(spring(0.25)).pin(0), "chain");
     five!(ions().pairs(Coulomb { k: 1.0 }), "pairs");
-    five!(chain().bonds(Fput { alpha: 0.25 }, [(0, 3), (3, 7), (7, 11), (11, 0), (5, 2)]), "bonds");
+    five!(chain().bonds(spring(0.25), [(0, 3), (3, 7), (7, 11), (11, 0), (5, 2)]), "bonds");
     five!(swarm().field(Bowl { k: 0.7, omega: 1.9 }).field(Push { f: 0.4 }), "a force of position and time");
     let braked = swarm().field(Bowl { k: 0.7, omega: 1.9 }).field(Drag { c: 0.2 });
     check(&braked, Explicit, "drag");
@@ -240,7 +213,7 @@ fn another_simulation_is_refused_with_what_differs() {
         assert!(matches!(error, Error::Checkpoint(_)), "{error}");
         assert_eq!(error.to_string(), format!("cannot resume: {says}"));
     }
-    let law = Fput { alpha: 0.25 };
+    let law = spring(0.25);
     let mut stepper = Simulation::scene(chain().chain(law).pin(0)).scheme(DiscreteGradient).dt(0.01).stepper().unwrap();
     stepper.advance(50).unwrap();
     let saved = &through_json(&stepper.checkpoint());
@@ -268,7 +241,7 @@ fn another_simulation_is_refused_with_what_differs() {
     refused(plane.field(Push { f: 0.4 }), DiscreteGradient, 0.01, saved, dimension);
 
     let laws = Difference::Laws.to_string();
-    let next = Fput { alpha: 0.25f64.next_up() };
+    let next = spring(0.25f64.next_up());
     let field = "the laws differ: `alpha` is not what it is in the checkpoint";
     refused(chain().chain(next).pin(0), DiscreteGradient, 0.01, saved, field);
     let bonded = chain().bonds(law, (1..11).map(|i| (i - 1, i))).pin(0);
@@ -280,12 +253,11 @@ fn another_simulation_is_refused_with_what_differs() {
 fn laws_are_told_apart_where_nothing_acts() {
     let rest = || (0..5).fold(Scene::<1>::new(), |scene, _| scene.body(1.0, [0.0], [0.0]));
     let saved = |alpha| {
-        let simulation = Simulation::scene(rest().chain(Fput { alpha })).scheme(Implicit).dt(0.1);
+        let simulation = Simulation::scene(rest().chain(spring(alpha))).scheme(Implicit).dt(0.1);
         simulation.stepper().unwrap().checkpoint()
     };
-    let resume = |saved: &Checkpoint| {
-        Simulation::scene(rest().chain(Fput { alpha: 0.25 })).scheme(Implicit).dt(0.1).resume(saved)
-    };
+    let resume =
+        |saved: &Checkpoint| Simulation::scene(rest().chain(spring(0.25))).scheme(Implicit).dt(0.1).resume(saved);
     assert!(resume(&saved(0.25)).is_ok());
     assert_eq!(resume(&saved(0.26)).err(), Some(Error::Checkpoint(Difference::Field { name: "alpha" })));
 

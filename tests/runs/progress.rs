@@ -1,21 +1,9 @@
 //! Runs that show how far they are: the same run, and a bar that follows it.
 
+use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::scene::Term;
 use indicatif::{ProgressBar, ProgressDrawTarget};
-
-#[derive(Clone, Copy, Debug)]
-struct Spring {
-    k: f64,
-}
-
-#[dmech::law]
-impl Spring {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        0.5 * self.k * (r - 1.0).powi(2)
-    }
-}
 
 fn hidden() -> ProgressBar {
     ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
@@ -23,7 +11,7 @@ fn hidden() -> ProgressBar {
 
 fn pair() -> Simulation<(), Scene<2, (), impl Term<2, ()>>> {
     let scene = Scene::new().body(1.0, [0.0, 0.0], [0.0, 0.3]).body(2.0, [1.2, 0.0], [0.1, 0.0]);
-    Simulation::scene(scene.chain(Spring { k: 3.0 }))
+    Simulation::scene(scene.chain(Spring { k: 3.0, length: 1.0 }))
 }
 
 #[test]

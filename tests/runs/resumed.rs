@@ -4,6 +4,7 @@
 use std::cell::Cell;
 
 use dmech::coefficients::{Chin4A, Chin4C, McLachlan4S4, TripleJump4};
+use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::models::{DampedPendulum, Kepler, Pendulum};
 use dmech::prelude::*;
 use dmech::scene::{SceneScheme, Term};
@@ -130,18 +131,7 @@ fn steps_that_follow_the_motion() {
     law(orbit.scheme(Composed::order6(Implicit)).adaptive(1e-8));
 }
 
-#[derive(Clone, Copy, Debug)]
-struct Fput {
-    alpha: f64,
-}
-
-#[dmech::law]
-impl Fput {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        0.5 * d[0] * d[0] + self.alpha * d[0].powi(3) / 3.0
-    }
-}
+const SPRING: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.0, alpha: 0.25, beta: 0.0 };
 
 /// An oscillating well, and friction.
 #[derive(Clone, Copy, Debug)]
@@ -184,13 +174,13 @@ fn scenes() {
         let f = f64::from(i);
         scene.body(1.0 + 0.1 * f, [0.7 * (0.9 * f).sin()], [if i == 2 { 0.0 } else { 0.1 * (2.0 * f).cos() }])
     });
-    let chain = bodies.clone().chain(Fput { alpha: 0.25 }).field(Well { k: 0.1 }).pin(2);
+    let chain = bodies.clone().chain(SPRING).field(Well { k: 0.1 }).pin(2);
     macro_rules! each {
         ($what:ident: $($scheme:expr),* $(,)?) => {$( scene(&$what, $scheme, stringify!($what)); )*};
     }
     each!(chain: Explicit, Leapfrog, Implicit, DiscreteGradient, Kanatani, Kanatani.start(Start::BackwardStep));
     each!(chain: Composed::order4(Leapfrog), Composed::order4(DiscreteGradient), Composed::order6(DiscreteGradient));
     each!(chain: Composed::order8(Leapfrog), Nystrom::order4(), Nystrom::order6(), Nystrom::order8());
-    let bonds = bodies.bonds(Fput { alpha: 0.25 }, [(0, 3), (3, 5), (4, 1), (1, 2)]);
+    let bonds = bodies.bonds(SPRING, [(0, 3), (3, 5), (4, 1), (1, 2)]);
     each!(bonds: Implicit, DiscreteGradient.with(Newton::from_previous()), Composed::order4(DiscreteGradient));
 }

@@ -1,22 +1,8 @@
 //! Scenes with listed bonds on sparse Newton matrices: a ring, a tree and a sheet of springs.
 
+use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::scene::{SceneScheme, Term};
-
-/// A spring of stiffness k and length `rest`: nonlinear in the plane and in space, through the distance.
-#[derive(Clone, Copy, Debug)]
-struct Spring {
-    k: f64,
-    rest: f64,
-}
-
-#[dmech::law]
-impl Spring {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        0.5 * self.k * (r - self.rest).powi(2)
-    }
-}
 
 /// Friction between two bodies, along no direction in particular.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +19,7 @@ impl Friction {
 }
 
 /// Acts between any two bodies and does nothing: with it the Newton matrix is dense.
-const NOTHING: Spring = Spring { k: 0.0, rest: 0.5 };
+const NOTHING: Spring = Spring { k: 0.0, length: 0.5 };
 
 /// A closed ring of n bodies, stretched and turning.
 fn ring(n: usize) -> (Scene<2>, Vec<(usize, usize)>) {
@@ -109,7 +95,7 @@ where
     f64::max(largest(&a.q, &b.q), largest(&a.v, &b.v)) / size
 }
 
-const SPRING: Spring = Spring { k: 7.0, rest: 1.1 };
+const SPRING: Spring = Spring { k: 7.0, length: 1.1 };
 
 #[test]
 fn sparse_and_dense_matrices_lead_to_the_same_motion() {
@@ -131,7 +117,7 @@ fn sparse_and_dense_matrices_lead_to_the_same_motion() {
     let off = difference(on(&scene), on(&scene).pairs(NOTHING), Kanatani);
     assert!(off < 1e-13, "sheet: {off:e}");
     // Neighbours in the order of bodies as well: the last of a row and the first of the next.
-    let chained = |scene: &Scene<3>| on(scene).chain(Spring { k: 0.3, rest: 0.8 });
+    let chained = |scene: &Scene<3>| on(scene).chain(Spring { k: 0.3, length: 0.8 });
     let off = difference(chained(&scene), chained(&scene).pairs(NOTHING), DiscreteGradient);
     assert!(off < 1e-13, "sheet with a chain: {off:e}");
 }

@@ -1,6 +1,7 @@
 //! A chain is solved in one sweep along it and one back, eight bodies at a time: the motion is that of the dense matrix, for
 //! any number of bodies, and a body costs the same in a long chain as in a short one.
 
+use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::prelude::*;
 use dmech::scene::{SceneScheme, Term};
 
@@ -157,7 +158,7 @@ fn a_long_chain_needs_no_more_corrections_than_a_short_one() {
         stepper.advance(40).expect("a finite motion");
         stepper.iterations() as f64 / 40.0
     }
-    let law = |scene: Scene<1, f64>| scene.chain(Fput { k: 1.1, beta: 0.3 });
+    let law = |scene: Scene<1, f64>| scene.chain(FermiPastaUlamTsingou { k: 1.1, alpha: 0.0, beta: 0.3 });
     for n in [1000, 30_000] {
         for (scheme, corrections) in [
             ("Implicit", corrections(law, Implicit, n)),
@@ -167,20 +168,5 @@ fn a_long_chain_needs_no_more_corrections_than_a_short_one() {
             println!("{scheme:<18} {n:>6} bodies: {corrections:.2} corrections a step");
             assert!((1.0..1.2).contains(&corrections), "{scheme}, {n} bodies: {corrections}");
         }
-    }
-}
-
-/// d²/2 + β d⁴/4 with the spring constant k.
-#[derive(Clone, Copy, Debug)]
-struct Fput {
-    k: f64,
-    beta: f64,
-}
-
-#[dmech::law]
-impl Fput {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        0.5 * self.k * d[0] * d[0] + 0.25 * self.beta * d[0].powi(4)
     }
 }

@@ -1,87 +1,10 @@
 //! Laws of motion of scenes: what closed systems keep, orders, reversal, work, links against each other.
 
+use dmech::models::pairs::{
+    Charge, Coulomb, FermiPastaUlamTsingou, Gravity, Hertz, HertzSpheres, LennardJones, Morse, Sphere, Spring, Toda,
+};
 use dmech::prelude::*;
 use dmech::scene::{Acts, SceneScheme, Term};
-
-/// −g mₐ m_b / r.
-#[derive(Clone, Copy, Debug)]
-struct Gravity {
-    g: f64,
-}
-
-#[dmech::law]
-impl Gravity {
-    #[pair]
-    fn energy(&self, r: f64, ma: f64, mb: f64) -> f64 {
-        -self.g * ma * mb / r
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Charge {
-    e: f64,
-}
-
-/// k eₐ e_b / r.
-#[derive(Clone, Copy, Debug)]
-struct Coulomb {
-    k: f64,
-}
-
-#[dmech::law]
-impl Coulomb {
-    #[pair]
-    fn energy(&self, r: f64, a: &Charge, b: &Charge) -> f64 {
-        self.k * a.e * b.e / r
-    }
-}
-
-/// 4 ε ((σ/r)¹² − (σ/r)⁶).
-#[derive(Clone, Copy, Debug)]
-struct LennardJones {
-    epsilon: f64,
-    sigma: f64,
-}
-
-#[dmech::law]
-impl LennardJones {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        let s6 = (self.sigma / r).powi(6);
-        4.0 * self.epsilon * (s6 * s6 - s6)
-    }
-}
-
-/// d²/2 + α d³/3 + β d⁴/4 with the spring constant k.
-#[derive(Clone, Copy, Debug)]
-struct Fput {
-    k: f64,
-    alpha: f64,
-    beta: f64,
-}
-
-#[dmech::law]
-impl Fput {
-    #[pair]
-    fn energy(&self, d: f64) -> f64 {
-        0.5 * self.k * d * d + self.alpha * d.powi(3) / 3.0 + 0.25 * self.beta * d.powi(4)
-    }
-}
-
-/// (a/b) (e^{−b d} + b d − 1).
-#[derive(Clone, Copy, Debug)]
-struct Toda {
-    a: f64,
-    b: f64,
-}
-
-#[dmech::law]
-impl Toda {
-    #[pair]
-    fn energy(&self, d: f64) -> f64 {
-        self.a / self.b * ((-self.b * d).exp() + self.b * d - 1.0)
-    }
-}
 
 /// −c (vₐ − v_b): friction between neighbours.
 #[derive(Clone, Copy, Debug)]
@@ -123,9 +46,9 @@ fn planets() -> Scene<2> {
 
 fn ions() -> Scene<3, Charge> {
     Scene::new()
-        .body_with(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0], Charge { e: 1.0 })
-        .body_with(6.0, [0.0, 0.1, 0.0], [0.0, -0.15, 0.02], Charge { e: -1.5 })
-        .body_with(1.5, [0.0, 4.0, -0.5], [-0.42, 0.0, 0.1], Charge { e: 0.7 })
+        .body_with(1.0, [1.2, 0.0, 0.2], [0.0, 1.05, 0.0], Charge { q: 1.0 })
+        .body_with(6.0, [0.0, 0.1, 0.0], [0.0, -0.15, 0.02], Charge { q: -1.5 })
+        .body_with(1.5, [0.0, 4.0, -0.5], [-0.42, 0.0, 0.1], Charge { q: 0.7 })
 }
 
 /// Seven atoms near a hexagon with one in the middle.
@@ -134,6 +57,15 @@ fn atoms() -> Scene<2> {
         let angle = f64::from(i) * std::f64::consts::FRAC_PI_3;
         let r = 1.15 + 0.02 * f64::from(i % 3);
         scene.body(1.0 + 0.1 * f64::from(i), [r * angle.cos(), r * angle.sin()], [0.05 * angle.sin(), -0.03])
+    })
+}
+
+/// Five balls of different sizes, apart.
+fn balls() -> Scene<2, Sphere> {
+    (0..5).fold(Scene::new(), |scene, i| {
+        let (x, radius) = (f64::from(i), 0.5 + 0.1 * f64::from(i));
+        let (sin, cos) = (1.3 * x).sin_cos();
+        scene.body_with(radius.powi(3), [2.5 * cos, 2.1 * sin], [0.3 * sin, 0.2 * cos], Sphere { radius })
     })
 }
 
@@ -181,8 +113,15 @@ fn closed_systems_keep_energy_and_momenta() {
     keeps_everything("gravity", planets().pairs(Gravity { g: 0.9 }), 0.004);
     keeps_everything("Coulomb", ions().pairs(Coulomb { k: 1.1 }), 0.01);
     keeps_everything("Lennard-Jones", atoms().pairs(LennardJones { epsilon: 1.2, sigma: 1.02 }), 0.004);
-    keeps_everything("FPUT", chain::<17>().chain(Fput { k: 1.3, alpha: 0.25, beta: 0.4 }), 0.05);
+    keeps_everything("FPUT", chain::<17>().chain(FermiPastaUlamTsingou { k: 1.3, alpha: 0.25, beta: 0.4 }), 0.05);
     keeps_everything("Toda", chain::<17>().chain(Toda { a: 0.8, b: 1.4 }), 0.05);
+    keeps_everything("Morse", atoms().pairs(Morse { depth: 1.1, width: 2.3, length: 1.05 }), 0.01);
+    keeps_everything("springs", atoms().pairs(Spring { k: 1.7, length: 1.1 }), 0.01);
+    // A ring, or the beads would soon be apart for good.
+    let ring: Vec<_> = (0..9).map(|i| (i, (i + 1) % 9)).collect();
+    keeps_everything("Hertz", chain::<9>().bonds(Hertz { k: 2.0 }, ring), 0.02);
+    let drawn_together = balls().pairs(Spring { k: 0.3, length: 0.0 });
+    keeps_everything("spheres", drawn_together.pairs(HertzSpheres { modulus: 60.0 }), 0.01);
 }
 
 /// The largest distance between the positions of two states.
@@ -382,7 +321,7 @@ fn wrong_scenes_are_refused() {
         refused.to_string()
     }
     let two = || Scene::new().body(1.0, [0.0], [0.0]).body(2.0, [1.5], [0.0]);
-    let spring = Fput { k: 1.0, alpha: 0.1, beta: 0.2 };
+    let spring = FermiPastaUlamTsingou { k: 1.0, alpha: 0.1, beta: 0.2 };
     assert_eq!(words(Scene::<1>::new().chain(spring)), "the scene has no bodies");
     assert_eq!(
         words(two().body(-3.0, [2.0], [0.0]).chain(spring)),
@@ -415,30 +354,17 @@ fn wrong_scenes_are_refused() {
     assert!(matches!(refused.cause(), Error::TimeStep { .. }));
 }
 
-/// Two bodies that meet: the run ends with both named and everything up to there.
+/// Two bodies that meet: the run ends with both named and everything up to there. Gravity with g = 0 acts on nobody and is
+/// still not finite where two bodies coincide.
 #[test]
 fn a_collision_names_the_bodies() {
     let scene = Scene::new()
         .body(1.0, [-0.5], [1.0])
         .body(1.0, [40.0], [0.0])
         .body(1.0, [0.5], [-1.0])
-        .pairs(Coulomb0 { k: 0.0 });
+        .pairs(Gravity { g: 0.0 });
     let failed = Simulation::scene(scene).scheme(Leapfrog).dt(0.125).run(100).unwrap_err();
     assert_eq!(failed.cause().to_string(), "bodies 0 and 2 coincide, where their law is not finite, step 4, t = 0.375");
     assert_eq!(failed.run().steps(), 3);
     assert_eq!(failed.run().last().q[0], [-0.125]);
-}
-
-/// k/r with k = 0 acts on nobody and is still not finite where two bodies coincide.
-#[derive(Clone, Copy, Debug)]
-struct Coulomb0 {
-    k: f64,
-}
-
-#[dmech::law]
-impl Coulomb0 {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        self.k / r
-    }
 }

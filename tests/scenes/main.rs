@@ -4,4 +4,5 @@ mod bonds;
 mod chains;
 mod closed;
 mod memory;
+mod pair_models;
 mod random;

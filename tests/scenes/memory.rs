@@ -1,23 +1,8 @@
 //! What a scene takes of memory: an explicit scheme O(N) numbers, whatever the law links.
 
+use dmech::models::pairs::LennardJones;
 use dmech::prelude::*;
 use dmech_tests::memory::bytes;
-
-/// 4 ε ((σ/r)¹² − (σ/r)⁶).
-#[derive(Clone, Copy, Debug)]
-struct LennardJones {
-    epsilon: f64,
-    sigma: f64,
-}
-
-#[dmech::law]
-impl LennardJones {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        let s6 = (self.sigma / r).powi(6);
-        4.0 * self.epsilon * (s6 * s6 - s6)
-    }
-}
 
 /// Ten thousand atoms in less than 10 MB; without optimisation a fifth of them in a fifth of that. A Newton matrix would take
 /// 7 GB, or a twenty-fifth.

@@ -1,52 +1,9 @@
 //! Newton on random scenes: what stops it is rounding, or there is no root; it never gives up at corrections that are rounding.
 
 use dmech::Error;
+use dmech::models::pairs::{Gravity, LennardJones, Spring};
 use dmech::prelude::*;
 use dmech::scene::{SceneScheme, Term};
-
-/// k (r − l)²/2.
-#[derive(Clone, Copy, Debug)]
-struct Spring {
-    k: f64,
-    l: f64,
-}
-
-#[dmech::law]
-impl Spring {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        0.5 * self.k * (r - self.l).powi(2)
-    }
-}
-
-/// −g mₐ m_b / r.
-#[derive(Clone, Copy, Debug)]
-struct Gravity {
-    g: f64,
-}
-
-#[dmech::law]
-impl Gravity {
-    #[pair]
-    fn energy(&self, r: f64, ma: f64, mb: f64) -> f64 {
-        -self.g * ma * mb / r
-    }
-}
-
-/// 4 ε (r⁻¹² − r⁻⁶).
-#[derive(Clone, Copy, Debug)]
-struct Atoms {
-    epsilon: f64,
-}
-
-#[dmech::law]
-impl Atoms {
-    #[pair]
-    fn energy(&self, r: f64) -> f64 {
-        let s6 = r.powi(-6);
-        4.0 * self.epsilon * (s6 * s6 - s6)
-    }
-}
 
 /// A slope and a bowl.
 #[derive(Clone, Copy, Debug)]
@@ -172,12 +129,13 @@ fn newton_gives_up_at_no_correction_that_is_rounding() {
         });
         let h = random.size(0.01, 0.3);
         let extent = away + 4.0 * spread;
-        let spring = Spring { k: random.size(1e-2, 1e5), l: spread * random.between(0.0, 1.5) };
-        let soft = Spring { k: random.size(1e-4, 1.0), l: spread * random.between(0.0, 1.5) };
+        let spring = Spring { k: random.size(1e-2, 1e5), length: spread * random.between(0.0, 1.5) };
+        let soft = Spring { k: random.size(1e-4, 1.0), length: spread * random.between(0.0, 1.5) };
         let ring: Vec<_> =
             (0..bodies.max(3)).map(|i| (i, (i + 1) % bodies)).take(if bodies == 2 { 1 } else { bodies }).collect();
         let field = Field { pull: random.between(0.0, 10.0), k: random.size(1e-3, 10.0) };
-        let (gravity, atoms) = (Gravity { g: random.size(1e-2, 2.0) }, Atoms { epsilon: random.size(1e-3, 5.0) });
+        let gravity = Gravity { g: random.size(1e-2, 2.0) };
+        let atoms = LennardJones { epsilon: random.size(1e-3, 5.0), sigma: 1.0 };
         outcome.each(&scene.clone().pairs(soft), h, extent, "soft springs between all");
         outcome.each(&scene.clone().pairs(spring), h, extent, "springs between all");
         outcome.each(&scene.clone().pairs(gravity), h, extent, "gravity");

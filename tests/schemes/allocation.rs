@@ -87,20 +87,8 @@ fn no_step_under_a_force_allocates() {
 /// Ten bodies in space, and a chain of them: the memory before a step, Newton matrices and factors are kept.
 #[test]
 fn no_step_of_a_scene_allocates() {
+    use dmech::models::pairs::Spring;
     use dmech::scene::{SceneScheme, Term};
-
-    #[derive(Clone, Copy, Debug)]
-    struct Spring {
-        k: f64,
-    }
-
-    #[dmech::law]
-    impl Spring {
-        #[pair]
-        fn energy(&self, r: f64) -> f64 {
-            0.5 * self.k * (r - 1.3).powi(2)
-        }
-    }
 
     fn check<L: Term<3, ()>, S: SceneScheme<3, L::Ready>>(scene: Scene<3, (), L>, scheme: S, dt: f64, what: &str) {
         let mut stepper = Simulation::scene(scene).scheme(scheme).dt(dt).stepper().unwrap();
@@ -120,7 +108,7 @@ fn no_step_of_a_scene_allocates() {
             scene.body(1.0 + 0.1 * f, [1.1 * f, (2.0 * f).sin(), (0.7 * f).cos()], [0.2 * f.sin(), 0.0, 0.1])
         })
     };
-    let spring = Spring { k: 3.0 };
+    let spring = Spring { k: 3.0, length: 1.3 };
     let all = bodies().pairs(spring);
     let ring = bodies().bonds(spring, (0..10).map(|i| (i, (i + 1) % 10)));
     // Steps with a small Newton matrix, and steps that need its factors.

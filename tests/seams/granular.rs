@@ -4,29 +4,10 @@
 //! with the next. A strike at one end runs through the chain as a solitary wave some five beads long, whose speed grows
 //! as the sixth root of its largest force (V. F. Nesterenko, J. Appl. Mech. Tech. Phys. 24 (1983) 733).
 
+use dmech::models::pairs::Hertz;
 use dmech::prelude::*;
 
-/// k δ^{5/2}: the energy of two spheres pressed together by δ, and nothing while they are apart.
-#[derive(Clone, Copy, Debug)]
-struct Contact {
-    k: f64,
-}
-
-#[dmech::law]
-impl Contact {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        self.k * d[0].max(0.0).powf(2.5)
-    }
-}
-
-impl Contact {
-    fn force(&self, overlap: f64) -> f64 {
-        2.5 * self.k * overlap.max(0.0).powf(1.5)
-    }
-}
-
-const CONTACT: Contact = Contact { k: 0.4 };
+const CONTACT: Hertz = Hertz { k: 0.4 };
 const BEADS: usize = 100;
 
 /// All at rest but the first.

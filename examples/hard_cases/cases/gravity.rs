@@ -1,21 +1,12 @@
 //! Three bodies under gravity: Burrau's, and the figure eight.
 
+use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
 
 use super::trial::{Recorded, Together, Trial, every_scheme};
 use super::{Case, Length, Line, Picture, Row, Scale, rounding, short};
 
-/// −m_a m_b/r.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Gravity;
-
-#[dmech::law]
-impl Gravity {
-    #[pair]
-    fn energy(&self, r: f64, ma: f64, mb: f64) -> f64 {
-        -ma * mb / r
-    }
-}
+const GRAVITY: Gravity = Gravity { g: 1.0 };
 
 pub(crate) fn pythagoras(length: Length) -> Case {
     let mut case = Case::new(
@@ -29,7 +20,7 @@ pub(crate) fn pythagoras(length: Length) -> Case {
         .body(3.0, [1.0, 3.0], [0.0; 2])
         .body(4.0, [-2.0, -1.0], [0.0; 2])
         .body(5.0, [1.0, -1.0], [0.0; 2])
-        .pairs(Gravity);
+        .pairs(GRAVITY);
     let together = |dt: f64, record_every| Together {
         scene: scene.clone(),
         masses: vec![3.0, 4.0, 5.0],
@@ -61,7 +52,7 @@ fn fine(part: f64) -> Vec<SceneState<2>> {
         let time = |a: usize, b: usize| (distance(&state, a, b).powi(3) / (MASSES[a] + MASSES[b])).sqrt();
         let dt = part * time(0, 1).min(time(1, 2)).min(time(2, 0));
         let scene = (0..3).fold(Scene::new(), |scene, i| scene.body(MASSES[i], state.q[i], state.v[i]));
-        let stepper = Simulation::scene(scene.pairs(Gravity)).scheme(Composed::order8(Leapfrog)).dt(dt).stepper();
+        let stepper = Simulation::scene(scene.pairs(GRAVITY)).scheme(Composed::order8(Leapfrog)).dt(dt).stepper();
         let Ok(mut stepper) = stepper else { break };
         if stepper.advance(4).is_err() {
             break;
@@ -78,7 +69,7 @@ fn told(case: &mut Case, reference: &[SceneState<2>], finer: &[SceneState<2>]) {
     let (Some(at), Some(last), Some(check)) = (closest, reference.last(), finer.last()) else { return };
     let speeds = [0, 1, 2].map(|body| at.v[body][0].hypot(at.v[body][1]));
     let energy = |state: &SceneState<2>| {
-        let pair = |a: usize, b: usize| Gravity.energy(distance(state, a, b), MASSES[a], MASSES[b]);
+        let pair = |a: usize, b: usize| GRAVITY.energy(distance(state, a, b), MASSES[a], MASSES[b]);
         state.kinetic_energy(&MASSES) + pair(0, 1) + pair(1, 2) + pair(2, 0)
     };
     let largest = reference.iter().map(|state| state.kinetic_energy(&MASSES)).fold(0.0, f64::max);
@@ -177,7 +168,7 @@ pub(crate) fn figure_eight(length: Length) -> Case {
     .resolved_to(0.15);
     let (q, v) = ([0.97000436, -0.24308753], [-0.93240737, -0.86473146]);
     let half = [-0.5 * v[0], -0.5 * v[1]];
-    let scene = Scene::new().body(1.0, q, half).body(1.0, [-q[0], -q[1]], half).body(1.0, [0.0; 2], v).pairs(Gravity);
+    let scene = Scene::new().body(1.0, q, half).body(1.0, [-q[0], -q[1]], half).body(1.0, [0.0; 2], v).pairs(GRAVITY);
     let turns = length.of(10, 100);
     for steps in [40, 200, 1000] {
         let (dt, asked) = (PERIOD / steps as f64, steps * turns);

@@ -2,29 +2,14 @@
 
 use std::f64::consts::PI;
 
+use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::prelude::*;
 
 use super::trial::{Together, Trial, every_scheme};
 use super::{Case, Length, Line, Picture, Scale, short};
 
-/// r²/2 + α r³/3 + β r⁴/4, r being by how much a spring is longer than at rest.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Spring {
-    pub(crate) alpha: f64,
-    pub(crate) beta: f64,
-}
-
-#[dmech::law]
-impl Spring {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        let r = -d[0];
-        r * r * (0.5 + r * (self.alpha / 3.0 + self.beta * r / 4.0))
-    }
-}
-
 const SPRINGS: usize = 9;
-const SPRING: Spring = Spring { alpha: 0.25, beta: 0.4 };
+const SPRING: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.0, alpha: 0.25, beta: 0.4 };
 
 pub(crate) fn case(length: Length) -> Case {
     let mut case = Case::new(
@@ -76,7 +61,7 @@ fn measure(case: &mut Case, trial: &Trial<SceneState<1>>) {
 
 fn energy(state: &SceneState<1>) -> f64 {
     let kinetic: f64 = state.v.iter().map(|[v]| 0.5 * v * v).sum();
-    kinetic + state.q.windows(2).map(|pair| SPRING.energy([pair[0][0] - pair[1][0]])).sum::<f64>()
+    kinetic + state.q.windows(2).map(|pair| SPRING.energy(pair[0][0] - pair[1][0])).sum::<f64>()
 }
 
 fn picture(trials: &[Trial<SceneState<1>>]) -> Picture {

@@ -156,6 +156,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
         quote! {
             #[automatically_derived]
+            #[diagnostic::do_not_recommend]
             impl #own_generics #runtime::MassIndependent for #self_ty #where_clause {}
         }
     });

@@ -100,7 +100,11 @@ impl Parts {
                 }
                 let is_rest = |&&(c, t): &&(Number, Expr)| !inner.contains(&(turned(c), t));
                 let rest: Vec<_> = terms.iter().filter(is_rest).copied().collect();
-                let moving = vec![(graph.number(sign), sum), (graph.one(), graph.linear_combination(&rest))];
+                // As all that moves, with a positive first coefficient.
+                let turn = if rest[0].0.value() < 0.0 { -1.0 } else { 1.0 };
+                let rest: Vec<_> = rest.iter().map(|&(c, t)| (Number::new(turn * c.value()), t)).collect();
+                let rest = (graph.number(turn), graph.linear_combination(&rest));
+                let moving = vec![(graph.number(sign), sum), rest];
                 return Some(Self { moving, fixed: graph.zero() });
             }
         }

@@ -64,6 +64,10 @@ fn seams() -> Vec<Seam> {
             let edge = p[0] * p[0];
             choose(norm(q).at_most(p[0]), s.powi(2) - s - edge.powi(2) + edge, 0.0)
         }),
+        seam("what both branches share", sphere, |q, p| {
+            let shared = q[1] - q[0];
+            (shared + norm(q).powi(2) - p[0] * p[0]).max(shared)
+        }),
         seam("through one inner expression", bowl, |q, p| choose(bend(q).less(p[0]), 0.0, spring(bend(q), p[0], p[2]))),
         seam("several coordinates", bowl, |q, p| {
             let wave = q[1].sin();

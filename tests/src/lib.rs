@@ -10,7 +10,7 @@
 //! | `runs` | what is saved, resumed, shown |
 //! | `by_hand` | the core alone, with laws that no macro wrote |
 //! | `messages` | a package of its own: laws that are refused, with every word |
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::new_without_default)]
 
 pub mod laws;
 pub mod measured;

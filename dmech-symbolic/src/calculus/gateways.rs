@@ -10,8 +10,9 @@
 //! and a sum that another was flattened into counts by itself: r² + r⁴ has the one variable r².
 //!
 //! The branches of an `if` join on its seam, which is a place in the variables only if these are independent there. As
-//! y (x − d) is not of x at x = d, what stands in a branch alone is no variable unless it has nothing to do with the
+//! y (x − d) is not of x at x = d, what stands in one branch alone is no variable unless it has nothing to do with the
 //! condition or is a sum of coordinates; nor is anything that need not be a number where the other branch is taken.
+//! What stands in both is one: a potential of r with a field beyond a wall has the variables r² and z.
 
 use std::collections::HashMap;
 
@@ -31,7 +32,7 @@ impl Gateways {
     pub(super) fn of(graph: &mut Graph, e: Expr, choice: &Choice, coordinates: &[Symbol]) -> Self {
         let mut network = Network::new(graph, choice, coordinates);
         if matches!(graph.node(e), Node::Select(..)) {
-            network.close_dependent(graph, coordinates);
+            network.close_dependent(graph, choice, coordinates);
         }
         let inner = network.least_cut();
         let symbols: Vec<_> = (0..inner.len()).map(|k| graph.coordinate(&format!("u{k}"))).collect();
@@ -216,23 +217,33 @@ impl Network {
         }
     }
 
-    /// No cut passes through what a branch alone is made of and the condition has to do with, or what may be no number.
-    fn close_dependent(&mut self, graph: &Graph, coordinates: &[Symbol]) {
+    /// No cut passes through what stands in one branch alone and depends on what the condition does, or may be no number.
+    fn close_dependent(&mut self, graph: &Graph, choice: &Choice, coordinates: &[Symbol]) {
         let symbol = |e: &Expr| match graph.node(*e) {
             Node::Symbol(symbol) => Some(*symbol),
             _ => None,
         };
         let of_condition: Vec<_> = self.expressions[..self.of_condition].iter().filter_map(symbol).collect();
         let (moves, bound) = (graph.dependence(coordinates), graph.dependence(&of_condition));
+        let below = [choice.yes, choice.no].map(|branch| self.below(branch));
         for (i, &e) in self.expressions.iter().enumerate().skip(self.of_condition) {
-            let is_open = symbol(&e).is_some()
-                || is_linear(graph, e, &moves)
-                || !bound[e.index()] && is_polynomial(graph, e, &moves);
-            if !is_open {
+            let in_both = below.iter().all(|below| below[2 * i + 2]);
+            let is_own = is_linear(graph, e, &moves) || !bound[e.index()] && is_polynomial(graph, e, &moves);
+            if symbol(&e).is_none() && !in_both && !is_own {
                 let through = self.edges[2 * i + 2][0];
                 self.capacity[through] = self.unbounded;
             }
         }
+    }
+
+    /// The vertices that an expression is made of.
+    fn below(&self, e: Expr) -> Vec<bool> {
+        let Some(i) = self.expressions.iter().position(|&other| other == e) else {
+            return vec![false; self.edges.len()];
+        };
+        let mut below: Vec<_> = self.reach(2 * i + 2, false).into_iter().map(|by| by.is_some()).collect();
+        below[2 * i + 2] = true;
+        below
     }
 
     fn connect(&mut self, from: usize, to: usize, capacity: usize) {

@@ -195,6 +195,26 @@ fn what_a_branch_would_be_elsewhere_does_not_matter() {
     }
 }
 
+/// A nucleus at the edge of a field: what both branches have is formed as it is without the field, so that the moment about the
+/// normal is kept to rounding, and the way between the ends may pass through the centre.
+#[test]
+fn what_both_branches_have_is_not_cut() {
+    let mut law = Law::build(3, |q, p| {
+        let well = -p[1] / norm(q);
+        choose(q[2].at_most(0.0), well, well + p[2] * q[2])
+    });
+    let kernels = law.kernels();
+    let a = [0.3, -0.7, 0.4];
+    for b in [[0.5, -0.4, -0.3], [-0.2, 0.9, -1.1], [-0.3, 0.7, -0.4], [-0.3, 0.7, -0.4 - 1e-9]] {
+        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        let rise = value(&law, &kernels, &b) - value(&law, &kernels, &a);
+        let work: f64 = (0..3).map(|i| g[i] * (b[i] - a[i])).sum();
+        assert!((work - rise).abs() < 16.0 * U * 10.0, "{b:?}: {g:?} makes {work} of {rise}");
+        let moment = g[0] * (a[1] + b[1]) - g[1] * (a[0] + b[0]);
+        assert!(moment.abs() <= 8.0 * U * g[0].hypot(g[1]), "{b:?}: {g:?} has a moment of {moment:e}");
+    }
+}
+
 /// A contact whose overlap is a sum: at two places where it is 0 but for rounding the sums at the ends differ by less than
 /// their rounding, and the sum that is their difference may be 0 where they are not.
 #[test]

@@ -3,6 +3,6 @@
 mod kanatani;
 mod kepler;
 mod molecules;
+mod orbit;
 mod pendulum;
 mod string;
-mod table_1;

@@ -84,7 +84,7 @@ fn a_weak_chain_swings_in_its_modes() {
     for mode in 1..springs {
         let shape = |j: usize| (core::f64::consts::PI * (mode * j) as f64 / springs as f64).sin();
         let amplitude = 1e-6;
-        let place = |j: usize| if j % springs == 0 { 0.0 } else { amplitude * shape(j) };
+        let place = |j: usize| if j.is_multiple_of(springs) { 0.0 } else { amplitude * shape(j) };
         let chain = (0..=springs).fold(Scene::new(), |scene, j| scene.body(mass, [place(j)], [0.0]));
         let period = core::f64::consts::TAU / law.small_frequency(mode, springs, mass);
         let last = end(chain.chain(law).pin(0).pin(springs), Nystrom::order8(), period, 100);

@@ -100,7 +100,7 @@ impl Printer<'_> {
             let mask = operation::mask(test, &mut |v| self.fragment(v));
             let [yes, no] = [(true, yes), (false, no)].map(|(yes, value)| {
                 let (statements, value) = self.branch(Branch { choice, yes }, value);
-                if statements.is_empty() { value } else { quote!({ #statements #value }) }
+                block(statements, value)
             });
             return quote!(#scalar::select(#mask, || #yes, || #no));
         };
@@ -110,8 +110,7 @@ impl Printer<'_> {
             let is_light = self.is_light(branch);
             let (statements, value) = self.branch(branch, value);
             match (is_light, yes) {
-                (true, _) if statements.is_empty() => value,
-                (true, _) => quote!({ #statements #value }),
+                (true, _) => block(statements, value),
                 (false, true) => quote!(if #runtime::Mask::any(#mask) { #statements #value } else { #otherwise }),
                 (false, false) => quote!(if #runtime::Mask::all(#mask) { #otherwise } else { #statements #value }),
             }
@@ -158,4 +157,9 @@ impl Printer<'_> {
         self.unnamed += 1;
         ident(&format!("t{}", self.unnamed - 1))
     }
+}
+
+/// Statements before a value.
+fn block(statements: TokenStream, value: TokenStream) -> TokenStream {
+    if statements.is_empty() { value } else { quote!({ #statements #value }) }
 }

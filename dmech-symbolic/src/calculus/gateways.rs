@@ -41,10 +41,11 @@ impl Gateways {
         // The simpler ones first: others are made of them.
         network.parts.sort_by_cached_key(|(e, parts)| (graph.children(*e).into_iter().max(), parts.rank(graph, *e)));
         for (e, Parts { moving, fixed }) in network.parts {
-            let images = moving.into_iter().map(|(scale, part)| (scale, inside.apply(graph, part)));
-            let images: Vec<_> = images.collect();
-            let mut terms: Vec<_> = images.into_iter().map(|(scale, image)| graph.mul(&[scale, image])).collect();
-            terms.push(fixed);
+            let mut terms = vec![fixed];
+            for (scale, part) in moving {
+                let image = inside.apply(graph, part);
+                terms.push(graph.mul(&[scale, image]));
+            }
             let image = graph.add(&terms);
             inside.remember(e, image);
         }
@@ -101,9 +102,7 @@ impl Parts {
                 }
                 let is_rest = |&&(c, t): &&(Number, Expr)| !inner.contains(&(turned(c), t));
                 let rest: Vec<_> = terms.iter().filter(is_rest).copied().collect();
-                // As all that moves, with a positive first coefficient.
-                let turn = if rest[0].0.value() < 0.0 { -1.0 } else { 1.0 };
-                let rest: Vec<_> = rest.iter().map(|&(c, t)| (Number::new(turn * c.value()), t)).collect();
+                let (turn, rest) = upright(&rest).expect("the other sum is shorter");
                 let rest = (graph.number(turn), graph.linear_combination(&rest));
                 let moving = vec![(graph.number(sign), sum), rest];
                 return Some(Self { moving, fixed: graph.zero() });
@@ -124,9 +123,9 @@ impl Moving {
     fn of(graph: &mut Graph, e: Expr, moves: &dyn Fn(Expr) -> bool) -> Option<Self> {
         let Node::Sum { constant, terms } = graph.node(e).clone() else { return None };
         let (moving, mut fixed): (Vec<_>, Vec<_>) = terms.iter().copied().partition(|&(_, t)| moves(t));
-        let sign = if moving.first()?.0.value() < 0.0 { -1.0 } else { 1.0 };
         fixed.push((constant, graph.one()));
-        Some(Self { sign, terms: moving.into_iter().map(|(c, t)| (Number::new(sign * c.value()), t)).collect(), fixed })
+        let (sign, terms) = upright(&moving)?;
+        Some(Self { sign, terms, fixed })
     }
 
     /// Those of all sums in the expressions, as expressions, the longest first.
@@ -137,6 +136,12 @@ impl Moving {
         sums.sort_by_key(|sum| std::cmp::Reverse(sum.terms.len()));
         sums.into_iter().map(|sum| graph.linear_combination(&sum.terms)).collect()
     }
+}
+
+/// Terms turned so that the first coefficient is positive, and by which sign: what moves has one spelling.
+fn upright(terms: &[(Number, Expr)]) -> Option<(f64, Vec<(Number, Expr)>)> {
+    let sign = if terms.first()?.0.value() < 0.0 { -1.0 } else { 1.0 };
+    Some((sign, terms.iter().map(|&(c, t)| (Number::new(sign * c.value()), t)).collect()))
 }
 
 /// The way from a choice to the coordinates as a network in which each expression may be passed once.

@@ -20,8 +20,8 @@ mod twins;
 type Loop = Box<dyn FnMut(u64) -> f64>;
 
 #[inline(never)]
-fn advance<L: Law<D>, S: Scheme<L, D>, const D: usize>(
-    stepper: &mut Stepper<L, S, D>,
+fn advance<L: Law<D>, S: Scheme<Particle<L, D>>, const D: usize>(
+    stepper: &mut Stepper<Particle<L, D>, S>,
     steps: u64,
 ) -> Result<(), Error> {
     stepper.advance(steps)
@@ -30,7 +30,7 @@ fn advance<L: Law<D>, S: Scheme<L, D>, const D: usize>(
 fn generated<L, S, const D: usize>(law: L, start: State<D>, dt: f64, scheme: S) -> Loop
 where
     L: Law<D> + Copy + 'static,
-    S: Scheme<L, D> + Copy + 'static,
+    S: Scheme<Particle<L, D>> + Copy + 'static,
     S::Memory: 'static,
 {
     let simulation = Simulation::new(black_box(law), black_box(start)).scheme(scheme).dt(black_box(dt));

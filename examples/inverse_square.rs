@@ -49,7 +49,7 @@ fn main() -> Drawn {
     Ok(())
 }
 
-type Planet = Stepper<Kepler, Kanatani, 2>;
+type Planet = Stepper<Particle<Kepler, 2>, Kanatani>;
 
 fn planet(dt: f64) -> Result<Planet, Error> {
     Simulation::new(SUN, START).scheme(Kanatani).dt(dt).stepper()

@@ -36,7 +36,7 @@ fn main() -> Drawn {
     Ok(())
 }
 
-fn simulate<L: Law<D> + Copy, S: Scheme<L, D>, const D: usize>(
+fn simulate<L: Law<D> + Copy, S: Scheme<Particle<L, D>>, const D: usize>(
     law: L,
     start: State<D>,
     scheme: S,

@@ -91,7 +91,7 @@ fn times() -> Drawn {
 }
 
 /// Nanoseconds in a step: the shortest of several runs of 10⁴ steps, nothing recorded.
-fn per_step<L: Law<1> + Copy, S: Scheme<L, 1>>(law: L, scheme: S, dt: f64) -> Drawn<f64> {
+fn per_step<L: Law<1> + Copy, S: Scheme<Particle<L, 1>>>(law: L, scheme: S, dt: f64) -> Drawn<f64> {
     let mut shortest = Duration::MAX;
     for _ in 0..20 {
         let mut stepper = Simulation::new(law, START).scheme(scheme).dt(dt).stepper()?;

@@ -2,7 +2,7 @@
 
 use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
-use dmech::scene::{Acts, Chain, Linked, SceneScheme, SceneStepper, Term, Vectors};
+use dmech::scene::{Acts, Chain, Linked, SceneSystem, Term, Vectors};
 
 use super::Loop;
 
@@ -42,8 +42,8 @@ impl ThreeBodies {
     }
 }
 
-fn scene_loop<const D: usize, A: Acts<D> + 'static, S: SceneScheme<D, A> + 'static>(
-    mut stepper: SceneStepper<D, A, S>,
+fn scene_loop<const D: usize, A: Acts<D> + 'static, S: Scheme<SceneSystem<D, A>> + 'static>(
+    mut stepper: Stepper<SceneSystem<D, A>, S>,
     look: impl Fn(&Vectors<D>) -> f64 + 'static,
 ) -> Loop {
     Box::new(move |steps| {
@@ -65,7 +65,7 @@ pub(super) fn gravity(bodies: &[(f64, [f64; 3])], dt: f64) -> Loop {
 /// A chain with fixed ends, at rest.
 pub(super) fn chain<S>(scheme: S, q: &[f64], k: f64, beta: f64, dt: f64) -> Loop
 where
-    S: SceneScheme<1, <((), Linked<Bond, Chain>) as Term<1, ()>>::Ready> + 'static,
+    S: Scheme<SceneSystem<1, <((), Linked<Bond, Chain>) as Term<1, ()>>::Ready>> + 'static,
 {
     let mut scene = Scene::new().body(1.0, [0.0], [0.0]);
     for &q in q {

@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::vector::dot;
+use crate::system::vector::dot;
 use crate::written::Written;
 
 /// A potential energy Φ(q) in D coordinates, with everything that the schemes ask of it.

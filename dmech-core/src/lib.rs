@@ -9,23 +9,21 @@
 mod checkpoint;
 mod csv;
 mod error;
-mod fault;
 mod invariant;
 mod law;
 mod masses;
 mod motion;
 mod pair;
 mod progress;
-mod range;
 mod report;
 #[cfg(feature = "serde")]
 mod resume;
 mod run;
+mod setup;
 mod simulation;
 mod state;
 mod stepper;
 mod text;
-mod vector;
 mod watch;
 #[doc(hidden)]
 pub mod written;
@@ -35,10 +33,11 @@ pub mod newton;
 pub mod scene;
 pub mod scheme;
 pub mod study;
+pub mod system;
 pub mod verify;
 
 #[cfg(feature = "serde")]
-pub use checkpoint::{Carried, Checkpoint, Difference};
+pub use checkpoint::{Carried, Checkpoint, Difference, Saved};
 pub use csv::Columns;
 pub use dmech_scalar as scalar;
 pub use dmech_scalar::{DoubleDouble, Mask, Real};
@@ -57,10 +56,12 @@ pub use scheme::{
     Adaptable, Adaptive, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit,
     Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
 };
+pub use setup::Setup;
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
 pub use stepper::Stepper;
 pub use study::{Study, StudyReport};
+pub use system::{Particle, System};
 pub use verify::verify;
 pub use written::Disagreement;
 
@@ -76,6 +77,6 @@ pub mod prelude {
         Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
     pub use crate::verify::verify;
-    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Run, Simulation, State, Stepper, Study};
+    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Particle, Run, Simulation, State, Stepper, Study};
     pub use dmech_scalar::{DoubleDouble, Real as _};
 }

@@ -6,7 +6,7 @@ use dmech_scalar::Real;
 
 use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
 use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::vector::dot;
+use crate::system::vector::dot;
 use crate::written::Written;
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).

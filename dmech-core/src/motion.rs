@@ -1,4 +1,4 @@
-//! The loop that records a motion, for one body and for many.
+//! The loop that records a motion.
 
 use std::time::Instant;
 
@@ -7,73 +7,46 @@ use crate::error::{Error, Interrupted};
 use crate::progress::Bar;
 use crate::progress::{Follow, Shown, Unseen};
 use crate::run::{Run, Work};
-use crate::watch::Drifts;
-
-/// Something that steps and can be watched.
-pub(crate) trait Motion {
-    /// What is recorded.
-    type State: Clone;
-    /// What follows the invariants.
-    type Watch;
-
-    /// Position and velocity now.
-    fn state(&self) -> Self::State;
-    /// Starts to follow the invariants from the first state.
-    fn watch(&self) -> Self::Watch;
-    /// Makes one step and notes its work.
-    fn step_watched(&mut self, watch: &mut Self::Watch) -> Result<(), Error>;
-    /// Looks at a recorded state.
-    fn observe(&self, watch: &mut Self::Watch, state: &Self::State);
-    /// How the invariants moved.
-    fn drifts(watch: &Self::Watch) -> Drifts;
-    /// Steps, evaluations of the force, Newton corrections.
-    fn effort(&self) -> [u64; 3];
-    /// Whether the end is reached, where the steps are not counted.
-    #[inline(always)]
-    fn arrived(&self) -> bool {
-        false
-    }
-    /// The shortest and the longest step, where they differ.
-    fn range(&self) -> Option<[f64; 2]> {
-        None
-    }
-}
+use crate::scheme::Scheme;
+use crate::stepper::Stepper;
+use crate::system::System;
+use crate::watch::Watch;
 
 /// Makes `steps` steps, or fewer if the motion arrives before, and records the state after every n-th.
-pub(crate) fn record<M: Motion>(
-    motion: M,
-    run: Run<M::State>,
+pub(crate) fn record<Y: System, S: Scheme<Y>>(
+    stepper: Stepper<Y, S>,
+    run: Run<Y::State>,
     steps: u64,
     record_every: u64,
     shown: Shown,
-) -> Result<Run<M::State>, Interrupted<M::State>> {
+) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     #[cfg(feature = "progress")]
     if let Some(bar) = shown.bar {
-        return record_seen(motion, run, steps, record_every, Bar::new(bar, steps));
+        return record_seen(stepper, run, steps, record_every, Bar::new(bar, steps));
     }
     let Shown { .. } = shown;
-    record_seen(motion, run, steps, record_every, Unseen)
+    record_seen(stepper, run, steps, record_every, Unseen)
 }
 
 /// The loop, once for runs that are shown and once for those that are not.
-fn record_seen<M: Motion, F: Follow>(
-    mut motion: M,
-    mut run: Run<M::State>,
+fn record_seen<Y: System, S: Scheme<Y>, F: Follow>(
+    mut stepper: Stepper<Y, S>,
+    mut run: Run<Y::State>,
     steps: u64,
     record_every: u64,
     mut follow: F,
-) -> Result<Run<M::State>, Interrupted<M::State>> {
+) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     let clock = Instant::now();
-    let mut watch = motion.watch();
+    let mut watch = Watch::begin(&stepper);
     run.expect(if steps == UNCOUNTED { 0 } else { steps / record_every });
-    run.record(motion.state());
+    run.record(stepper.state());
     let mut until_record = record_every;
     let mut failure = None;
     for _ in 0..steps {
-        if motion.arrived() {
+        if stepper.arrived() {
             break;
         }
-        if let Err(error) = motion.step_watched(&mut watch) {
+        if let Err(error) = watch.step(&mut stepper) {
             failure = Some(error);
             break;
         }
@@ -81,19 +54,19 @@ fn record_seen<M: Motion, F: Follow>(
         until_record -= 1;
         if until_record == 0 {
             until_record = record_every;
-            let state = motion.state();
-            motion.observe(&mut watch, &state);
+            let state = stepper.state();
+            watch.observe(&stepper, &state);
             run.record(state);
         }
     }
     follow.end(failure.is_none());
-    let last = motion.state();
+    let last = stepper.state();
     if until_record != record_every {
-        motion.observe(&mut watch, &last);
+        watch.observe(&stepper, &last);
     }
-    let [steps, evaluations, iterations] = motion.effort();
-    let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range: motion.range() };
-    run.finish(last, M::drifts(&watch), work);
+    let (steps, evaluations, iterations) = (stepper.steps(), stepper.evaluations(), stepper.iterations());
+    let range = stepper.scheme.range(&stepper.memory);
+    run.finish(last, watch.drifts(), Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range });
     match failure {
         None => Ok(run),
         Some(cause) => Err(Interrupted::new(run, cause)),

@@ -142,7 +142,7 @@ pub mod radial {
 
     use dmech_scalar::Real;
 
-    use crate::vector::{dot, scaled, sum};
+    use crate::system::vector::{dot, scaled, sum};
 
     /// |d|².
     #[inline(always)]

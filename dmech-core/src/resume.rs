@@ -1,23 +1,24 @@
-//! Checkpoints of single laws.
+//! Checkpoints.
 
-use crate::checkpoint::{Carried, Checkpoint, Difference, FORMAT, Fields, Fingerprint, Numbers, displaced, load, save};
+use crate::checkpoint::{Carried, Checkpoint, Difference, FORMAT, Fields, Fingerprint, Numbers, Saved, load, save};
 use crate::error::Error;
-use crate::law::{Field, Law, Potential};
 use crate::scheme::Scheme;
+use crate::setup::Setup;
 use crate::simulation::Simulation;
-use crate::state::State;
 use crate::stepper::Stepper;
 
-impl<L, S, const D: usize> Simulation<L, State<D>, S> {
-    /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter.
+impl<L, X, S> Simulation<L, X, S> {
+    /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter: a scene is set up
+    /// again as it was, and its bodies move to where they were.
     ///
     /// # Errors
-    /// [`Error::Checkpoint`] says what differs: the scheme, dt, the mass, the law. Otherwise as
+    /// [`Error::Checkpoint`] says what differs: the number of bodies, the scheme, dt, a mass, a pin, a law. Otherwise as
     /// [`stepper`](Simulation::stepper).
-    pub fn resume(self, checkpoint: &Checkpoint) -> Result<Stepper<L, S, D>, Error>
+    pub fn resume(self, checkpoint: &Checkpoint) -> Result<Stepper<X::System, S>, Error>
     where
-        L: Law<D>,
-        S: Scheme<L, D>,
+        X: Setup<L>,
+        X::System: Saved,
+        S: Scheme<X::System>,
         S::Memory: Carried,
     {
         let mut stepper = self.stepper()?;
@@ -26,32 +27,32 @@ impl<L, S, const D: usize> Simulation<L, State<D>, S> {
     }
 }
 
-impl<L: Law<D>, S: Scheme<L, D>, const D: usize> Stepper<L, S, D>
+impl<Y: Saved, S: Scheme<Y>> Stepper<Y, S>
 where
     S::Memory: Carried,
 {
     /// All that is needed to go on from here; see [`Checkpoint`].
     pub fn checkpoint(&self) -> Checkpoint {
-        let (_, scheme, stride) = self.parts();
-        let start = self.start();
+        let system = &self.system;
         // No longest step is no number that a checkpoint can hold.
-        let dt = if self.dt().is_finite() { self.dt() } else { 0.0 };
+        let dt = if self.dt.is_finite() { self.dt } else { 0.0 };
+        let (masses, pins) = system.bodies();
         Checkpoint {
             format: FORMAT,
             scheme: S::NAME.to_owned(),
-            options: Checkpoint::options(scheme),
-            dimension: D,
-            bodies: 1,
-            times: Numbers(vec![start.t, dt, self.t()]),
-            masses: Numbers(vec![stride.mass]),
-            pins: Vec::new(),
+            options: Checkpoint::options(&self.scheme),
+            dimension: Y::DIMENSION,
+            bodies: masses.len(),
+            times: Numbers(vec![Y::time(&self.start), dt, self.t()]),
+            masses: Numbers(masses),
+            pins,
             laws: self.fingerprint(),
             fields: self.fields().saved(),
-            steps: self.steps(),
-            evaluations: self.evaluations(),
-            iterations: self.iterations(),
-            start: [start.q, start.v].map(|x| Numbers(x.to_vec())).into(),
-            memory: save(self.memory()),
+            steps: self.steps,
+            evaluations: self.evaluations,
+            iterations: self.iterations,
+            start: system.vectors(&self.start).map(|mut x| Numbers(Y::numbers(&mut x).to_vec())).into(),
+            memory: save(&self.memory),
             seals: Vec::new(),
         }
         .sealed()
@@ -60,39 +61,34 @@ where
     fn restore(&mut self, saved: &Checkpoint) -> Result<(), Difference> {
         saved.fits::<S>(&self.checkpoint())?;
         self.fields().compare(&saved.fields)?;
-        let (mut start, mut memory) = (self.start(), self.memory().clone());
-        for (place, numbers) in [&mut start.q, &mut start.v].into_iter().zip(&saved.start) {
-            numbers.copy_to(place)?;
+        let [mut q, mut v] = self.system.vectors(&self.start);
+        for (place, numbers) in [&mut q, &mut v].into_iter().zip(&saved.start) {
+            numbers.copy_to(Y::numbers(place))?;
         }
+        let mut memory = self.memory.clone();
         load(&mut memory, &saved.memory)?;
+        let start = self.system.state(Y::time(&self.start), &q, &v);
         self.put(start, memory, [saved.steps, saved.evaluations, saved.iterations]);
         if self.fingerprint() == saved.laws { Ok(()) } else { Err(Difference::Laws) }
     }
 
-    /// What the law reads of itself, and the masses of its coordinates.
+    /// What the laws read of themselves and of the bodies, and whom they link.
     fn fields(&self) -> Fields<&'static str> {
         let mut fields = Fields::new();
-        if let Some(written) = self.law().written() {
-            written.fields(&mut |name, x| fields.see(name, x));
-        }
-        self.law().mass_ratios().into_iter().for_each(|ratio| fields.see("masses", ratio));
+        self.system.fields(&mut |name, x| fields.see(name, x));
         fields
     }
 
-    /// Φ and ∇Φ − F now, and where position and velocity are displaced.
+    /// What acts now, and where position and velocity are displaced.
     fn fingerprint(&self) -> Fingerprint {
-        let (law, scheme, stride) = self.parts();
         let t = self.t();
-        let (mut q, mut v) = (self.q(), scheme.velocity(law, stride, t, self.memory()));
-        let field = law.field(stride.mass, t);
+        let mut place = [self.position().clone(), self.scheme.velocity(&self.system, &self.stride, t, &self.memory)];
         let mut fingerprint = Fingerprint::new();
         for probe in 0..2 {
             if probe == 1 {
-                displaced(&mut q);
-                displaced(&mut v);
+                place.iter_mut().for_each(|x| crate::checkpoint::displaced(Y::numbers(x)));
             }
-            fingerprint.add(field.potential(q));
-            fingerprint.add_all(&field.slope(q, v));
+            self.system.sample(t, &place, &mut |numbers| fingerprint.add_all(numbers));
         }
         fingerprint
     }

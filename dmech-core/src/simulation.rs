@@ -9,8 +9,10 @@ use crate::motion::{UNCOUNTED, record, steps_until};
 use crate::progress::Shown;
 use crate::run::Run;
 use crate::scheme::{Adaptable, Adaptive, Scheme};
+use crate::setup::Setup;
 use crate::state::State;
-use crate::stepper::Stepper;
+use crate::stepper::{Stepper, check_step};
+use crate::system::System;
 
 /// No scheme yet: such a simulation cannot run.
 #[derive(Clone, Copy, Debug)]
@@ -57,12 +59,19 @@ impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
     where
         L: Law<D, R>,
     {
+        Simulation::of(law, start)
+    }
+}
+
+impl<L, X> Simulation<L, X> {
+    pub(crate) fn of(law: L, start: X) -> Self {
         Simulation { law, start, scheme: NoScheme, mass: 1.0, dt: None, record_every: 1, shown: Shown::default() }
     }
 }
 
 impl<L, X, S> Simulation<L, X, S> {
-    /// The scheme: `Explicit`, `Leapfrog`, `Implicit`, `DiscreteGradient`, `Kanatani`.
+    /// The scheme: [`Leapfrog`](crate::Leapfrog), [`Nystrom`](crate::Nystrom), [`DiscreteGradient`](struct@crate::DiscreteGradient) or any
+    /// other of [`scheme`](crate::scheme).
     pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T> {
         let Simulation { law, start, mass, dt, record_every, shown, .. } = self;
         Simulation { law, start, scheme, mass, dt, record_every, shown }
@@ -154,7 +163,6 @@ impl<L, X, S> Simulation<L, X, S> {
     }
 }
 
-// The bounds stand on the methods and not on the block: a scheme that does not fit the law is then told in words.
 impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
     /// The mass of the particle (default 1); with [`masses`](Simulation::masses) the unit that they are in.
     pub fn mass(self, mass: f64) -> Self {
@@ -200,29 +208,35 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
         let Simulation { law, start, scheme, mass, dt, record_every, shown } = self;
         Simulation { law: Masses::new(law, masses), start, scheme, mass, dt, record_every, shown }
     }
+}
 
+// The bounds stand on the methods and not on the block: a scheme that does not fit the law is then told in words.
+impl<L, X, S> Simulation<L, X, S> {
     /// A stepper, which neither records nor allocates.
     ///
     /// # Errors
     /// [`Error`] for input that is refused.
-    pub fn stepper(self) -> Result<Stepper<L, S, D, R>, Error>
+    pub fn stepper(self) -> Result<Stepper<X::System, S>, Error>
     where
-        L: Law<D, R>,
-        S: Scheme<L, D, R>,
+        X: Setup<L>,
+        S: Scheme<X::System>,
     {
         let dt = self.dt.or(self.scheme.tolerance().map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
-        Stepper::new(self.law, self.scheme, self.start, dt, self.mass)
+        check_step::<<X::System as System>::Scalar>(self.scheme.tolerance(), dt)?;
+        let start = self.start.start();
+        let system = self.start.system(self.law, self.mass, dt)?;
+        Stepper::new(system, self.scheme, start, dt)
     }
 
     /// Makes a number of steps.
     ///
     /// # Errors
     /// [`Interrupted`] with everything recorded so far: input that is refused, a step that does not converge, a state
-    /// that is not finite.
-    pub fn run(self, steps: u64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
+    /// that is not finite, bodies that meet where their law is singular.
+    pub fn run(self, steps: u64) -> Result<Run<X::State>, Interrupted<X::State>>
     where
-        L: Law<D, R>,
-        S: Scheme<L, D, R>,
+        X: Setup<L>,
+        S: Scheme<X::System>,
     {
         self.record(|stepper| stepper.possible(steps))
     }
@@ -233,10 +247,10 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
     ///
     /// # Errors
     /// As [`run`](Simulation::run); an `end` before the start is refused.
-    pub fn run_until(self, end: f64) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
+    pub fn run_until(self, end: f64) -> Result<Run<X::State>, Interrupted<X::State>>
     where
-        L: Law<D, R>,
-        S: Scheme<L, D, R>,
+        X: Setup<L>,
+        S: Scheme<X::System>,
     {
         if self.scheme.tolerance().is_none() {
             return self.record(|stepper| steps_until(stepper.t(), end, stepper.dt()));
@@ -251,17 +265,21 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
 
     fn record(
         self,
-        count: impl FnOnce(&Stepper<L, S, D, R>) -> Result<u64, Error>,
-    ) -> Result<Run<State<D, R>>, Interrupted<State<D, R>>>
+        count: impl FnOnce(&Stepper<X::System, S>) -> Result<u64, Error>,
+    ) -> Result<Run<X::State>, Interrupted<X::State>>
     where
-        L: Law<D, R>,
-        S: Scheme<L, D, R>,
+        X: Setup<L>,
+        S: Scheme<X::System>,
     {
-        let (start, record_every, mass, dt) = (self.start, self.record_every, self.mass, self.dt);
-        let shown = self.shown.clone();
-        let run = Run::empty(start, &self.scheme, dt.unwrap_or(f64::NAN), mass);
+        let (start, mass) = (self.start.start(), self.start.mass(self.mass));
+        let (record_every, shown) = (self.record_every, self.shown.clone());
+        let run = Run::empty(start, &self.scheme, self.dt.unwrap_or(f64::NAN), mass);
         let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
-        match prepared.and_then(|stepper| Ok((count(&stepper)?, stepper))) {
+        let prepared = prepared.and_then(|stepper| {
+            stepper.system.check_potential(&stepper.start)?;
+            Ok((count(&stepper)?, stepper))
+        });
+        match prepared {
             Ok((steps, stepper)) => record(stepper, run, steps, record_every, shown),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }

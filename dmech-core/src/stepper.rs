@@ -1,122 +1,180 @@
 //! Stepping without recording.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::Real;
 
 use crate::error::Error;
-use crate::fault::Attempt;
-use crate::law::{Field, Law, Potential};
-use crate::motion::{Motion, moves_on, steps_from};
+use crate::law::Law;
+use crate::motion::steps_from;
 use crate::newton::NotConverged;
-use crate::range::lost_force;
-use crate::scheme::{Scheme, Stride};
-use crate::state::State;
-use crate::watch::{Drifts, Watch};
-use crate::written::{Place, agree};
+use crate::scheme::{Effort, Scheme};
+use crate::system::{Particle, Start, System};
 
-/// A simulation advanced by hand: it records nothing and allocates nothing.
+/// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
 ///
-/// Time is t₀ + k h after k equal steps, never a running sum.
-#[derive(Clone, Debug)]
-pub struct Stepper<L, S: Scheme<L, D, R>, const D: usize, R: Real = f64> {
-    law: L,
-    scheme: S,
-    stride: Stride<R>,
-    dt: f64,
-    start: State<D, R>,
-    memory: S::Memory,
-    steps: u64,
-    evaluations: u64,
-    iterations: u64,
+/// Time is t₀ + k h after k equal steps, never a running sum. A step that fails leaves the motion where it was.
+#[derive(Debug)]
+pub struct Stepper<Y: System, S: Scheme<Y>> {
+    pub(crate) system: Y,
+    pub(crate) scheme: S,
+    pub(crate) stride: Y::Stride,
+    pub(crate) workspace: S::Workspace,
+    pub(crate) dt: f64,
+    pub(crate) start: Y::State,
+    pub(crate) memory: S::Memory,
+    /// The memory before the last step, where a copy of it is not free.
+    before: Option<S::Memory>,
+    pub(crate) steps: u64,
+    pub(crate) evaluations: u64,
+    pub(crate) iterations: u64,
 }
 
-impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D, R> {
-    pub(crate) fn new(law: L, scheme: S, start: State<D, R>, dt: f64, mass: f64) -> Result<Self, Error> {
-        check(scheme.tolerance(), dt, mass, law.mass_ratios(), &start)?;
-        moves_on(start.t, dt)?;
-        let stride = Stride::new(R::from_f64(dt), R::from_f64(mass));
-        let field = law.field(stride.mass, R::from_f64(start.t));
-        let potential = field.potential(start.q);
-        if !potential.finite().all() {
-            return Err(Error::Law { quantity: "potential", value: potential.to_f64(), time: start.t });
+impl<Y: System + Clone, S: Scheme<Y>> Clone for Stepper<Y, S> {
+    fn clone(&self) -> Self {
+        Stepper {
+            system: self.system.clone(),
+            scheme: self.scheme,
+            stride: self.stride.clone(),
+            workspace: self.workspace.clone(),
+            start: self.start.clone(),
+            memory: self.memory.clone(),
+            before: self.before.clone(),
+            ..*self
         }
-        if let Some(value) = field.slope(start.q, start.v).into_iter().find(|x| !x.finite().all()) {
-            return Err(Error::Law { quantity: "force", value: value.to_f64(), time: start.t });
-        }
-        if let Some((coordinate, slope)) = lost_force(&field, start.q) {
-            return Err(Error::Underflow { coordinate, slope, time: start.t });
-        }
-        drop(field);
-        if let Some(written) = law.written() {
-            let [q, v] = [start.q, start.v].map(|x| x.map(R::to_f64));
-            let place = Place { q, v: [v; 2], m: [mass; 2], t: start.t };
-            agree(written, &place, true).map_err(Error::NotAsWritten)?;
-        }
-        let memory = match scheme.begin(&law, &stride, &start) {
-            Ok(memory) => memory,
-            // A start that solves an equation makes a step backward.
-            Err(cause) => {
-                let State { t, q, v } = start;
-                return Err(Attempt { step: 0, t, dt: -dt, mass: stride.mass, q, v }.unsolved(&law, cause));
-            }
-        };
+    }
+}
+
+/// Refuses lengths of steps and tolerances.
+pub(crate) fn check_step<R: Real>(tolerance: Option<f64>, dt: f64) -> Result<(), Error> {
+    let positive = |x: f64| x > 0.0 && x.is_finite();
+    if let Some(tolerance) = tolerance.filter(|&x| !positive(x)) {
+        return Err(Error::Tolerance { tolerance });
+    }
+    let unlimited = tolerance.is_some() && dt == f64::INFINITY;
+    // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
+    if !unlimited && (!positive(dt) || !positive(R::from_f64(dt).to_f64())) {
+        return Err(Error::TimeStep { dt });
+    }
+    Ok(())
+}
+
+impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
+    /// The system must have been made for this start, and the step be checked.
+    pub(crate) fn new(system: Y, scheme: S, start: Y::State, dt: f64) -> Result<Self, Error> {
+        let mut slope = system.zero();
+        system.prepare(&start, &mut slope)?;
+        let h = Y::Scalar::from_f64(dt);
+        let stride = system.stride(h, S::SHARE);
+        let mut workspace = scheme.workspace(&system, &stride);
+        let ([q, v], t) = (system.vectors(&start), Y::time(&start));
+        let first = Start { t: Y::Scalar::from_f64(t), q: &q, v: &v, slope: &slope };
+        let memory = scheme.begin(&system, &stride, &first, &mut workspace);
+        // A start that solves an equation makes a step backward.
+        let memory = memory.map_err(|cause| system.unsolved(0, [&q, &v], t, -dt, cause))?;
         scheme.ready(1, &memory)?;
-        Ok(Stepper { law, scheme, stride, dt, start, memory, steps: 0, evaluations: 0, iterations: 0 })
+        let before = (!Y::IN_REGISTERS).then(|| memory.clone());
+        let (steps, evaluations, iterations) = (0, 0, 0);
+        Ok(Stepper { system, scheme, stride, workspace, dt, start, memory, before, steps, evaluations, iterations })
     }
 
     /// Advances by one time step.
     ///
     /// # Errors
-    /// [`Error::NotConverged`], [`Error::LawInStep`] or [`Error::NotFinite`]; the stepper then stays where it was.
+    /// [`Error::NotConverged`], [`Error::LawInStep`] or [`Error::NotFinite`]; for scenes [`Error::Link`] and [`Error::Body`]
+    /// where it can be said between or on which bodies a law is not finite. The stepper then stays where it was.
     #[inline(always)]
     pub fn step(&mut self) -> Result<(), Error> {
+        self.step_and(|_, _, _| ())
+    }
+
+    /// Makes a step and shows the memory before and after it.
+    #[inline(always)]
+    pub(crate) fn step_and(&mut self, see: impl FnOnce(&Self, &S::Memory, &S::Memory)) -> Result<(), Error> {
         self.scheme.ready(self.steps + 1, &self.memory)?;
-        let t = R::from_f64(self.t());
-        let mut memory = self.memory.clone();
-        match self.scheme.step(&self.law, &self.stride, t, &mut memory) {
-            Ok(effort) => {
-                self.evaluations += u64::from(effort.evaluations);
-                self.iterations += u64::from(effort.iterations);
+        let t = Y::Scalar::from_f64(self.t());
+        if Y::IN_REGISTERS {
+            let mut memory = self.memory.clone();
+            let taken = self.scheme.step(&self.system, &self.stride, t, &mut memory, &mut self.workspace);
+            match taken {
+                Ok(effort) if self.scheme.finite(&memory) => self.count(effort),
+                other => return Err(self.failure(other.err(), &self.memory, &memory)),
             }
-            Err(cause) => return Err(self.not_converged(cause)),
+            see(self, &self.memory, &memory);
+            self.memory = memory;
+            return Ok(());
         }
-        if !self.scheme.finite(&memory) {
-            return Err(self.not_finite());
-        }
-        self.memory = memory;
+        let Some(mut before) = self.before.take() else { return Ok(()) };
+        before.clone_from(&self.memory);
+        let taken = self.scheme.step(&self.system, &self.stride, t, &mut self.memory, &mut self.workspace);
+        let made = match taken {
+            Ok(effort) if self.scheme.finite(&self.memory) => {
+                self.count(effort);
+                see(self, &before, &self.memory);
+                Ok(())
+            }
+            other => {
+                let error = self.failure(other.err(), &before, &self.memory);
+                self.memory.clone_from(&before);
+                Err(error)
+            }
+        };
+        self.before = Some(before);
+        made
+    }
+
+    #[inline(always)]
+    fn count(&mut self, effort: Effort) {
         self.steps += 1;
-        Ok(())
+        self.evaluations += u64::from(effort.evaluations);
+        self.iterations += u64::from(effort.iterations);
     }
 
     /// Advances by several steps, with nothing in the loop but the scheme: whether the motion is finite is looked at
     /// once, at the end. The states are those of as many calls of [`step`](Stepper::step).
     ///
     /// # Errors
-    /// [`Error::NotConverged`] or [`Error::NotFinite`]; the stepper then stands before the step that failed. It does not
-    /// begin where so many steps would lead to [`Error::TimeStandsStill`].
+    /// As [`step`](Stepper::step); the stepper then stands before the step that failed. It does not begin where so many steps
+    /// would lead to [`Error::TimeStandsStill`].
     #[inline]
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.steps.saturating_add(self.possible(steps)?);
-        let mut memory = self.memory.clone();
-        let (mut evaluations, mut iterations) = (self.evaluations, self.iterations);
-        for step in self.steps..end {
-            if self.scheme.ready(step + 1, &memory).is_err() {
-                return self.one_by_one(steps);
+        if Y::IN_REGISTERS {
+            let mut memory = self.memory.clone();
+            if let Some(counts) = self.run_to(end, &mut memory) {
+                self.memory = memory;
+                (self.steps, self.evaluations, self.iterations) = (end, counts[0], counts[1]);
+                return Ok(());
             }
-            let t = R::from_f64(self.scheme.time(self.start.t, step, self.dt, &memory));
-            match self.scheme.step(&self.law, &self.stride, t, &mut memory) {
-                Ok(effort) => {
-                    evaluations += u64::from(effort.evaluations);
-                    iterations += u64::from(effort.iterations);
-                }
-                Err(_) => return self.one_by_one(steps),
-            }
-        }
-        if !self.scheme.finite(&memory) {
             return self.one_by_one(steps);
         }
-        (self.memory, self.evaluations, self.iterations) = (memory, evaluations, iterations);
-        self.steps = end;
-        Ok(())
+        let (Some(mut before), mut memory) = (self.before.take(), self.memory.clone()) else { return Ok(()) };
+        before.clone_from(&memory);
+        let counts = self.run_to(end, &mut memory);
+        if counts.is_none() {
+            memory.clone_from(&before);
+        }
+        (self.memory, self.before) = (memory, Some(before));
+        match counts {
+            Some([evaluations, iterations]) => {
+                (self.steps, self.evaluations, self.iterations) = (end, evaluations, iterations);
+                Ok(())
+            }
+            None => self.one_by_one(steps),
+        }
+    }
+
+    /// Steps until there are `end`; the evaluations and corrections then, or nothing if a step failed.
+    #[inline(always)]
+    fn run_to(&mut self, end: u64, memory: &mut S::Memory) -> Option<[u64; 2]> {
+        let (mut evaluations, mut iterations) = (self.evaluations, self.iterations);
+        let start = Y::time(&self.start);
+        for step in self.steps..end {
+            self.scheme.ready(step + 1, memory).ok()?;
+            let t = Y::Scalar::from_f64(self.scheme.time(start, step, self.dt, memory));
+            let effort = self.scheme.step(&self.system, &self.stride, t, memory, &mut self.workspace).ok()?;
+            evaluations += u64::from(effort.evaluations);
+            iterations += u64::from(effort.iterations);
+        }
+        self.scheme.finite(memory).then_some([evaluations, iterations])
     }
 
     /// So many steps from here, if the time can tell them apart.
@@ -132,24 +190,27 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
     }
 
     /// Position and velocity now.
-    pub fn state(&self) -> State<D, R> {
+    pub fn state(&self) -> Y::State {
         if self.steps == 0 {
-            return self.start;
+            return self.start.clone();
         }
         let t = self.t();
-        let v = self.scheme.velocity(&self.law, &self.stride, R::from_f64(t), &self.memory);
-        State { t, q: self.q(), v }
+        self.system.state(t, self.position(), &self.velocity(t, &self.memory))
+    }
+
+    fn velocity(&self, t: f64, memory: &S::Memory) -> Y::Vector {
+        self.scheme.velocity(&self.system, &self.stride, Y::Scalar::from_f64(t), memory)
     }
 
     /// Time now: t₀ + k h, or the compensated sum of the steps where those follow the motion.
     #[inline]
     pub fn t(&self) -> f64 {
-        self.scheme.time(self.start.t, self.steps, self.dt, &self.memory)
+        self.scheme.time(Y::time(&self.start), self.steps, self.dt, &self.memory)
     }
 
-    /// Position now.
+    /// Position now: an array for one law, columns for many bodies.
     #[inline]
-    pub fn q(&self) -> [R; D] {
+    pub fn position(&self) -> &Y::Vector {
         self.scheme.position(&self.memory)
     }
 
@@ -173,118 +234,55 @@ impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Stepper<L, S, D,
         &self.memory
     }
 
-    /// The law.
-    pub fn law(&self) -> &L {
-        &self.law
-    }
-
-    #[cfg(feature = "serde")]
-    pub(crate) fn start(&self) -> State<D, R> {
-        self.start
+    /// What moves.
+    pub fn system(&self) -> &Y {
+        &self.system
     }
 
     pub(crate) fn dt(&self) -> f64 {
         self.dt
     }
 
+    /// Whether the end is reached, where the scheme knows it.
+    #[inline(always)]
+    pub(crate) fn arrived(&self) -> bool {
+        self.scheme.arrived(&self.memory)
+    }
+
     /// Goes to where a checkpoint stands.
     #[cfg(feature = "serde")]
-    pub(crate) fn put(&mut self, start: State<D, R>, mut memory: S::Memory, counts: [u64; 3]) {
-        self.scheme.restore(&self.stride, &mut memory);
+    pub(crate) fn put(&mut self, start: Y::State, memory: S::Memory, counts: [u64; 3]) {
         (self.start, self.memory) = (start, memory);
         [self.steps, self.evaluations, self.iterations] = counts;
     }
 
-    pub(crate) fn parts(&self) -> (&L, &S, &Stride<R>) {
-        (&self.law, &self.scheme, &self.stride)
-    }
-
+    /// Why a step failed.
     #[cold]
-    fn not_converged(&self, cause: NotConverged) -> Error {
-        let State { t, q, v } = self.state();
-        let dt = self.scheme.next_dt(self.dt, &self.memory);
-        Attempt { step: self.steps + 1, t, dt, mass: self.stride.mass, q, v }.unsolved(&self.law, cause)
-    }
-
-    #[cold]
-    fn not_finite(&self) -> Error {
-        Error::NotFinite { step: self.steps + 1, time: self.t(), dt: self.scheme.next_dt(self.dt, &self.memory) }
+    fn failure(&self, cause: Option<NotConverged>, before: &S::Memory, after: &S::Memory) -> Error {
+        let (step, t) = (self.steps + 1, self.scheme.time(Y::time(&self.start), self.steps, self.dt, before));
+        let dt = self.scheme.next_dt(self.dt, before);
+        match cause {
+            Some(cause) => {
+                let v = self.velocity(t, before);
+                self.system.unsolved(step, [self.scheme.position(before), &v], t, dt, cause)
+            }
+            None => {
+                let v = self.velocity(t, before);
+                self.system.not_finite(step, [self.scheme.position(after), &v], t, dt)
+            }
+        }
     }
 }
 
-impl<L: Law<D, R>, S: Scheme<L, D, R>, const D: usize, R: Real> Motion for Stepper<L, S, D, R> {
-    type State = State<D, R>;
-    type Watch = Watch<D, R>;
-
-    fn state(&self) -> State<D, R> {
-        Stepper::state(self)
+impl<L: Law<D, R>, S: Scheme<Particle<L, D, R>>, const D: usize, R: Real> Stepper<Particle<L, D, R>, S> {
+    /// Position now.
+    #[inline]
+    pub fn q(&self) -> [R; D] {
+        *self.position()
     }
 
-    fn watch(&self) -> Watch<D, R> {
-        Watch::begin(self.parts(), self.start, &self.memory)
+    /// The law.
+    pub fn law(&self) -> &L {
+        self.system.law()
     }
-
-    #[inline(always)]
-    fn step_watched(&mut self, watch: &mut Watch<D, R>) -> Result<(), Error> {
-        let before = self.memory.clone();
-        self.step()?;
-        watch.add_work(self.parts(), &before, &self.memory);
-        Ok(())
-    }
-
-    fn observe(&self, watch: &mut Watch<D, R>, state: &State<D, R>) {
-        watch.observe(self.parts(), state, &self.memory);
-    }
-
-    fn drifts(watch: &Watch<D, R>) -> Drifts {
-        watch.drifts()
-    }
-
-    fn effort(&self) -> [u64; 3] {
-        [self.steps, self.evaluations, self.iterations]
-    }
-
-    #[inline(always)]
-    fn arrived(&self) -> bool {
-        self.scheme.arrived(&self.memory)
-    }
-
-    fn range(&self) -> Option<[f64; 2]> {
-        self.scheme.range(&self.memory)
-    }
-}
-
-fn check<const D: usize, R: Real>(
-    tolerance: Option<f64>,
-    dt: f64,
-    mass: f64,
-    mass_ratios: [f64; D],
-    start: &State<D, R>,
-) -> Result<(), Error> {
-    let positive = |x: f64| x > 0.0 && x.is_finite();
-    if let Some(tolerance) = tolerance.filter(|&x| !positive(x)) {
-        return Err(Error::Tolerance { tolerance });
-    }
-    let unlimited = tolerance.is_some() && dt == f64::INFINITY;
-    // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
-    if !unlimited && (!positive(dt) || !positive(R::from_f64(dt).to_f64())) {
-        return Err(Error::TimeStep { dt });
-    }
-    if !positive(mass) || !positive(R::from_f64(mass).to_f64()) {
-        return Err(Error::Mass { mass });
-    }
-    for ratio in mass_ratios {
-        if !positive(ratio) || !positive(R::from_f64(ratio).to_f64()) || !positive(R::from_f64(ratio * mass).to_f64()) {
-            return Err(Error::Mass { mass: ratio });
-        }
-    }
-    if !start.t.is_finite() {
-        return Err(Error::State { quantity: "t", value: start.t });
-    }
-    for (quantity, components) in [("q", &start.q), ("v", &start.v)] {
-        if let Some(value) = components.iter().find(|x| !x.finite().all()) {
-            return Err(Error::State { quantity, value: value.to_f64() });
-        }
-    }
-    Ok(())
 }

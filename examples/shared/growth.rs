@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::models::{HenonHeiles, Kepler};
 use dmech::prelude::*;
-use dmech::scene::{Chain, Linked, SceneScheme, Term};
+use dmech::scene::{Chain, Linked, SceneSystem, Term};
 use dmech::scheme::{Method, Scheme};
 
 /// Starts of one motion, whose errors are averaged.
@@ -38,10 +38,10 @@ type FputChain = <((), Linked<FermiPastaUlamTsingou, Chain>) as Term<1, ()>>::Re
 
 /// A scheme that every motion here can be stepped by.
 pub(crate) trait Any:
-    Scheme<Kepler, 2> + Scheme<Stretched, 2> + Scheme<HenonHeiles, 2> + SceneScheme<1, FputChain>
+    Scheme<Particle<Kepler, 2>> + Scheme<Particle<Stretched, 2>> + Scheme<Particle<HenonHeiles, 2>> + Scheme<SceneSystem<1, FputChain>>
 {
 }
-impl<S> Any for S where S: Scheme<Kepler, 2> + Scheme<Stretched, 2> + Scheme<HenonHeiles, 2> + SceneScheme<1, FputChain> {}
+impl<S> Any for S where S: Scheme<Particle<Kepler, 2>> + Scheme<Particle<Stretched, 2>> + Scheme<Particle<HenonHeiles, 2>> + Scheme<SceneSystem<1, FputChain>> {}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Motion {

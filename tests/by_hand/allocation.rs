@@ -8,7 +8,7 @@ use dmech_tests::memory::allocations;
 /// has no solution there for steps that long.)
 #[test]
 fn a_step_allocates_nothing() {
-    fn check<const ONE: bool, S: Scheme<Kepler<ONE>, 2>>(law: Kepler<ONE>, scheme: S, dt: f64) {
+    fn check<const ONE: bool, S: Scheme<Particle<Kepler<ONE>, 2>>>(law: Kepler<ONE>, scheme: S, dt: f64) {
         let mut stepper = Simulation::new(law, from_apocentre(0.9)).scheme(scheme).dt(dt).stepper().unwrap();
         let counted = allocations(|| {
             for _ in 0..2000 {

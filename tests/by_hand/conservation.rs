@@ -8,7 +8,7 @@ use dmech_core::prelude::*;
 const PERIOD: f64 = core::f64::consts::TAU;
 
 /// Largest relative change over 1e5 steps of a 200th of a period, from the apocentre.
-fn keeps<L: Law<2> + VelocityIndependent + Copy, S: Scheme<L, 2>>(
+fn keeps<L: Law<2> + VelocityIndependent + Copy, S: Scheme<Particle<L, 2>>>(
     law: L,
     scheme: S,
     energy: Invariant,
@@ -122,13 +122,13 @@ fn a_central_law_may_be_followed_through_its_centre() {
 /// Symmetric schemes of bounded energy: it fluctuates by O(h²) and has no trend; the explicit one gains.
 #[test]
 fn bounded_is_bounded_and_explicit_gains() {
-    fn energy<S: Scheme<Kepler<true>, 2>>(scheme: S, dt: f64) -> (f64, f64) {
+    fn energy<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S, dt: f64) -> (f64, f64) {
         assert_eq!(S::keeps(Invariant::Energy), if S::ORDER == 1 { Kept::No } else { Kept::Bounded });
         let run = Simulation::new(SUN, greenspan_orbit()).scheme(scheme).dt(dt).run_until(350.0).unwrap();
         let drift = run.drift(Invariant::Energy).unwrap();
         (drift.max_abs(), drift.slope() * 350.0)
     }
-    fn check<S: Scheme<Kepler<true>, 2>>(scheme: S) {
+    fn check<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S) {
         let ((coarse, _), (fine, trend)) = (energy(scheme, 0.02), energy(scheme, 0.01));
         let order = (coarse / fine).log2();
         assert!((order - 2.0).abs() < 0.1, "{}: {order}", S::NAME);
@@ -145,7 +145,7 @@ fn bounded_is_bounded_and_explicit_gains() {
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
     fn check<const D: usize, L: Law<D> + VelocityIndependent + Copy>(law: L, start: State<D>, dt: f64) {
-        fn one<const D: usize, L: Law<D>, S: Scheme<L, D>>(law: L, start: State<D>, dt: f64, scheme: S) {
+        fn one<const D: usize, L: Law<D>, S: Scheme<Particle<L, D>>>(law: L, start: State<D>, dt: f64, scheme: S) {
             let run = Simulation::new(law, start).mass(1.7).scheme(scheme).dt(dt).run(20_000).unwrap();
             let drift = run.drift(Invariant::WorkEnergy).unwrap();
             assert_eq!(S::keeps(Invariant::WorkEnergy), Kept::Exact);
@@ -190,7 +190,7 @@ fn only_what_the_law_has_is_watched() {
 /// A law that names the time is followed to second order: the parametric oscillator against a thousandfold finer run.
 #[test]
 fn a_law_that_names_the_time_is_followed_to_second_order() {
-    fn order<S: Scheme<DrivenSpring, 1>>(scheme: S, reference: f64) -> f64 {
+    fn order<S: Scheme<Particle<DrivenSpring, 1>>>(scheme: S, reference: f64) -> f64 {
         let law = DrivenSpring { k: 2.0, epsilon: 0.3, omega: 0.9 };
         let end = |n: f64| {
             let run = Simulation::new(law, State::new([0.8], [0.3]).at_time(1.0)).scheme(scheme).dt(2.0 / n);

@@ -118,7 +118,7 @@ fn a_linear_step_is_one_correction() {
 /// Resolved steps cost one evaluation for one unknown and at most two in general; from the previous position, more.
 #[test]
 fn a_good_prediction_saves_evaluations() {
-    fn per_step<L: Law<2>, S: Scheme<L, 2>>(law: L, scheme: S) -> f64 {
+    fn per_step<L: Law<2>, S: Scheme<Particle<L, 2>>>(law: L, scheme: S) -> f64 {
         let mut stepper = Simulation::new(law, greenspan_orbit()).scheme(scheme).dt(1e-3).stepper().unwrap();
         for _ in 0..10_000 {
             stepper.step().unwrap();
@@ -142,7 +142,7 @@ fn a_good_prediction_saves_evaluations() {
 /// The guess changes the work, not the motion.
 #[test]
 fn the_papers_guess_gives_the_same_motion() {
-    fn end<S: Scheme<Pendulum, 1>>(scheme: S) -> f64 {
+    fn end<S: Scheme<Particle<Pendulum, 1>>>(scheme: S) -> f64 {
         Simulation::new(Pendulum { k: 1.3 }, State::new([2.0], [0.4]))
             .scheme(scheme)
             .dt(0.05)

@@ -3,7 +3,7 @@
 use crate::common::{Kepler, SUN, SUN_BY_COMPONENTS, greenspan_orbit, kepler_position};
 use dmech_core::prelude::*;
 
-fn error_at_one<L: Law<2>, S: Scheme<L, 2>>(law: L, scheme: S, n: u32) -> f64 {
+fn error_at_one<L: Law<2>, S: Scheme<Particle<L, 2>>>(law: L, scheme: S, n: u32) -> f64 {
     let run = Simulation::new(law, greenspan_orbit()).scheme(scheme).dt(1.0 / f64::from(n)).run_until(1.0).unwrap();
     let exact = kepler_position(1.0);
     assert_eq!((run.steps(), run.last().t), (u64::from(n), 1.0));
@@ -11,7 +11,7 @@ fn error_at_one<L: Law<2>, S: Scheme<L, 2>>(law: L, scheme: S, n: u32) -> f64 {
 }
 
 /// The slope of log error against log dt over the ladder, and the constant error/dt^ORDER at its end.
-fn measure<L: Law<2> + Copy, S: Scheme<L, 2>>(law: L, scheme: S) -> (f64, f64) {
+fn measure<L: Law<2> + Copy, S: Scheme<Particle<L, 2>>>(law: L, scheme: S) -> (f64, f64) {
     let ladder = [800, 1600, 3200, 6400];
     let points: Vec<(f64, f64)> =
         ladder.iter().map(|&n| (-f64::from(n).ln(), error_at_one(law, scheme, n).ln())).collect();
@@ -48,7 +48,7 @@ fn each_scheme_has_its_order_and_its_error_constant() {
 /// The velocity of a state is of second order too, where it is put together from half steps.
 #[test]
 fn velocities_at_whole_steps_are_of_second_order() {
-    fn error<S: Scheme<Kepler<true>, 2>>(scheme: S, n: u32) -> f64 {
+    fn error<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S, n: u32) -> f64 {
         let run = Simulation::new(SUN, greenspan_orbit()).scheme(scheme).dt(1.0 / f64::from(n)).run_until(1.0).unwrap();
         let (before, after) = (kepler_position(1.0 - 1e-5), kepler_position(1.0 + 1e-5));
         let exact = [(after[0] - before[0]) / 2e-5, (after[1] - before[1]) / 2e-5];

@@ -87,7 +87,7 @@ fn a_spring_steps_by_the_explicit_form_3_20() {
 /// the energy it has then. The explicit planet spirals out even at dt = 0.001, which the paper's 85+ denies.
 #[test]
 fn orbits_are_counted_as_in_greenspans_table_1() {
-    fn orbits<S: Scheme<Kepler<true>, 2>>(scheme: S, dt: f64) -> usize {
+    fn orbits<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S, dt: f64) -> usize {
         let run = Simulation::new(SUN, greenspan_orbit()).scheme(scheme).dt(dt).run_until(350.0).unwrap();
         run.states().windows(2).filter(|w| w[0].q[1] < 0.0 && w[1].q[1] >= 0.0).count()
     }

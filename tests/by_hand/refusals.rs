@@ -57,7 +57,7 @@ fn a_force_below_the_smallest_number_is_refused() {
 /// The velocity of leap-frog is the mean of two that are finite, and finite.
 #[test]
 fn speeds_near_the_largest_number_are_recorded() {
-    fn check<S: Scheme<Kepler<true>, 2>>(scheme: S) {
+    fn check<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S) {
         let start = State::new([1e200, 2.0], [1.2e308, 0.0]);
         let run = Simulation::new(Kepler::<true> { k: 1e-3 }, start).scheme(scheme).dt(1e-100).run(3).unwrap();
         assert!(run.states().iter().all(|s| s.q[0].is_finite() && s.v == [1.2e308, 0.0]), "{:?}", run.last());
@@ -69,7 +69,7 @@ fn speeds_near_the_largest_number_are_recorded() {
 /// Straight into the centre: each scheme either passes or stops, and what it did until then is there.
 #[test]
 fn a_run_that_fails_keeps_what_it_has() {
-    fn fall<S: Scheme<Kepler<true>, 2>>(scheme: S) -> Outcome {
+    fn fall<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S) -> Outcome {
         Simulation::new(SUN, State::new([0.5, 0.0], [0.0, 0.0])).scheme(scheme).dt(0.05).record_every(3).run(100_000)
     }
     let mut failed = 0;
@@ -135,7 +135,7 @@ fn recording_is_as_asked() {
 /// Twice the mass in twice the field moves the same way, under every scheme.
 #[test]
 fn mass_and_field_may_be_doubled() {
-    fn check<S: Scheme<Kepler<true>, 2>>(scheme: S) {
+    fn check<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S) {
         let light = Simulation::new(Kepler { k: 1.3 }, greenspan_orbit()).mass(0.7).scheme(scheme).dt(0.01).run(1000);
         let heavy = Simulation::new(Kepler { k: 2.6 }, greenspan_orbit()).mass(1.4).scheme(scheme).dt(0.01).run(1000);
         let (light, heavy) = (light.unwrap(), heavy.unwrap());

@@ -7,7 +7,7 @@ use dmech_core::scheme::{KanataniMemory, Stride};
 /// N steps, the velocity turned round, N steps: where it started. The explicit scheme does not return.
 #[test]
 fn symmetric_schemes_return_to_where_they_started() {
-    fn miss<const D: usize, L: Law<D> + Copy, S: Scheme<L, D>>(law: L, scheme: S, start: State<D>) -> f64 {
+    fn miss<const D: usize, L: Law<D> + Copy, S: Scheme<Particle<L, D>>>(law: L, scheme: S, start: State<D>) -> f64 {
         let there = Simulation::new(law, start).scheme(scheme).dt(0.02).run(1000).unwrap();
         let back = Simulation::new(law, there.last().reversed()).scheme(scheme).dt(0.02).run(1000).unwrap();
         let (q, v) = (back.last().q, back.last().v);

@@ -97,7 +97,7 @@ fn orders_with_velocity_and_time() {
     has_its_order(SHAKEN, DiscreteGradient, bob, 0.03, "shaken");
 }
 
-fn balance<L: Law<D>, S: Scheme<L, D>, const D: usize>(law: L, scheme: S, start: State<D>, law_name: &str) {
+fn balance<L: Law<D>, S: Scheme<Particle<L, D>>, const D: usize>(law: L, scheme: S, start: State<D>, law_name: &str) {
     let run = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(0.01).record_every(10).run(100_000);
     work_balances(&run.unwrap_or_else(|interrupted| panic!("{interrupted}")), [MASS; D], law_name);
 }

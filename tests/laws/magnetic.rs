@@ -11,7 +11,7 @@ use gyration::{CROSSED, Circle, GRADED, IN_SPACE, IN_THE_PLANE, MASS, SPEED, UNI
 /// 78 steps to a turn in the uniform field.
 const H: f64 = 0.05;
 
-fn simulate<L: Law<D> + Copy, S: Scheme<L, D>, const D: usize>(
+fn simulate<L: Law<D> + Copy, S: Scheme<Particle<L, D>>, const D: usize>(
     law: L,
     start: State<D>,
     scheme: S,
@@ -63,7 +63,7 @@ fn energy_is_exact_over_a_million_steps() {
 
 #[test]
 fn energy_is_exact_at_every_order() {
-    fn keeps<L: Law<D> + Copy, S: Scheme<L, D>, const D: usize>(law: L, start: State<D>, scheme: S, h: f64) {
+    fn keeps<L: Law<D> + Copy, S: Scheme<Particle<L, D>>, const D: usize>(law: L, start: State<D>, scheme: S, h: f64) {
         let run = simulate(law, start, scheme, (h, 100_000));
         let drift = run.drift(Invariant::Energy).expect("an invariant");
         println!("h = {h:<5} {:<50} {:.1e}", S::NAME, drift.max_relative());

@@ -23,7 +23,7 @@ fn exact_position(t: f64) -> [f64; 2] {
     [a * (anomaly.cos() - e), a * (1.0 - e * e).sqrt() * anomaly.sin()]
 }
 
-fn error_at_1<S: Scheme<Kepler, 2>>(scheme: S, steps: u64) -> f64 {
+fn error_at_1<S: Scheme<Particle<Kepler, 2>>>(scheme: S, steps: u64) -> f64 {
     let run = Simulation::new(SUN, planet()).scheme(scheme).dt(1.0 / steps as f64).record_every(steps).run(steps);
     let end = run.unwrap_or_else(|interrupted| panic!("{interrupted}")).last().q;
     let exact = exact_position(1.0);
@@ -31,7 +31,7 @@ fn error_at_1<S: Scheme<Kepler, 2>>(scheme: S, steps: u64) -> f64 {
 }
 
 /// Order within 0.02, and the constant C of the error C h^p of an independent computation within 1 % (its last digit).
-fn check_order<S: Scheme<Kepler, 2>>(scheme: S, constant: f64) {
+fn check_order<S: Scheme<Particle<Kepler, 2>>>(scheme: S, constant: f64) {
     let (coarse, fine) = (error_at_1(scheme, 800), error_at_1(scheme, 1600));
     let order = (coarse / fine).log2();
     let declared = f64::from(S::ORDER);
@@ -51,7 +51,7 @@ fn orders_and_error_constants_at_t_1() {
 }
 
 /// 10⁵ steps of 1/200 period from the apocentre of an orbit with semi-major axis 1.
-fn check_kept<S: Scheme<Kepler, 2>>(scheme: S, eccentricity: f64, energy: Invariant, bound: f64) {
+fn check_kept<S: Scheme<Particle<Kepler, 2>>>(scheme: S, eccentricity: f64, energy: Invariant, bound: f64) {
     let r = 1.0 + eccentricity;
     let v = ((1.0 - eccentricity) / r).sqrt();
     let dt = std::f64::consts::TAU / 200.0;
@@ -101,7 +101,7 @@ fn plain_oscillator(h: f64, steps: u64) -> f64 {
 
 #[test]
 fn the_oscillator_keeps_its_energy_over_a_million_steps_and_needs_no_iteration() {
-    fn check<S: Scheme<Spring, 1>>(scheme: S, energy: Invariant) {
+    fn check<S: Scheme<Particle<Spring, 1>>>(scheme: S, energy: Invariant) {
         let spring = Simulation::new(Spring { k: 1.0 }, State::new([1.0], [0.0])).scheme(scheme).dt(0.01);
         let run = spring.record_every(10).run(1_000_000).unwrap();
         let worst = run.drift(energy).unwrap().max_relative();

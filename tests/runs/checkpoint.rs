@@ -3,7 +3,7 @@
 use dmech::models::pairs::{Charge, Coulomb, FermiPastaUlamTsingou};
 use dmech::models::{DrivenPendulum, Kepler, Wall};
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, SceneStepper, Term};
+use dmech::scene::{SceneSystem, Term};
 use dmech::{Carried, Difference};
 
 fn spring(alpha: f64) -> FermiPastaUlamTsingou {
@@ -87,7 +87,7 @@ fn through_json(checkpoint: &Checkpoint) -> Checkpoint {
 fn check<const D: usize, P: Clone, L, S>(scene: &Scene<D, P, L>, scheme: S, what: &str)
 where
     L: Term<D, P> + Clone,
-    S: SceneScheme<D, L::Ready>,
+    S: Scheme<SceneSystem<D, L::Ready>>,
     S::Memory: Carried,
 {
     let simulation = || Simulation::scene(scene.clone()).scheme(scheme).dt(0.01);
@@ -102,7 +102,7 @@ where
     let mut second = simulation().resume(&saved).unwrap();
     second.advance(600).unwrap();
 
-    let bits = |stepper: &SceneStepper<D, L::Ready, S>| {
+    let bits = |stepper: &Stepper<SceneSystem<D, L::Ready>, S>| {
         let state = stepper.state();
         let numbers = state.q.into_iter().chain(state.v).flatten().chain([state.t]);
         numbers.map(f64::to_bits).collect::<Vec<_>>()
@@ -142,13 +142,13 @@ const START: State<2> = State::new([0.7, -0.4], [0.3, 0.8]);
 
 #[test]
 fn single_laws_go_on_bit_for_bit() {
-    fn check<L: Law<2> + Clone, S: Scheme<L, 2>>(law: L, scheme: S)
+    fn check<L: Law<2> + Clone, S: Scheme<Particle<L, 2>>>(law: L, scheme: S)
     where
         S::Memory: Carried,
     {
         goes_on(|| Simulation::new(law.clone(), START).mass(1.3).scheme(scheme).dt(0.01));
     }
-    fn goes_on<L: Law<2>, S: Scheme<L, 2>>(simulation: impl Fn() -> Simulation<L, State<2>, S>)
+    fn goes_on<L: Law<2>, S: Scheme<Particle<L, 2>>>(simulation: impl Fn() -> Simulation<L, State<2>, S>)
     where
         S::Memory: Carried,
     {
@@ -206,7 +206,7 @@ fn another_simulation_is_refused_with_what_differs() {
         saved: &Checkpoint,
         says: &str,
     ) where
-        S: SceneScheme<D, L::Ready>,
+        S: Scheme<SceneSystem<D, L::Ready>>,
         S::Memory: Carried,
     {
         let error = Simulation::scene(scene).scheme(scheme).dt(dt).resume(saved).err().expect(says);

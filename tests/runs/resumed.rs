@@ -7,7 +7,7 @@ use dmech::coefficients::{Chin4A, Chin4C, McLachlan4S4, TripleJump4};
 use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::models::{DampedPendulum, Kepler, Pendulum};
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, Term};
+use dmech::scene::{SceneSystem, Term};
 use dmech::{Adaptable, Carried};
 
 /// Saved after 0, 1, …, and followed to the end.
@@ -44,7 +44,7 @@ fn goes_on<T, B: PartialEq + std::fmt::Debug>(
     }
 }
 
-fn law<L: Law<D> + Clone, S: Scheme<L, D>, const D: usize>(simulation: Simulation<L, State<D>, S>)
+fn law<L: Law<D> + Clone, S: Scheme<Particle<L, D>>, const D: usize>(simulation: Simulation<L, State<D>, S>)
 where
     S::Memory: Carried,
 {
@@ -92,9 +92,9 @@ fn steps_that_follow_the_motion() {
     let rows = Cell::new([0; 2]);
     fn adaptive<S>(scheme: S, tolerance: f64, rows: &Cell<[usize; 2]>)
     where
-        S: Adaptable + Scheme<Pendulum, 1>,
-        dmech::Adaptive<S>: Scheme<Pendulum, 1>,
-        <dmech::Adaptive<S> as Scheme<Pendulum, 1>>::Memory: Carried,
+        S: Adaptable + Scheme<Particle<Pendulum, 1>>,
+        dmech::Adaptive<S>: Scheme<Particle<Pendulum, 1>>,
+        <dmech::Adaptive<S> as Scheme<Particle<Pendulum, 1>>>::Memory: Carried,
     {
         let simulation = Simulation::new(Pendulum { k: 1.7 }, State::new([2.1], [0.3])).mass(1.3);
         let simulation = simulation.scheme(scheme).adaptive(tolerance);
@@ -150,7 +150,7 @@ impl Well {
 fn scene<L, S>(scene: &Scene<1, (), L>, scheme: S, what: &str)
 where
     L: Term<1, ()> + Clone,
-    S: SceneScheme<1, L::Ready>,
+    S: Scheme<SceneSystem<1, L::Ready>>,
     S::Memory: Carried,
 {
     let simulation = || Simulation::scene(scene.clone()).scheme(scheme).dt(0.1);

@@ -2,7 +2,7 @@
 
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, Term};
+use dmech::scene::{SceneSystem, Term};
 
 /// Friction between two bodies, along no direction in particular.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +67,7 @@ where
     P: Clone,
     L: Term<D, P> + Clone,
     M: Term<D, P> + Clone,
-    S: SceneScheme<D, L::Ready> + SceneScheme<D, M::Ready>,
+    S: Scheme<SceneSystem<D, L::Ready>> + Scheme<SceneSystem<D, M::Ready>>,
 {
     let short = difference_at(sparse.clone(), dense.clone(), scheme, 0.025);
     f64::max(short, difference_at(sparse, dense, scheme, 0.2))
@@ -77,7 +77,7 @@ fn difference_at<const D: usize, P, L, M, S>(sparse: Scene<D, P, L>, dense: Scen
 where
     L: Term<D, P>,
     M: Term<D, P>,
-    S: SceneScheme<D, L::Ready> + SceneScheme<D, M::Ready>,
+    S: Scheme<SceneSystem<D, L::Ready>> + Scheme<SceneSystem<D, M::Ready>>,
 {
     let mut sparse = Simulation::scene(sparse).scheme(scheme).dt(dt).stepper().unwrap();
     let mut dense = Simulation::scene(dense).scheme(scheme).dt(dt).stepper().unwrap();

@@ -3,7 +3,7 @@
 
 use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, Term};
+use dmech::scene::{SceneSystem, Term};
 
 /// A spring of charged ends: k (r − rest)²/2 + 0.07 mₐ m_b r⁴.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ fn difference<const D: usize, L, M, S>(chain: Scene<D, f64, L>, dense: Scene<D, 
 where
     L: Term<D, f64>,
     M: Term<D, f64>,
-    S: SceneScheme<D, L::Ready> + SceneScheme<D, M::Ready>,
+    S: Scheme<SceneSystem<D, L::Ready>> + Scheme<SceneSystem<D, M::Ready>>,
 {
     let end = |state: SceneState<D>| [state.q, state.v];
     let chain = Simulation::scene(chain).scheme(scheme).dt(0.04).run(50).expect("a chain");
@@ -143,7 +143,7 @@ fn a_chain_moves_as_with_a_dense_matrix() {
 /// there are would cost corrections that a short chain does not need.
 #[test]
 fn a_long_chain_needs_no_more_corrections_than_a_short_one() {
-    fn corrections<S: SceneScheme<1, A>, L: Term<1, f64, Ready = A>, A: dmech::scene::Acts<1>>(
+    fn corrections<S: Scheme<SceneSystem<1, A>>, L: Term<1, f64, Ready = A>, A: dmech::scene::Acts<1>>(
         law: impl Fn(Scene<1, f64>) -> Scene<1, f64, L>,
         scheme: S,
         n: usize,

@@ -4,7 +4,7 @@ use dmech::models::pairs::{
     Charge, Coulomb, FermiPastaUlamTsingou, Gravity, Hertz, HertzSpheres, LennardJones, Morse, Sphere, Spring, Toda,
 };
 use dmech::prelude::*;
-use dmech::scene::{Acts, SceneScheme, Term};
+use dmech::scene::{Acts, SceneSystem, Term};
 
 /// −c (vₐ − v_b): friction between neighbours.
 #[derive(Clone, Copy, Debug)]
@@ -84,8 +84,8 @@ const STEPS: u64 = 100_000;
 /// The scale of an angular momentum that may be small is Σ m |q| |v| of the start.
 fn keeps_everything<const D: usize, P: Clone, L: Term<D, P> + Clone>(name: &str, scene: Scene<D, P, L>, dt: f64)
 where
-    DiscreteGradient: SceneScheme<D, L::Ready>,
-    Kanatani: SceneScheme<D, L::Ready>,
+    DiscreteGradient: Scheme<SceneSystem<D, L::Ready>>,
+    Kanatani: Scheme<SceneSystem<D, L::Ready>>,
 {
     let check = |run: &Run<SceneState<D>>, energy: Invariant| {
         let energy = run.drift(energy).expect("a closed system has an energy");
@@ -131,7 +131,7 @@ fn apart<const D: usize>(a: &SceneState<D>, b: &SceneState<D>) -> f64 {
 }
 
 /// Order, work and reversal of one scheme on a scene with a field, a chain, bonds and, where the scheme allows it, friction.
-fn moves_as_it_should<L: Term<2, ()> + Clone, S: SceneScheme<2, L::Ready>>(scene: &Scene<2, (), L>, scheme: S) {
+fn moves_as_it_should<L: Term<2, ()> + Clone, S: Scheme<SceneSystem<2, L::Ready>>>(scene: &Scene<2, (), L>, scheme: S) {
     let end = 1.0;
     let run = |n: u64| {
         let simulation = Simulation::scene(scene.clone()).scheme(scheme).dt(end / n as f64).record_every(16);
@@ -209,9 +209,9 @@ fn links_of_all_kinds_are_the_same() {
     };
     fn ends<L: Term<2, ()> + Clone>(scene: Scene<2, (), L>) -> [SceneState<2>; 3]
     where
-        Leapfrog: SceneScheme<2, L::Ready>,
-        Implicit: SceneScheme<2, L::Ready>,
-        DiscreteGradient: SceneScheme<2, L::Ready>,
+        Leapfrog: Scheme<SceneSystem<2, L::Ready>>,
+        Implicit: Scheme<SceneSystem<2, L::Ready>>,
+        DiscreteGradient: Scheme<SceneSystem<2, L::Ready>>,
     {
         let simulation = || Simulation::scene(scene.clone()).dt(0.01);
         [
@@ -234,7 +234,7 @@ fn links_of_all_kinds_are_the_same() {
 /// Forward, velocities turned round, and back.
 #[test]
 fn symmetric_schemes_go_back() {
-    fn returns<S: SceneScheme<2, A>, A: Acts<2>, L: Term<2, (), Ready = A>>(
+    fn returns<S: Scheme<SceneSystem<2, A>>, A: Acts<2>, L: Term<2, (), Ready = A>>(
         law: impl Fn(Scene<2>) -> Scene<2, (), L>,
         scheme: S,
     ) {
@@ -314,7 +314,7 @@ fn a_small_scene_is_a_law_too() {
 fn wrong_scenes_are_refused() {
     fn words<const D: usize, L: Term<D, ()>>(scene: Scene<D, (), L>) -> String
     where
-        Leapfrog: SceneScheme<D, L::Ready>,
+        Leapfrog: Scheme<SceneSystem<D, L::Ready>>,
     {
         let refused = Simulation::scene(scene).scheme(Leapfrog).dt(0.1).run(3).unwrap_err();
         assert!(refused.run().states().is_empty());

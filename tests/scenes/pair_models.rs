@@ -2,10 +2,10 @@
 
 use dmech::models::pairs::*;
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, Term};
+use dmech::scene::{SceneSystem, Term};
 
 /// The last state of a run in so many steps.
-fn end<const D: usize, P, L: Term<D, P>, S: SceneScheme<D, L::Ready>>(
+fn end<const D: usize, P, L: Term<D, P>, S: Scheme<SceneSystem<D, L::Ready>>>(
     scene: Scene<D, P, L>,
     scheme: S,
     span: f64,

@@ -3,7 +3,7 @@
 use dmech::Error;
 use dmech::models::pairs::{Gravity, LennardJones, Spring};
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, Term};
+use dmech::scene::{SceneSystem, Term};
 
 /// A slope and a bowl.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +72,7 @@ struct Outcome {
 }
 
 impl Outcome {
-    fn run<L: Term<2, ()>, S: SceneScheme<2, L::Ready>>(
+    fn run<L: Term<2, ()>, S: Scheme<SceneSystem<2, L::Ready>>>(
         &mut self,
         scene: Scene<2, (), L>,
         scheme: S,
@@ -100,8 +100,8 @@ impl Outcome {
     fn each<L>(&mut self, scene: &Scene<2, (), L>, h: f64, extent: f64, what: &str)
     where
         L: Term<2, ()> + Clone,
-        Implicit: SceneScheme<2, L::Ready>,
-        DiscreteGradient: SceneScheme<2, L::Ready>,
+        Implicit: Scheme<SceneSystem<2, L::Ready>>,
+        DiscreteGradient: Scheme<SceneSystem<2, L::Ready>>,
     {
         self.run(scene.clone(), Implicit, h, extent, what);
         self.run(scene.clone(), DiscreteGradient, h, extent, what);
@@ -163,7 +163,7 @@ fn the_jacobian_of_friction_is_right_in_both_velocities() {
         let scene = Scene::<2>::new().body(1.0, [0.0, 0.0], [1.0, 0.3]).body(1.7, [1.0, 0.2], [-0.4, 0.9]);
         scene.body(0.6, [0.1, 1.3], [0.2, -1.1])
     };
-    fn check<L: Term<2, ()>, S: SceneScheme<2, L::Ready>>(scene: Scene<2, (), L>, scheme: S, what: &str) {
+    fn check<L: Term<2, ()>, S: Scheme<SceneSystem<2, L::Ready>>>(scene: Scene<2, (), L>, scheme: S, what: &str) {
         let run = Simulation::scene(scene).scheme(scheme).dt(0.2).run(100).unwrap();
         let (steps, iterations) = (run.steps(), run.report().iterations());
         assert!(iterations <= 3 * steps, "{what}, {}: {iterations} corrections in {steps} steps", S::NAME);
@@ -211,7 +211,7 @@ fn a_force_that_is_not_reciprocal_reads_the_data_of_the_right_bodies() {
         || (0..3).fold(Scene::<2, Creature>::new(), |scene, i| scene.body_with(masses[i], q[i], v[i], data[i]));
     fn stepped<L: Term<2, Creature>>(scene: Scene<2, Creature, L>, h: f64) -> Vec<[f64; 2]>
     where
-        Explicit: SceneScheme<2, L::Ready>,
+        Explicit: Scheme<SceneSystem<2, L::Ready>>,
     {
         let mut stepper = Simulation::scene(scene).scheme(Explicit).dt(h).stepper().unwrap();
         stepper.step().unwrap();
@@ -274,7 +274,7 @@ impl Thread {
 #[test]
 fn a_law_that_is_not_finite_in_a_step_of_a_scene_is_named() {
     let bodies = || Scene::<2>::new().body(1.0, [0.0, 0.0], [0.0, 0.1]).body(1.0, [0.9, 0.3], [1.0, 0.0]);
-    fn cause<L: Term<2, ()>, S: SceneScheme<2, L::Ready>>(scene: Scene<2, (), L>, scheme: S) -> Error {
+    fn cause<L: Term<2, ()>, S: Scheme<SceneSystem<2, L::Ready>>>(scene: Scene<2, (), L>, scheme: S) -> Error {
         let interrupted = Simulation::scene(scene).scheme(scheme).dt(0.05).run(1000).unwrap_err();
         println!("{interrupted}");
         interrupted.cause()

@@ -25,7 +25,7 @@ fn exact(e: f64, t: f64) -> [f64; 2] {
 /// An adaptive run on that orbit that records every n-th step.
 fn orbit<S>(scheme: S, e: f64, tolerance: f64, end: f64, every: u64) -> Run<State<2>>
 where
-    S: Adaptable + Scheme<Kepler, 2>,
+    S: Adaptable + Scheme<Particle<Kepler, 2>>,
 {
     let simulation = Simulation::new(SUN, from_apocentre(e)).scheme(scheme).adaptive(tolerance);
     simulation.record_every(every).run_until(end).unwrap_or_else(|interrupted| panic!("{interrupted}"))
@@ -38,7 +38,7 @@ fn error(run: &Run<State<2>>, e: f64) -> f64 {
 
 #[test]
 fn energy_and_angular_momentum_are_exact_over_many_steps() {
-    fn check<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, e: f64, tolerance: f64, revolutions: f64, stages: u64) {
+    fn check<S: Adaptable + Scheme<Particle<Kepler, 2>>>(scheme: S, e: f64, tolerance: f64, revolutions: f64, stages: u64) {
         let run = orbit(scheme, e, tolerance, TAU * revolutions, 7);
         let solutions = stages * run.steps();
         assert!(solutions > 100_000, "{solutions} equations solved");
@@ -62,7 +62,7 @@ fn energy_and_angular_momentum_are_exact_over_many_steps() {
 
 #[test]
 fn the_error_is_in_proportion_to_the_tolerance_at_every_order() {
-    fn check<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, tolerances: [f64; 2]) {
+    fn check<S: Adaptable + Scheme<Particle<Kepler, 2>>>(scheme: S, tolerances: [f64; 2]) {
         let revolutions = 10.3;
         for e in [0.7, 0.9, 0.97] {
             let runs = tolerances.map(|tolerance| orbit(scheme, e, tolerance, TAU * revolutions, 1000));
@@ -102,7 +102,7 @@ fn the_error_is_in_proportion_to_the_tolerance_at_every_order() {
 /// Unequal steps are not symplectic, but reversible: the energy error of a splitting is the same in each revolution.
 #[test]
 fn the_energy_of_splittings_does_not_drift() {
-    fn check<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, e: f64, tolerance: f64) {
+    fn check<S: Adaptable + Scheme<Particle<Kepler, 2>>>(scheme: S, e: f64, tolerance: f64) {
         let largest = |revolutions| {
             let run = orbit(scheme, e, tolerance, TAU * revolutions, 1);
             let turning = run.drift(Invariant::AngularMomentum).unwrap().max_relative();
@@ -129,7 +129,7 @@ fn the_energy_of_splittings_does_not_drift() {
 /// A kick that two steps of different length share is half the one's and half the other's: also its work.
 #[test]
 fn kicks_are_shared_by_unequal_steps() {
-    fn check<S: Adaptable + Scheme<HenonHeiles, 2>>(scheme: S) {
+    fn check<S: Adaptable + Scheme<Particle<HenonHeiles, 2>>>(scheme: S) {
         let run = Simulation::new(HenonHeiles { lambda: 1.0 }, State::new([0.0, 0.1], [0.42, 0.1])).mass(1.3);
         let run = run.scheme(scheme).adaptive(1e-6).run_until(500.0).unwrap();
         let [shortest, longest] = run.report().dt_range().unwrap();
@@ -202,7 +202,7 @@ fn following_the_motion_saves_work() {
 /// Where ∂a/∂q passes through 0, at a right angle and in the middle of a quartic well, the steps stay within a factor of 3.
 #[test]
 fn steps_do_not_run_away_where_the_stiffness_is_zero() {
-    fn check<L: Law<1> + Copy, S: Adaptable + Scheme<L, 1>>(
+    fn check<L: Law<1> + Copy, S: Adaptable + Scheme<Particle<L, 1>>>(
         law: L,
         scheme: S,
         start: State<1>,

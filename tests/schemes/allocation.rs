@@ -33,7 +33,7 @@ impl Damped {
 fn check<L, S, const D: usize>(simulation: Simulation<L, State<D>, S>, what: &str)
 where
     L: Law<D>,
-    S: Scheme<L, D>,
+    S: Scheme<Particle<L, D>>,
 {
     let mut stepper = simulation.dt(0.01).stepper().unwrap();
     let start = stepper.state();
@@ -88,9 +88,9 @@ fn no_step_under_a_force_allocates() {
 #[test]
 fn no_step_of_a_scene_allocates() {
     use dmech::models::pairs::Spring;
-    use dmech::scene::{SceneScheme, Term};
+    use dmech::scene::{SceneSystem, Term};
 
-    fn check<L: Term<3, ()>, S: SceneScheme<3, L::Ready>>(scene: Scene<3, (), L>, scheme: S, dt: f64, what: &str) {
+    fn check<L: Term<3, ()>, S: Scheme<SceneSystem<3, L::Ready>>>(scene: Scene<3, (), L>, scheme: S, dt: f64, what: &str) {
         let mut stepper = Simulation::scene(scene).scheme(scheme).dt(dt).stepper().unwrap();
         (0..10).for_each(|_| stepper.step().unwrap());
         let before = stepper.q().clone();

@@ -29,7 +29,7 @@ fn it_is_leap_frog() {
 /// There and back: what does not come back is rounding, and of compensated sums it is less by a factor of the order of h.
 #[test]
 fn less_is_lost_on_the_way_there_and_back() {
-    fn miss<S: Scheme<Kepler, 2>>(scheme: S, dt: f64, steps: u64) -> f64 {
+    fn miss<S: Scheme<Particle<Kepler, 2>>>(scheme: S, dt: f64, steps: u64) -> f64 {
         let end = |start| {
             *Simulation::new(PLANET, start).scheme(scheme).dt(dt).record_every(steps).run(steps).unwrap().last()
         };

@@ -47,7 +47,7 @@ fn the_energy_is_kept_to_30_digits() {
 /// Composed schemes of the default coefficients converge at their order far below what `f64` can tell.
 #[test]
 fn the_orders_show_down_to_25_digits() {
-    fn check<S: Scheme<Kepler, 2, Wide> + Copy>(scheme: S, powers: core::ops::Range<u32>, reached: f64) {
+    fn check<S: Scheme<Particle<Kepler, 2, Wide>> + Copy>(scheme: S, powers: core::ops::Range<u32>, reached: f64) {
         let start = wide(State::new([0.5, 0.1], [0.2, 1.63]));
         let end = |k: u32| {
             let n = 1_u32 << k;

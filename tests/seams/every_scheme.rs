@@ -52,7 +52,7 @@ fn order(errors: [f64; LADDER.len()]) -> f64 {
 }
 
 impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
-    fn run<S: Scheme<L, D>>(&self, scheme: S, start: State<D>, h: f64, steps: u64) -> Option<Run<State<D>>> {
+    fn run<S: Scheme<Particle<L, D>>>(&self, scheme: S, start: State<D>, h: f64, steps: u64) -> Option<Run<State<D>>> {
         reached::<S, D>(Simulation::new(self.law, start).scheme(scheme).dt(h).run(steps), self.power)
     }
 
@@ -66,7 +66,7 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     }
 
     /// What is exact is exact, and the energy is as good as order and seam permit.
-    fn energies<S: Scheme<L, D>>(&self, scheme: S) {
+    fn energies<S: Scheme<Particle<L, D>>>(&self, scheme: S) {
         let mut ended = 0;
         let errors = LADDER.map(|steps| {
             let (mut errors, mut crossed) = (Vec::new(), 0);
@@ -118,7 +118,7 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     }
 
     /// There and back through the seam, where nothing is lost but rounding: and where there is a step there, there is one back.
-    fn returns<S: Scheme<L, D>>(&self, scheme: S) {
+    fn returns<S: Scheme<Particle<L, D>>>(&self, scheme: S) {
         let (mut crossed, mut worst) = (0, 0.0_f64);
         for start in starts::<D>(STARTS) {
             let Some(there) = self.run(scheme, start, 0.013, 500) else { continue };

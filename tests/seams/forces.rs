@@ -77,7 +77,7 @@ const H: f64 = 0.011;
 impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     /// What comes of the steps; nothing where a scheme that takes the force at the end of its step found none, as may be where
     /// the force jumps against the motion.
-    fn run<S: Scheme<L, D>>(&self, scheme: S, start: State<D>, steps: u64) -> Option<Run<State<D>>> {
+    fn run<S: Scheme<Particle<L, D>>>(&self, scheme: S, start: State<D>, steps: u64) -> Option<Run<State<D>>> {
         let run = match Simulation::new(self.law, start).scheme(scheme).dt(H).run(steps) {
             Ok(run) => run,
             Err(interrupted) => {
@@ -91,7 +91,7 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
         Some(run)
     }
 
-    fn check<S: Scheme<L, D>>(&self, scheme: S) {
+    fn check<S: Scheme<Particle<L, D>>>(&self, scheme: S) {
         let (mut runs, mut crossed, mut worst, mut away) = (0, 0, 0.0_f64, 0.0_f64);
         for start in starts::<D>(12) {
             let Some(run) = self.run(scheme, start, STEPS) else { continue };

@@ -3,7 +3,7 @@
 
 use dmech::Kept;
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, Term};
+use dmech::scene::{SceneSystem, Term};
 
 use crate::schemes::for_each_scene_scheme;
 
@@ -101,7 +101,7 @@ fn order(errors: [f64; LADDER.len()]) -> f64 {
 
 impl<const D: usize, L: Term<D, ()>> Seams<D, L> {
     /// The run, and its crossings; none where it did not reach its end, as the trapezoid need not where its force jumps.
-    fn run<S: SceneScheme<D, L::Ready>>(
+    fn run<S: Scheme<SceneSystem<D, L::Ready>>>(
         &self,
         scheme: S,
         bodies: Scene<D>,
@@ -125,7 +125,7 @@ impl<const D: usize, L: Term<D, ()>> Seams<D, L> {
     }
 
     /// What is exact is exact, over many crossings.
-    fn keeps<S: SceneScheme<D, L::Ready>>(&self, scheme: S) {
+    fn keeps<S: Scheme<SceneSystem<D, L::Ready>>>(&self, scheme: S) {
         let (mut runs, mut crossed, mut worst) = (0, 0, 0.0_f64);
         for seed in SEEDS {
             let bodies = bodies::<D>(self.bodies, seed);
@@ -159,7 +159,7 @@ impl<const D: usize, L: Term<D, ()>> Seams<D, L> {
     }
 
     /// The energy is as good as the order and the seam permit: hˢ where the potential departs by the power s.
-    fn errs<S: SceneScheme<D, L::Ready>>(&self, scheme: S) {
+    fn errs<S: Scheme<SceneSystem<D, L::Ready>>>(&self, scheme: S) {
         let errors = LADDER.map(|part| {
             let run = |seed| {
                 let (run, crossed) =
@@ -182,7 +182,7 @@ impl<const D: usize, L: Term<D, ()>> Seams<D, L> {
     }
 
     /// There and back.
-    fn returns<S: SceneScheme<D, L::Ready>>(&self, scheme: S) {
+    fn returns<S: Scheme<SceneSystem<D, L::Ready>>>(&self, scheme: S) {
         let mut worst = 0.0_f64;
         for seed in SEEDS {
             let Some((there, crossed)) = self.run(scheme, bodies::<D>(self.bodies, seed), self.dt, 300) else {

@@ -77,7 +77,7 @@ pub const SPAN: f64 = 4.0;
 pub const LOOKS: u64 = 2;
 
 /// The states at equal distances up to `SPAN`, after so many steps each; `None` where so large a step has no solution.
-pub fn path<L: Law<D>, S: Scheme<L, D>, const D: usize>(
+pub fn path<L: Law<D>, S: Scheme<Particle<L, D>>, const D: usize>(
     law: L,
     scheme: S,
     start: State<D>,
@@ -91,7 +91,7 @@ pub fn path<L: Law<D>, S: Scheme<L, D>, const D: usize>(
 pub fn measured_order<L, S, const D: usize>(law: L, scheme: S, start: State<D>, exact: &[State<D>]) -> f64
 where
     L: Law<D> + Copy,
-    S: Scheme<L, D>,
+    S: Scheme<Particle<L, D>>,
 {
     order_of(|steps| path(law, scheme, start, steps), exact)
 }

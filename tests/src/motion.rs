@@ -19,7 +19,7 @@ pub fn distance<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
 pub fn end<L, S, const D: usize>(law: L, scheme: S, start: State<D>, steps: u64) -> State<D>
 where
     L: Law<D>,
-    S: Scheme<L, D>,
+    S: Scheme<Particle<L, D>>,
 {
     let run = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(1.0 / steps as f64).run(steps);
     *run.unwrap_or_else(|interrupted| panic!("{interrupted}")).last()
@@ -30,7 +30,7 @@ where
 pub fn has_its_order<L, S, const D: usize>(law: L, scheme: S, start: State<D>, tolerance: f64, law_name: &str)
 where
     L: Law<D> + Copy,
-    S: Scheme<L, D>,
+    S: Scheme<Particle<L, D>>,
 {
     let [one, two, four] = [400, 800, 1600].map(|steps| end(law, scheme, start, steps).q);
     let (coarse, fine) = (distance(one, two), distance(two, four));
@@ -58,7 +58,7 @@ const STEPS: u64 = 20_000;
 pub fn long_run<L, S, const D: usize>(law: L, scheme: S, start: State<D>) -> Run<State<D>>
 where
     L: Law<D>,
-    S: Scheme<L, D>,
+    S: Scheme<Particle<L, D>>,
 {
     // The explicit orbits spiral outward, some to infinity.
     let steps = if S::ORDER == 1 { 200 } else { STEPS };
@@ -144,7 +144,7 @@ pub fn work_balances<const D: usize>(run: &Run<State<D>>, masses: [f64; D], law_
 pub fn miss<L, S, const D: usize>(law: L, home: L, scheme: S, start: State<D>) -> f64
 where
     L: Law<D>,
-    S: Scheme<L, D>,
+    S: Scheme<Particle<L, D>>,
 {
     assert!(S::SYMMETRIC);
     let there = end(law, scheme, start, 500);

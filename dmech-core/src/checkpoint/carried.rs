@@ -1,11 +1,63 @@
 //! What a scheme carries, number by number.
 
+use dmech_scalar::CompensatedVector;
+
 use super::{Difference, Numbers};
+use crate::law::{Field, Law, Potential};
+use crate::system::{Particle, System};
 
 /// The numbers that a scheme carries from step to step: what a checkpoint saves of its memory.
 pub trait Carried: Clone {
     /// All of them, always in the same order. What a step computes before it reads it need not be among them.
     fn carried(&mut self) -> Vec<&mut [f64]>;
+}
+
+impl<const D: usize> Carried for [f64; D] {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![self]
+    }
+}
+
+impl<const D: usize> Carried for CompensatedVector<D, f64> {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![&mut self.hi, &mut self.lo]
+    }
+}
+
+/// A system that can be saved: what shows that it is the same.
+pub trait Saved: System<Scalar = f64> {
+    /// The numbers of a vector.
+    fn numbers(x: &mut Self::Vector) -> &mut [f64];
+    /// The masses of the bodies, and those that are pinned.
+    fn bodies(&self) -> (Vec<f64>, Vec<usize>);
+    /// Every number that makes the system what it is, by name.
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
+    /// What acts at a place: position and velocity.
+    fn sample(&self, t: f64, place: &[Self::Vector; 2], see: &mut dyn FnMut(&[f64]));
+}
+
+impl<L: Law<D>, const D: usize> Saved for Particle<L, D> {
+    fn numbers(x: &mut [f64; D]) -> &mut [f64] {
+        x
+    }
+
+    fn bodies(&self) -> (Vec<f64>, Vec<usize>) {
+        (vec![self.mass()], Vec::new())
+    }
+
+    /// What the law reads of itself, and the masses of its coordinates.
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        if let Some(written) = self.law().written() {
+            written.fields(see);
+        }
+        self.law().mass_ratios().into_iter().for_each(|ratio| see("masses", ratio));
+    }
+
+    fn sample(&self, t: f64, [q, v]: &[[f64; D]; 2], see: &mut dyn FnMut(&[f64])) {
+        let field = self.field(t);
+        see(&[field.potential(*q)]);
+        see(&field.slope(*q, *v));
+    }
 }
 
 /// A copy of what a scheme carries.

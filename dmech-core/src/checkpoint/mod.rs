@@ -7,7 +7,7 @@ mod fingerprint;
 mod numbers;
 mod seal;
 
-pub use carried::Carried;
+pub use carried::{Carried, Saved};
 pub(crate) use carried::{load, save};
 pub use difference::Difference;
 pub(crate) use fields::Fields;

@@ -13,8 +13,8 @@
 use dmech_scalar::{Mask, Real};
 
 use super::{Correction, Equation, Increment, NotConverged, continuation};
-use crate::scheme::exact_product;
-use crate::vector::dot;
+use crate::system::exact_product;
+use crate::system::vector::dot;
 
 /// Evaluations before the fast path gives up.
 const PATIENCE: u32 = 6;

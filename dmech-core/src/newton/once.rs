@@ -4,7 +4,7 @@ use dmech_scalar::Real;
 
 use super::drive::largest;
 use super::{Correction, Equation, Increment, NotConverged};
-use crate::vector::finite;
+use crate::system::vector::finite;
 
 /// Solves a linear step: `correct` is called once, with Δ = 0 and b = q.
 ///

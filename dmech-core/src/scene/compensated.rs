@@ -43,10 +43,13 @@ impl<const D: usize> CompensatedVectors<D> {
         [self.hi.flat_mut(), self.lo.flat_mut()]
     }
 
-    /// Component i with its low part.
+    /// Adds (i ↦ change).
     #[inline]
-    pub(super) fn sum(&self, i: usize) -> f64 {
-        self.hi.flat()[i] + self.lo.flat()[i]
+    pub(super) fn add(&mut self, change: impl Fn(usize) -> f64) {
+        let parts = self.hi.flat_mut().iter_mut().zip(self.lo.flat_mut()).enumerate();
+        for (i, (hi, lo)) in parts {
+            (*hi, *lo) = two_sum(*hi, change(i) + *lo);
+        }
     }
 
     /// self − before, component i.
@@ -112,6 +115,7 @@ mod tests {
         let added = (v.hi.flat()[0] - kicks * change) + v.lo.flat()[0];
         assert!((added / (kicks * late) - 1.0).abs() < 1e-3, "{added:e} of {:e}", kicks * late);
         let moved = 0.25 * kicks * kicks * change;
-        assert!((q.sum(0) / moved - 1.0).abs() < 1e-12, "{} for {moved}", q.sum(0));
+        let sum = q.hi.flat()[0] + q.lo.flat()[0];
+        assert!((sum / moved - 1.0).abs() < 1e-12, "{sum} for {moved}");
     }
 }

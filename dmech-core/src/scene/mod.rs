@@ -8,24 +8,33 @@ mod builder;
 mod compensated;
 mod matrix;
 mod newton;
-#[cfg(feature = "serde")]
-mod resume;
-mod scheme;
-mod setting;
-mod simulation;
 mod state;
-mod stepper;
+mod system;
 mod terms;
 mod vectors;
-mod watch;
 
 pub use builder::{Bodies, FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
 pub use matrix::Matrix;
-pub use newton::Solver;
-pub use scheme::{SceneScheme, Start, Workspace};
-pub use setting::{Setting, System};
 pub use state::SceneState;
-pub use stepper::SceneStepper;
+pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
 pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Pairs, Term, Topology, WithoutVelocities};
 pub use vectors::Vectors;
+
+use crate::scheme::Scheme;
+use crate::simulation::Simulation;
+use crate::stepper::Stepper;
+
+impl<const D: usize, P, L> Simulation<(), Scene<D, P, L>> {
+    /// The bodies of a scene under its laws.
+    pub fn scene(scene: Scene<D, P, L>) -> Self {
+        Simulation::of((), scene)
+    }
+}
+
+impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSystem<D, A>, S> {
+    /// Positions now.
+    pub fn q(&self) -> &Vectors<D> {
+        self.position()
+    }
+}

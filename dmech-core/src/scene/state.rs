@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 
+use dmech_scalar::Compensated;
+
 use crate::csv::Columns;
 
 /// Time, positions and velocities of the bodies of a scene, in the order in which they were added.
@@ -23,6 +25,27 @@ impl<const D: usize> SceneState<D> {
         }
         self
     }
+}
+
+impl<const D: usize> SceneState<D> {
+    /// Σ m v.
+    pub(super) fn linear_momentum(&self, masses: &[f64]) -> Vec<f64> {
+        (0..D).map(|k| sum(masses.iter().zip(&self.v).map(|(m, v)| m * v[k]))).collect()
+    }
+
+    /// Σ m (q_k v_l − q_l v_k), k < l.
+    pub(super) fn angular_momentum(&self, masses: &[f64]) -> Vec<f64> {
+        let components = (0..D).flat_map(|k| (k + 1..D).map(move |l| (k, l)));
+        let bodies = || masses.iter().zip(self.q.iter().zip(&self.v));
+        components.map(|(k, l)| sum(bodies().map(|(m, (q, v))| m * (q[k] * v[l] - q[l] * v[k])))).collect()
+    }
+}
+
+/// A sum whose rounding does not grow with the number of bodies: it would show as a drift that is none.
+fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let mut sum = Compensated::new(0.0);
+    terms.for_each(|term| sum.add(term));
+    sum.value()
 }
 
 /// The columns are `t`, then `q3_0` for component 0 of the position of body 3, and `v3_0` for that of its velocity.

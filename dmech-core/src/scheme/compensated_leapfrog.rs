@@ -1,13 +1,12 @@
 //! Leap-frog whose sums lose nothing.
 
-use dmech_scalar::{CompensatedVector, Real};
+use dmech_scalar::Real;
 
-use super::{Effort, Method, Scheme, Stride};
-use crate::State;
+use super::memory::memory;
+use super::{Effort, Method, Scheme, WithoutVelocities};
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Field, Law, VelocityIndependent};
 use crate::newton::NotConverged;
-use crate::vector::{difference, finite, scaled, sum, weighted};
+use crate::system::{Start, System};
 
 /// [`Leapfrog`](crate::Leapfrog) with compensated sums: for runs so long, or steps so short, that rounding matters more
 /// than the step.
@@ -55,23 +54,18 @@ use crate::vector::{difference, finite, scaled, sum, weighted};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CompensatedLeapfrog;
 
-/// What [`CompensatedLeapfrog`] carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CompensatedLeapfrogMemory<const D: usize, R = f64> {
-    /// Position.
-    pub q: CompensatedVector<D, R>,
-    /// Velocity half a step after.
-    pub v_after: CompensatedVector<D, R>,
-    /// What the last kick added to the velocity.
-    pub change: [R; D],
-}
-
-#[cfg(feature = "serde")]
-impl<const D: usize> crate::checkpoint::Carried for CompensatedLeapfrogMemory<D> {
-    fn carried(&mut self) -> Vec<&mut [f64]> {
-        let CompensatedLeapfrogMemory { q, v_after: v, change } = self;
-        vec![&mut q.hi, &mut q.lo, &mut v.hi, &mut v.lo, change]
+memory! {
+    /// What [`CompensatedLeapfrog`] carries.
+    pub struct CompensatedLeapfrogMemory<Y> {
+        /// Position.
+        pub q: Y::Sum,
+        /// Velocity half a step after.
+        pub v_after: Y::Sum,
+        /// What the last kick added to the velocity.
+        pub change: Y::Vector,
     }
+    lists {}
+    uncarried {}
 }
 
 impl Method for CompensatedLeapfrog {
@@ -84,60 +78,79 @@ impl Method for CompensatedLeapfrog {
     }
 }
 
-impl<const D: usize, R: Real> CompensatedLeapfrogMemory<D, R> {
-    /// Velocity half a step before.
-    fn v_before(&self) -> [R; D] {
-        difference(self.v_after.hi, self.change)
+impl<Y: System> CompensatedLeapfrogMemory<Y> {
+    /// Velocity before a share of the last kick.
+    fn before(&self, share: f64) -> Y::Vector {
+        let mut v = Y::value(&self.v_after).clone();
+        Y::add_scaled(&mut v, Y::Scalar::from_f64(-share), &self.change);
+        v
     }
 }
 
-impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R> for CompensatedLeapfrog {
-    type Memory = CompensatedLeapfrogMemory<D, R>;
+impl<Y: System + WithoutVelocities> Scheme<Y> for CompensatedLeapfrog {
+    type Memory = CompensatedLeapfrogMemory<Y>;
+    /// ∇Φ.
+    type Workspace = Y::Vector;
 
-    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-        let State { t, q, v } = *start;
-        let change = scaled(-stride.kick, law.field(stride.mass, R::from_f64(t)).slope(q, v));
-        let mut v_after = CompensatedVector::new(v);
-        v_after.add(scaled(R::from_f64(0.5), change));
-        Ok(CompensatedLeapfrogMemory { q: CompensatedVector::new(q), v_after, change })
+    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Vector {
+        system.zero()
+    }
+
+    fn begin(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        start: &Start<'_, Y>,
+        _: &mut Y::Vector,
+    ) -> Result<Self::Memory, NotConverged> {
+        let (mut v_after, mut change) = (Y::sum(start.v), system.zero());
+        system.kick_sum(stride, Y::Scalar::from_f64(0.5), start.slope, &mut v_after, &mut change);
+        let half = change.clone();
+        Y::add_scaled(&mut change, Y::Scalar::ONE, &half);
+        Ok(CompensatedLeapfrogMemory { q: Y::sum(start.q), v_after, change })
     }
 
     #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let CompensatedLeapfrogMemory { mut q, mut v_after, .. } = *memory;
-        q.add(core::array::from_fn(|i| stride.dt.mul_add(v_after.hi[i], stride.dt * v_after.lo[i])));
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        slope: &mut Y::Vector,
+    ) -> Result<Effort, NotConverged> {
+        let CompensatedLeapfrogMemory { q, v_after, change } = memory;
+        Y::drift_sum(stride, q, v_after);
         // The force is independent of the velocity.
-        let slope = law.field(stride.mass, t + stride.dt).slope(q.hi, v_after.hi);
-        let change = scaled(-stride.kick, slope);
-        v_after.add(change);
-        *memory = CompensatedLeapfrogMemory { q, v_after, change };
+        system.slope(t + Y::dt(stride), Y::value(q), Y::value(v_after), slope);
+        system.kick_sum(stride, Y::Scalar::ONE, slope, v_after, change);
         Ok(Effort { evaluations: 1, iterations: 0 })
     }
 
     #[inline]
-    fn position(&self, memory: &Self::Memory) -> [R; D] {
-        memory.q.hi
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+        Y::value(&memory.q)
     }
 
     #[inline]
-    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-        core::array::from_fn(|i| R::from_f64(-0.5).mul_add(memory.change[i], memory.v_after.hi[i]))
+    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+        memory.before(0.5)
     }
 
     #[inline]
     fn finite(&self, memory: &Self::Memory) -> bool {
-        finite(memory.q.hi) && finite(memory.v_after.hi)
+        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v_after))
     }
 
-    /// m v²/2 at the half step before.
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(law.mass_ratios(), memory.v_before())
+    /// Σ m v²/2 at the half step before.
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+        system.kinetic_energy(&memory.before(1.0))
     }
 
     /// F_k·(q_{k+1} − q_{k−1})/2, with F_k as the kick applied it.
-    fn work(&self, law: &L, stride: &Stride<R>, before: &Self::Memory, _: &Self::Memory) -> R {
-        let force = scaled(stride.kick.recip(), before.change);
-        let two_steps = scaled(stride.dt, sum(before.v_before(), before.v_after.hi));
-        R::from_f64(0.5) * weighted(law.mass_ratios(), force, two_steps)
+    fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, _: &Self::Memory) -> Y::Scalar {
+        let mut work = system.no_work();
+        system.add_work(&mut work, &before.before(1.0), Y::value(&before.v_after));
+        system.total(&work)
     }
 }

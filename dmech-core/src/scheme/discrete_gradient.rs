@@ -1,14 +1,10 @@
 //! The energy-exact one-step scheme.
 
-use dmech_scalar::{CompensatedVector, Real};
-
-use super::guess::continued;
-use super::{Effort, Method, Newton, Scheme, Stride, workless};
-use crate::State;
+use super::memory::memory;
+use super::{Effort, Method, Newton, Scheme};
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Field, Law, Potential};
-use crate::newton::{Equation, Increment, NotConverged};
-use crate::vector::{difference, finite, scaled, sum, weighted};
+use crate::newton::NotConverged;
+use crate::system::{Ahead, Start, Step, System};
 
 /// The energy-exact step (LaBudde–Greenspan): mean velocity, and the force as a discrete gradient.
 ///
@@ -51,29 +47,25 @@ impl DiscreteGradient {
     }
 }
 
-/// What [`DiscreteGradient`](struct@DiscreteGradient) carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DiscreteGradientMemory<const D: usize, R = f64> {
-    /// Position.
-    pub q: CompensatedVector<D, R>,
-    /// Velocity.
-    pub v: CompensatedVector<D, R>,
-    /// ∇̄Φ less the mean force of the last three steps, the newest first; ∇Φ − F before the first step.
-    gradients: [[R; D]; 3],
-}
-
-#[cfg(feature = "serde")]
-impl<const D: usize> crate::checkpoint::Carried for DiscreteGradientMemory<D> {
-    fn carried(&mut self) -> Vec<&mut [f64]> {
-        let [newest, second, third] = &mut self.gradients;
-        vec![&mut self.q.hi, &mut self.q.lo, &mut self.v.hi, &mut self.v.lo, newest, second, third]
+memory! {
+    /// What [`DiscreteGradient`](struct@DiscreteGradient) carries.
+    pub struct DiscreteGradientMemory<Y> {
+        /// Position.
+        pub q: Y::Sum,
+        /// Velocity.
+        pub v: Y::Sum,
     }
+    lists {
+        /// ∇̄Φ less the mean force of the last three steps, the newest first; ∇Φ − F before the first step.
+        slopes: [Y::Vector; 3],
+    }
+    uncarried {}
 }
 
-impl<const D: usize, R: Real> DiscreteGradientMemory<D, R> {
-    /// ∇̄Φ of the last step; ∇Φ before the first.
-    pub fn gradient(&self) -> [R; D] {
-        self.gradients[0]
+impl<Y: System> DiscreteGradientMemory<Y> {
+    /// ∇̄Φ less the mean force of the last step; ∇Φ − F before the first.
+    pub fn slope(&self) -> &Y::Vector {
+        &self.slopes[0]
     }
 }
 
@@ -90,96 +82,72 @@ impl Method for DiscreteGradient {
     }
 }
 
-/// One step of position and velocity from time t on; `expected` is the force that the guess is made with.
-#[inline(always)]
-pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
-    law: &L,
-    stride: &Stride<R>,
-    t: R,
-    q: &mut CompensatedVector<D, R>,
-    v: &mut CompensatedVector<D, R>,
-    expected: [R; D],
-    newton: &Newton,
-) -> Result<Increment<D, R>, NotConverged> {
-    if <L::Field<'_> as Field<D, R>>::FORCED && <L::Field<'_> as Field<D, R>>::CONSERVES_ENERGY {
-        return workless::step(law, stride, t, q, v, expected, newton);
-    }
-    let found = increment(law, stride, t, q.value(), v, expected, newton)?;
-    let delta = stride.kick_and_drift(R::from_f64(0.5), v, found.parts);
-    q.add(delta);
-    Ok(Increment { delta, ..found })
+impl DiscreteGradient {
+    /// The share of h²/m at the unknown force.
+    pub(super) const SHARE: f64 = 0.5;
 }
 
-/// Δq and the mean slope ∇̄Φ − (F + F′)/2 of one step from q with velocity v, from the slope that is expected.
-#[inline(always)]
-pub(super) fn increment<L: Law<D, R>, const D: usize, R: Real>(
-    law: &L,
-    stride: &Stride<R>,
-    t: R,
-    q: [R; D],
-    v: &CompensatedVector<D, R>,
-    expected: [R; D],
-    newton: &Newton,
-) -> Result<Increment<D, R>, NotConverged> {
-    let half = R::from_f64(0.5);
-    let g = half * stride.fall;
-    let drift = stride.drift(v);
-    let zero = [R::ZERO; D];
-    let guess = newton.guess((stride.dt, v.hi), zero, g, expected);
-    let field = law.field(stride.mass, half.mul_add(stride.dt, t));
-    let piecewise = <L::Field<'_> as Potential<D, R>>::PIECEWISE;
-    let equation = Equation { guess, max_iterations: newton.limit(), piecewise, ..Equation::new(q, drift, g) };
-    if !<L::Field<'_> as Field<D, R>>::FORCED {
-        return field.discrete_increment(&equation);
-    }
-    // The unknown side has the force at the end; that at the start is known.
-    let half_force = law.field(stride.mass, t).half_force(q, v.hi);
-    let (frozen, t_end) = (scaled(-g, half_force), t + stride.dt);
-    let equation = Equation { frozen, v: v.hi, rate: stride.rate, t_end, ..equation };
-    let found = field.discrete_increment(&equation)?;
-    Ok(found.less(half_force))
-}
+impl<Y: System> Scheme<Y> for DiscreteGradient {
+    const SHARE: f64 = Self::SHARE;
 
-impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for DiscreteGradient {
-    type Memory = DiscreteGradientMemory<D, R>;
+    type Memory = DiscreteGradientMemory<Y>;
+    type Workspace = Y::Solver;
 
-    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-        let State { t, q, v } = *start;
-        let gradient = law.field(stride.mass, R::from_f64(t)).slope(q, v);
-        let (q, v) = (CompensatedVector::new(q), CompensatedVector::new(v));
-        Ok(DiscreteGradientMemory { q, v, gradients: [gradient; 3] })
+    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Solver {
+        system.solver()
     }
 
+    fn begin(
+        &self,
+        _: &Y,
+        _: &Y::Stride,
+        start: &Start<'_, Y>,
+        _: &mut Y::Solver,
+    ) -> Result<Self::Memory, NotConverged> {
+        let slopes = core::array::from_fn(|_| start.slope.clone());
+        Ok(DiscreteGradientMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes })
+    }
+
+    /// (v′ + v)/2 = (q′ − q)/h; m (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.
     #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let DiscreteGradientMemory { mut q, mut v, gradients } = *memory;
-        let found = advance(law, stride, t, &mut q, &mut v, continued(gradients), &self.newton)?;
-        *memory = DiscreteGradientMemory { q, v, gradients: [found.gradient, gradients[0], gradients[1]] };
-        Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        solver: &mut Y::Solver,
+    ) -> Result<Effort, NotConverged> {
+        let DiscreteGradientMemory { q, v, slopes } = memory;
+        let ahead = Ahead::Continued(slopes.each_ref());
+        let mut found = system.solve_exact(solver, &Step { stride, t, q, v, ahead, newton: &self.newton })?;
+        system.settle(solver, stride, 0.5, &mut found, [q, v]);
+        slopes.rotate_right(1);
+        Y::keep(solver, &found, &mut slopes[0]);
+        Ok(Y::effort(&found))
     }
 
     #[inline]
-    fn position(&self, memory: &Self::Memory) -> [R; D] {
-        memory.q.value()
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+        Y::value(&memory.q)
     }
 
     #[inline]
-    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-        memory.v.value()
+    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+        Y::value(&memory.v).clone()
     }
 
     #[inline]
     fn finite(&self, memory: &Self::Memory) -> bool {
-        finite(memory.q.hi) && finite(memory.v.hi)
+        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v))
     }
 
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(law.mass_ratios(), memory.v.value())
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+        system.kinetic_energy(Y::value(&memory.v))
     }
 
     /// (−∇̄Φ(q, q′) + (F + F′)/2)·Δq.
-    fn work(&self, law: &L, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
-        let moved = sum(difference(after.q.hi, before.q.hi), difference(after.q.lo, before.q.lo));
-        -weighted(law.mass_ratios(), after.gradients[0], moved)
+    fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
+        system.work_between(&after.slopes[0], &before.q, &after.q)
     }
 }

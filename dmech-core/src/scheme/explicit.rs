@@ -2,12 +2,11 @@
 
 use dmech_scalar::Real;
 
-use super::{Effort, Method, Scheme, Stride};
-use crate::State;
+use super::memory::memory;
+use super::{Effort, Method, Scheme};
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Law, Potential};
 use crate::newton::NotConverged;
-use crate::vector::{add_scaled, difference, finite, scaled, sum, weighted};
+use crate::system::{Kick, Start, System};
 
 /// The explicit formulas of the first discrete mechanics (Greenspan (1.1)–(1.3); LaBudde–Greenspan (2.7)).
 ///
@@ -29,19 +28,18 @@ use crate::vector::{add_scaled, difference, finite, scaled, sum, weighted};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Explicit;
 
-/// What [`Explicit`] carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ExplicitMemory<const D: usize, R = f64> {
-    /// Position.
-    pub q: [R; D],
-    /// Velocity.
-    pub v: [R; D],
-}
-
-#[cfg(feature = "serde")]
-impl<const D: usize> crate::checkpoint::Carried for ExplicitMemory<D> {
-    fn carried(&mut self) -> Vec<&mut [f64]> {
-        vec![&mut self.q, &mut self.v]
+memory! {
+    /// What [`Explicit`] carries.
+    pub struct ExplicitMemory<Y> {
+        /// Position.
+        pub q: Y::Vector,
+        /// Velocity.
+        pub v: Y::Vector,
+    }
+    lists {}
+    uncarried {
+        /// Velocity a step before.
+        v_before: Y::Vector,
     }
 }
 
@@ -58,44 +56,58 @@ impl Method for Explicit {
     }
 }
 
-impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Explicit {
-    type Memory = ExplicitMemory<D, R>;
+impl<Y: System> Scheme<Y> for Explicit {
+    type Memory = ExplicitMemory<Y>;
+    type Workspace = Y::Room;
 
-    fn begin(&self, _: &L, _: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-        Ok(ExplicitMemory { q: start.q, v: start.v })
+    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Room {
+        system.room()
     }
 
+    fn begin(&self, _: &Y, _: &Y::Stride, start: &Start<'_, Y>, _: &mut Y::Room) -> Result<Self::Memory, NotConverged> {
+        Ok(ExplicitMemory { q: start.q.clone(), v: start.v.clone(), v_before: start.v.clone() })
+    }
+
+    /// v′ = v + h a(q); q′ = q + h (v + v′)/2.
     #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let ExplicitMemory { q, v } = *memory;
-        let v_next = law.field(stride.mass, t).kick(stride.kick, q, v);
-        let q_next = add_scaled(q, R::from_f64(0.5) * stride.dt, sum(v, v_next));
-        *memory = ExplicitMemory { q: q_next, v: v_next };
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        room: &mut Y::Room,
+    ) -> Result<Effort, NotConverged> {
+        let ExplicitMemory { q, v, v_before } = memory;
+        core::mem::swap(v, v_before);
+        system.kick(room, stride, Kick { t, b: Y::Scalar::ONE, e: 0.0 }, q, v_before, v);
+        Y::drift_by_mean(stride, q, v_before, v);
         Ok(Effort { evaluations: 1, iterations: 0 })
     }
 
     #[inline]
-    fn position(&self, memory: &Self::Memory) -> [R; D] {
-        memory.q
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+        &memory.q
     }
 
     #[inline]
-    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-        memory.v
+    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+        memory.v.clone()
     }
 
     #[inline]
     fn finite(&self, memory: &Self::Memory) -> bool {
-        finite(memory.q) && finite(memory.v)
+        Y::is_finite(&memory.q) && Y::is_finite(&memory.v)
     }
 
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(law.mass_ratios(), memory.v)
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+        system.kinetic_energy(&memory.v)
     }
 
     /// F_k·(q_{k+1} − q_k), with F_k as the kick applied it.
-    fn work(&self, law: &L, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
-        let force = scaled(stride.kick.recip(), difference(after.v, before.v));
-        weighted(law.mass_ratios(), force, difference(after.q, before.q))
+    fn work(&self, system: &Y, _: &Y::Stride, _: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
+        let mut work = system.no_work();
+        system.add_work(&mut work, &after.v_before, &after.v);
+        system.total(&work)
     }
 }

@@ -22,7 +22,7 @@ pub struct Newton {
 }
 
 impl Newton {
-    pub(super) const DEFAULT: Newton = Newton { guess: Guess::Predicted, max_iterations: 500 };
+    pub(crate) const DEFAULT: Newton = Newton { guess: Guess::Predicted, max_iterations: 500 };
 
     /// Starts from the force of the last steps (the default).
     pub const fn predicted() -> Self {
@@ -53,11 +53,11 @@ impl Newton {
         self.guess
     }
 
-    /// The first Δ: h v − frozen − g G, where G is the force that is expected, as [`continued`] gives it.
+    /// The first Δ: h v − frozen − g G, where G is the force that is expected, as [`Ahead`](crate::system::Ahead) gives it.
     ///
     /// v is the last to be known of a step, so everything else is put together before it.
     #[inline(always)]
-    pub(super) fn guess<const D: usize, R: Real>(
+    pub(crate) fn guess<const D: usize, R: Real>(
         &self,
         (dt, v): (R, [R; D]),
         frozen: [R; D],
@@ -72,12 +72,6 @@ impl Newton {
             Guess::Previous => [R::ZERO; D],
         }
     }
-}
-
-/// 3G − 3G₋ + G₋₋: the last three forces, the newest first, continued by a parabola.
-#[inline(always)]
-pub(super) fn continued<const D: usize, R: Real>([last, before, earlier]: [[R; D]; 3]) -> [R; D] {
-    core::array::from_fn(|i| R::from_f64(3.0).mul_add(last[i] - before[i], earlier[i]))
 }
 
 impl Default for Newton {

@@ -2,13 +2,11 @@
 
 use dmech_scalar::Real;
 
-use super::guess::continued;
-use super::{Effort, Method, Newton, Scheme, Stride};
-use crate::State;
+use super::memory::memory;
+use super::{Effort, Method, Newton, Scheme};
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Field, Law, Potential};
-use crate::newton::{Equation, Increment, NotConverged};
-use crate::vector::{add_scaled, finite, scaled, sum, weighted};
+use crate::newton::NotConverged;
+use crate::system::{Ahead, Start, Step, System};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
@@ -20,7 +18,7 @@ use crate::vector::{add_scaled, finite, scaled, sum, weighted};
 /// |---|---|---|---|---|---|
 /// | 2 | bounded, O(h²) | bounded | conjugate | yes | 1 nonlinear solve |
 ///
-/// The velocity is eliminated, Newton acts on the increment Δ = q′ − q, and v′ = v + h (a + a′)/2: v′ = 2Δ/h − v would
+/// Position and velocity are compensated sums. The velocity is eliminated, Newton acts on the increment Δ = q′ − q, and v′ = v + h (a + a′)/2: v′ = 2Δ/h − v would
 /// amplify the round-off by 1/h. The work-energy balance holds with the mean force, W = Σ (F + F′)/2·Δq (2.7)–(2.9).
 ///
 /// `Implicit` is a value and a type; `Implicit.with(...)` sets options.
@@ -45,25 +43,19 @@ impl Implicit {
     }
 }
 
-/// What [`Implicit`](struct@Implicit) carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ImplicitMemory<const D: usize, R = f64> {
-    /// Position.
-    pub q: [R; D],
-    /// Velocity.
-    pub v: [R; D],
-    /// q − q₋, the increment of the last step as it was solved for: a difference of positions has fewer digits.
-    moved: [R; D],
-    /// ∇Φ − F in the last three states, the newest first.
-    gradients: [[R; D]; 3],
-}
-
-#[cfg(feature = "serde")]
-impl<const D: usize> crate::checkpoint::Carried for ImplicitMemory<D> {
-    fn carried(&mut self) -> Vec<&mut [f64]> {
-        let [newest, second, third] = &mut self.gradients;
-        vec![&mut self.q, &mut self.v, &mut self.moved, newest, second, third]
+memory! {
+    /// What [`Implicit`](struct@Implicit) carries.
+    pub struct ImplicitMemory<Y> {
+        /// Position.
+        pub q: Y::Sum,
+        /// Velocity.
+        pub v: Y::Sum,
     }
+    lists {
+        /// ∇Φ − F in the last three states, the newest first.
+        slopes: [Y::Vector; 3],
+    }
+    uncarried {}
 }
 
 impl Method for Implicit {
@@ -80,73 +72,74 @@ impl Method for Implicit {
     }
 }
 
-/// One step from q and v, where ∇Φ − F is `gradient`, to the time `t_end`, from the ∇Φ − F that is expected there.
-#[inline(always)]
-pub(super) fn advance<L: Law<D, R>, const D: usize, R: Real>(
-    law: &L,
-    stride: &Stride<R>,
-    t_end: R,
-    (q, v): (&mut [R; D], &mut [R; D]),
-    gradient: [R; D],
-    expected: [R; D],
-    newton: &Newton,
-) -> Result<Increment<D, R>, NotConverged> {
-    let g = R::from_f64(0.25) * stride.fall;
-    let drift = scaled(stride.dt, *v);
-    let frozen = scaled(g, gradient);
-    let guess = newton.guess((stride.dt, *v), frozen, g, expected);
-    let max_iterations = newton.limit();
-    let piecewise = <L::Field<'_> as Potential<D, R>>::PIECEWISE;
-    let mut equation = Equation { frozen, guess, max_iterations, piecewise, ..Equation::new(*q, drift, g) };
-    if <L::Field<'_> as Field<D, R>>::FORCED {
-        equation = Equation { v: *v, rate: stride.rate, t_end, ..equation };
-    }
-    let found = law.field(stride.mass, t_end).implicit_increment(&equation)?;
-    *q = sum(*q, found.delta);
-    *v = add_scaled(*v, R::from_f64(-0.5) * stride.kick, sum(gradient, found.gradient));
-    Ok(found)
+impl Implicit {
+    /// The share of h²/m at the unknown force.
+    pub(super) const SHARE: f64 = 0.25;
 }
 
-impl<L: Law<D, R>, const D: usize, R: Real> Scheme<L, D, R> for Implicit {
-    type Memory = ImplicitMemory<D, R>;
+impl<Y: System> Scheme<Y> for Implicit {
+    const SHARE: f64 = Self::SHARE;
 
-    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-        let State { t, q, v } = *start;
-        let gradient = law.field(stride.mass, R::from_f64(t)).slope(q, v);
-        Ok(ImplicitMemory { q, v, moved: [R::ZERO; D], gradients: [gradient; 3] })
+    type Memory = ImplicitMemory<Y>;
+    type Workspace = Y::Solver;
+
+    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Solver {
+        system.solver()
     }
 
+    fn begin(
+        &self,
+        _: &Y,
+        _: &Y::Stride,
+        start: &Start<'_, Y>,
+        _: &mut Y::Solver,
+    ) -> Result<Self::Memory, NotConverged> {
+        let slopes = core::array::from_fn(|_| start.slope.clone());
+        Ok(ImplicitMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes })
+    }
+
+    /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2.
     #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let ImplicitMemory { mut q, mut v, gradients, .. } = *memory;
-        let [gradient, before, _] = gradients;
-        let next = continued(gradients);
-        let found = advance(law, stride, t + stride.dt, (&mut q, &mut v), gradient, next, &self.newton)?;
-        *memory = ImplicitMemory { q, v, moved: found.delta, gradients: [found.gradient, gradient, before] };
-        Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        solver: &mut Y::Solver,
+    ) -> Result<Effort, NotConverged> {
+        let ImplicitMemory { q, v, slopes } = memory;
+        let ahead = Ahead::Continued(slopes.each_ref());
+        let step = Step { stride, t, q, v, ahead, newton: &self.newton };
+        let mut found = system.solve_mean(solver, &step, &slopes[0])?;
+        system.settle_mean(solver, stride, &slopes[0], &mut found, [q, v]);
+        slopes.rotate_right(1);
+        Y::keep(solver, &found, &mut slopes[0]);
+        Ok(Y::effort(&found))
     }
 
     #[inline]
-    fn position(&self, memory: &Self::Memory) -> [R; D] {
-        memory.q
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+        Y::value(&memory.q)
     }
 
     #[inline]
-    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-        memory.v
+    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+        Y::value(&memory.v).clone()
     }
 
     #[inline]
     fn finite(&self, memory: &Self::Memory) -> bool {
-        finite(memory.q) && finite(memory.v)
+        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v))
     }
 
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(law.mass_ratios(), memory.v)
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+        system.kinetic_energy(Y::value(&memory.v))
     }
 
     /// (F + F′)/2·Δq (2.7).
-    fn work(&self, law: &L, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
-        R::from_f64(-0.5) * weighted(law.mass_ratios(), sum(before.gradients[0], after.gradients[0]), after.moved)
+    fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
+        let of = |slope| system.work_between(slope, &before.q, &after.q);
+        Y::Scalar::from_f64(0.5) * (of(&before.slopes[0]) + of(&after.slopes[0]))
     }
 }

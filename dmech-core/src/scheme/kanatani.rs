@@ -1,14 +1,12 @@
 //! The energy-exact two-step scheme.
 
-use dmech_scalar::{CompensatedVector, Real};
+use dmech_scalar::Real;
 
-use super::guess::continued;
-use super::{Effort, Method, Newton, Scheme, Stride, discrete_gradient};
-use crate::State;
+use super::memory::memory;
+use super::{DiscreteGradient, Effort, Method, Newton, Scheme, WithoutVelocities};
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Field, Law, Potential, VelocityIndependent};
-use crate::newton::{Equation, NotConverged};
-use crate::vector::{add_scaled, difference, finite, scaled, weighted};
+use crate::newton::NotConverged;
+use crate::system::{Ahead, Kick, Step, System};
 
 /// The energy-exact central difference (Kanatani (2.11)–(2.12) with the force of (3.7)).
 ///
@@ -68,48 +66,47 @@ impl Kanatani {
     }
 }
 
-/// What [`Kanatani`](struct@Kanatani) carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KanataniMemory<const D: usize, R = f64> {
-    q_before: [R; D],
-    q: CompensatedVector<D, R>,
-    z: CompensatedVector<D, R>,
-    gradients: [[R; D]; 3],
-}
-
-#[cfg(feature = "serde")]
-impl<const D: usize> crate::checkpoint::Carried for KanataniMemory<D> {
-    fn carried(&mut self) -> Vec<&mut [f64]> {
-        let [newest, second, third] = &mut self.gradients;
-        vec![&mut self.q_before, &mut self.q.hi, &mut self.q.lo, &mut self.z.hi, &mut self.z.lo, newest, second, third]
+memory! {
+    /// What [`Kanatani`](struct@Kanatani) carries.
+    pub struct KanataniMemory<Y> {
+        q_before: Y::Vector,
+        q: Y::Sum,
+        z: Y::Sum,
     }
+    lists {
+        /// ∇̄Φ − F of the last three steps, the newest first; ∇Φ − F before the first.
+        slopes: [Y::Vector; 3],
+    }
+    uncarried {}
 }
 
-impl<const D: usize, R: Real> KanataniMemory<D, R> {
-    /// Starts from two positions a step apart.
-    pub fn from_positions(stride: &Stride<R>, q_before: [R; D], q: [R; D], gradient: [R; D]) -> Self {
-        let z = scaled(stride.dt.recip(), difference(q, q_before));
-        KanataniMemory {
-            q_before,
-            q: CompensatedVector::new(q),
-            z: CompensatedVector::new(z),
-            gradients: [gradient; 3],
-        }
+impl<Y: System> KanataniMemory<Y> {
+    /// Starts from two positions a step apart, with ∇Φ − F at the second.
+    pub fn from_positions(stride: &Y::Stride, q_before: Y::Vector, q: Y::Vector, slope: &Y::Vector) -> Self {
+        let mut z = q.clone();
+        Y::add_scaled(&mut z, -Y::Scalar::ONE, &q_before);
+        Y::scale(&mut z, Y::dt(stride).recip());
+        Self::new(q_before, &q, &z, slope)
+    }
+
+    fn new(q_before: Y::Vector, q: &Y::Vector, z: &Y::Vector, slope: &Y::Vector) -> Self {
+        let slopes = core::array::from_fn(|_| slope.clone());
+        KanataniMemory { q_before, q: Y::sum(q), z: Y::sum(z), slopes }
     }
 
     /// q₋, the position a step before.
-    pub fn q_before(&self) -> [R; D] {
-        self.q_before
+    pub fn q_before(&self) -> Y::Vector {
+        self.q_before.clone()
     }
 
     /// q, the position now.
-    pub fn q(&self) -> [R; D] {
-        self.q.value()
+    pub fn q(&self) -> Y::Vector {
+        Y::value(&self.q).clone()
     }
 
     /// z = (q − q₋)/h, approximately the velocity half a step before.
-    pub fn z(&self) -> [R; D] {
-        self.z.value()
+    pub fn z(&self) -> Y::Vector {
+        Y::value(&self.z).clone()
     }
 }
 
@@ -126,101 +123,99 @@ impl Method for Kanatani {
     }
 }
 
-impl<L: Law<D, R> + VelocityIndependent, const D: usize, R: Real> Scheme<L, D, R> for Kanatani {
-    type Memory = KanataniMemory<D, R>;
+impl<Y: System + WithoutVelocities> Scheme<Y> for Kanatani {
+    const SHARE: f64 = 1.0;
 
-    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-        let State { t, q, v } = *start;
-        let t = R::from_f64(t);
-        let field = law.field(stride.mass, t);
-        let gradient = field.slope(q, v);
-        let z = match self.start {
-            Start::Formula => field.kick(R::from_f64(-0.5) * stride.kick, q, v),
-            Start::BackwardStep => {
-                let back = stride.times(-R::ONE);
-                let found = discrete_gradient::increment(
-                    law,
-                    &back,
-                    t,
-                    q,
-                    &CompensatedVector::new(v),
-                    continued([gradient; 3]),
-                    &self.newton,
-                )?;
-                scaled(back.dt.recip(), found.delta)
-            }
-        };
-        Ok(KanataniMemory {
-            q_before: add_scaled(q, -stride.dt, z),
-            q: CompensatedVector::new(q),
-            z: CompensatedVector::new(z),
-            gradients: [gradient; 3],
-        })
+    type Memory = KanataniMemory<Y>;
+    type Workspace = Y::Solver;
+
+    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Solver {
+        system.solver()
     }
 
+    fn begin(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        start: &super::Beginning<'_, Y>,
+        solver: &mut Y::Solver,
+    ) -> Result<Self::Memory, NotConverged> {
+        let (q, v, t, slope) = (start.q, start.v, start.t, start.slope);
+        let h = Y::dt(stride);
+        let mut q_before = q.clone();
+        match self.start {
+            Start::Formula => {
+                let half = Kick { t, b: Y::Scalar::from_f64(0.5), e: 0.0 };
+                let [z, _] = system.kick_both_ways(&mut system.room(), stride, half, start);
+                Y::add_scaled(&mut q_before, -h, &z);
+                Ok(KanataniMemory::new(q_before, q, &z, slope))
+            }
+            Start::BackwardStep => {
+                let back = system.stage(stride, -Y::Scalar::ONE, DiscreteGradient::SHARE);
+                let (q, v, ahead) = (Y::sum(q), Y::sum(v), Ahead::Continued([slope; 3]));
+                let step = Step { stride: &back, t, q: &q, v: &v, ahead, newton: &self.newton };
+                let found = system.solve_exact(solver, &step)?;
+                let mut z = Y::moved(solver, &found).clone();
+                Y::scale(&mut z, (-h).recip());
+                Y::add_scaled(&mut q_before, -h, &z);
+                Ok(KanataniMemory::new(q_before, start.q, &z, slope))
+            }
+        }
+    }
+
+    /// (q₊ − 2q + q₋)/h² = −∇̄Φ(q₋, q₊)/m; z = (q − q₋)/h.
     #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let KanataniMemory { q_before, q, z, gradients } = *memory;
-        let g = stride.fall;
-        let drift = stride.drift(&z);
-        let zero = [R::ZERO; D];
-        let guess = self.newton.guess((stride.dt, z.value()), zero, g, continued(gradients));
-        let equation = Equation {
-            a: q_before,
-            guess,
-            max_iterations: self.newton.limit(),
-            piecewise: <L::Field<'_> as Potential<D, R>>::PIECEWISE,
-            ..Equation::new(q.value(), drift, g)
-        };
-        let field = law.field(stride.mass, t);
-        let found = if <L::Field<'_> as Field<D, R>>::FORCED {
-            // A force beside the potential is that at the position now.
-            let force = scaled(R::from_f64(2.0), field.half_force(q.value(), z.value()));
-            field.potential_increment(&Equation { frozen: scaled(-g, force), ..equation })?.less(force)
-        } else {
-            field.discrete_increment(&equation)?
-        };
-        let (mut q_next, mut z_next) = (q, z);
-        q_next.add(stride.kick_and_drift(R::ONE, &mut z_next, found.parts));
-        *memory = KanataniMemory {
-            q_before: q.value(),
-            q: q_next,
-            z: z_next,
-            gradients: [found.gradient, gradients[0], gradients[1]],
-        };
-        Ok(Effort { evaluations: found.evaluations, iterations: found.iterations })
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        solver: &mut Y::Solver,
+    ) -> Result<Effort, NotConverged> {
+        let KanataniMemory { q_before, q, z, slopes } = memory;
+        let ahead = Ahead::Continued(slopes.each_ref());
+        let step = Step { stride, t, q, v: z, ahead, newton: &self.newton };
+        let mut found = system.solve_across(solver, &step, q_before)?;
+        q_before.clone_from(Y::value(q));
+        system.settle(solver, stride, 1.0, &mut found, [q, z]);
+        slopes.rotate_right(1);
+        Y::keep(solver, &found, &mut slopes[0]);
+        Ok(Y::effort(&found))
     }
 
     #[inline]
-    fn position(&self, memory: &Self::Memory) -> [R; D] {
-        memory.q.value()
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+        Y::value(&memory.q)
     }
 
     /// z + (h/2) a(q).
-    fn velocity(&self, law: &L, stride: &Stride<R>, t: R, memory: &Self::Memory) -> [R; D] {
-        law.field(stride.mass, t).kick(R::from_f64(0.5) * stride.kick, memory.q.value(), memory.z.value())
+    fn velocity(&self, system: &Y, stride: &Y::Stride, t: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+        let half = Kick { t, b: Y::Scalar::from_f64(0.5), e: 0.0 };
+        let mut v = system.zero();
+        system.kick(&mut system.room(), stride, half, Y::value(&memory.q), Y::value(&memory.z), &mut v);
+        v
     }
 
     #[inline]
     fn finite(&self, memory: &Self::Memory) -> bool {
-        finite(memory.q.hi) && finite(memory.z.hi)
+        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.z))
     }
 
-    /// m z²/2 (3.2).
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(law.mass_ratios(), memory.z.value())
+    /// Σ m z²/2 (3.2).
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+        system.kinetic_energy(Y::value(&memory.z))
     }
 
-    /// F·(q₊ − q₋)/2 (3.3)–(3.6).
-    fn work(&self, law: &L, _: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R {
-        R::from_f64(-0.5)
-            * weighted(law.mass_ratios(), after.gradients[0], difference(after.q.value(), before.q_before))
+    /// F·(q₊ − q₋)/2 = F·h (z + z₊)/2 (3.3)–(3.6).
+    fn work(&self, system: &Y, stride: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
+        let half = Y::Scalar::from_f64(0.5) * Y::dt(stride);
+        system.work_at_speeds(&after.slopes[0], half, Y::value(&before.z), Y::value(&after.z))
     }
 
-    /// m z²/2 + (Φ(q) + Φ(q₋))/2 (3.9)–(3.10).
-    fn discrete_energy(&self, law: &L, stride: &Stride<R>, t: R, memory: &Self::Memory) -> Option<R> {
-        let field = law.field(stride.mass, t);
-        let potentials = field.potential(memory.q.value()) + field.potential(memory.q_before);
-        Some(R::from_f64(0.5).mul_add(potentials, stride.kinetic_energy(law.mass_ratios(), memory.z.value())))
+    /// Σ m z²/2 + (Φ(q) + Φ(q₋))/2 (3.9)–(3.10).
+    fn discrete_energy(&self, system: &Y, t: Y::Scalar, memory: &Self::Memory) -> Option<Y::Scalar> {
+        let potentials = system.potential(t, Y::value(&memory.q)) + system.potential(t, &memory.q_before);
+        Some(Y::Scalar::from_f64(0.5).mul_add(potentials, system.kinetic_energy(Y::value(&memory.z))))
     }
 }

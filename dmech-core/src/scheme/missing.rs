@@ -1,12 +1,10 @@
 //! A simulation whose scheme was not chosen.
 
-use dmech_scalar::Real;
-
-use super::{Effort, Method, Scheme, Stride};
-use crate::State;
+use super::{Effort, Method, Scheme};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::simulation::NoScheme;
+use crate::system::{Start, System};
 
 /// A scheme was chosen for what acts. Nothing implements it: it has the words for [`NoScheme`], and stands on what acts
 /// because the compiler would not say them of the scheme itself.
@@ -31,29 +29,33 @@ impl Method for NoScheme {
 #[derive(Clone, Copy, Debug)]
 pub enum NeverBegun {}
 
-impl NeverBegun {
-    pub(crate) fn begin() -> Result<Self, NotConverged> {
+/// Of no system, as [`WithScheme`] never holds: so that the compiler says what is missing.
+impl<Y: System + WithScheme> Scheme<Y> for NoScheme {
+    type Memory = NeverBegun;
+    type Workspace = ();
+
+    fn workspace(&self, _: &Y, _: &Y::Stride) {}
+
+    fn begin(&self, _: &Y, _: &Y::Stride, _: &Start<'_, Y>, (): &mut ()) -> Result<NeverBegun, NotConverged> {
         Err(NotConverged { iterations: 0, residual: f64::NAN })
     }
-}
 
-/// Of no law, as [`WithScheme`] never holds: so that the compiler says what is missing.
-impl<L: WithScheme, const D: usize, R: Real> Scheme<L, D, R> for NoScheme {
-    type Memory = NeverBegun;
-
-    fn begin(&self, _: &L, _: &Stride<R>, _: &State<D, R>) -> Result<NeverBegun, NotConverged> {
-        NeverBegun::begin()
-    }
-
-    fn step(&self, _: &L, _: &Stride<R>, _: R, memory: &mut NeverBegun) -> Result<Effort, NotConverged> {
+    fn step(
+        &self,
+        _: &Y,
+        _: &Y::Stride,
+        _: Y::Scalar,
+        memory: &mut NeverBegun,
+        (): &mut (),
+    ) -> Result<Effort, NotConverged> {
         match *memory {}
     }
 
-    fn position(&self, memory: &NeverBegun) -> [R; D] {
+    fn position<'m>(&self, memory: &'m NeverBegun) -> &'m Y::Vector {
         match *memory {}
     }
 
-    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &NeverBegun) -> [R; D] {
+    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &NeverBegun) -> Y::Vector {
         match *memory {}
     }
 
@@ -61,11 +63,11 @@ impl<L: WithScheme, const D: usize, R: Real> Scheme<L, D, R> for NoScheme {
         match *memory {}
     }
 
-    fn kinetic_energy(&self, _: &L, _: &Stride<R>, memory: &NeverBegun) -> R {
+    fn kinetic_energy(&self, _: &Y, memory: &NeverBegun) -> Y::Scalar {
         match *memory {}
     }
 
-    fn work(&self, _: &L, _: &Stride<R>, memory: &NeverBegun, _: &NeverBegun) -> R {
+    fn work(&self, _: &Y, _: &Y::Stride, memory: &NeverBegun, _: &NeverBegun) -> Y::Scalar {
         match *memory {}
     }
 }

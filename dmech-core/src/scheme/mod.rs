@@ -10,39 +10,31 @@ mod guess;
 mod implicit;
 mod kanatani;
 mod leapfrog;
+mod memory;
 mod missing;
 mod name;
 mod nystrom;
 mod splitting;
-mod stride;
-mod workless;
 
-pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
+pub(crate) use adaptive::Place;
+pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory, Look};
 pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
-pub use composed::{
-    Coefficients, Composable, Composed, ComposedDiscreteGradientMemory, ComposedImplicitMemory, coefficients,
-};
+pub use composed::{Coefficients, Composable, Composed, Stage, StagesMemory, coefficients};
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
 pub use force_gradient::ForceGradient;
 pub use guess::{Guess, Newton};
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
-pub use leapfrog::{Leapfrog, LeapfrogMemory};
+pub use leapfrog::Leapfrog;
 pub use missing::{NeverBegun, WithScheme};
 pub use nystrom::Nystrom;
-#[cfg(feature = "scene")]
-pub(crate) use splitting::Splitting;
 pub use splitting::{First, SplittingMemory};
-pub use stride::Stride;
-pub(crate) use stride::exact_product;
 
-use dmech_scalar::Real;
-
-use crate::State;
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
+use crate::system::{Start as Beginning, System};
 
 /// What a scheme promises, whatever the law.
 pub trait Method: Copy + core::fmt::Debug {
@@ -67,61 +59,94 @@ pub trait Method: Copy + core::fmt::Debug {
     }
 }
 
-/// A scheme for laws of the type L in D coordinates.
+/// No force of the system depends on the velocity, so that positions and velocities may stand half a step apart
+/// (Greenspan §3, last sentence): the law of it, or every term of a scene, is
+/// [`VelocityIndependent`](crate::VelocityIndependent).
+pub trait WithoutVelocities {}
+
+/// A scheme for systems of the type Y: one law, or the bodies of a scene. It is a program over the instructions of [`System`].
 ///
 /// A scheme is a value without state; what it carries from step to step is its [`Memory`](Scheme::Memory).
 #[diagnostic::on_unimplemented(
-    message = "the scheme `{Self}` cannot step the law `{L}` in {D} coordinates over `{R}`",
-    note = "a scheme needs a `Law<{D}, {R}>`: write `#[dmech::law]` with a `#[potential]`, or implement `Potential<{D}>` by hand",
+    message = "the scheme `{Self}` cannot step `{Y}`",
     note = "the number of coordinates of the law and of the state must agree"
 )]
-pub trait Scheme<L, const D: usize, R: Real = f64>: Method {
+pub trait Scheme<Y: System>: Method {
+    /// The share of h²/m that the unknown force has in the equation of a step; 0 if there is none.
+    const SHARE: f64 = 0.0;
+
     /// What is carried from step to step.
     type Memory: Clone + core::fmt::Debug;
+
+    /// What a step works in and nothing carries on.
+    type Workspace: Clone + core::fmt::Debug;
+
+    /// Room to work in, for steps of a length.
+    fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace;
+
+    /// Prepares the workspace for steps of another length.
+    #[inline(always)]
+    fn pace(&self, _system: &Y, _stride: &Y::Stride, _workspace: &mut Self::Workspace) {}
 
     /// Prepares the first step from a given state.
     ///
     /// # Errors
     /// [`NotConverged`] where the start itself solves an equation.
-    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged>;
+    fn begin(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        start: &Beginning<'_, Y>,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Self::Memory, NotConverged>;
 
     /// Advances from time t to t + dt.
     ///
     /// # Errors
-    /// [`NotConverged`]; the memory is then unchanged.
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged>;
+    /// [`NotConverged`]; the memory is then of no use.
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Effort, NotConverged>;
 
     /// The position now.
-    fn position(&self, memory: &Self::Memory) -> [R; D];
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector;
 
     /// The velocity now, at time t. Schemes whose velocity lives at half steps compute it when asked.
-    fn velocity(&self, law: &L, stride: &Stride<R>, t: R, memory: &Self::Memory) -> [R; D];
+    fn velocity(&self, system: &Y, stride: &Y::Stride, t: Y::Scalar, memory: &Self::Memory) -> Y::Vector;
 
     /// Whether everything in the memory is finite.
     fn finite(&self, memory: &Self::Memory) -> bool;
 
     /// The scheme's own kinetic energy, the one that its work changes.
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R;
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar;
 
     /// The work done in one step, by the scheme's own definition.
-    fn work(&self, law: &L, stride: &Stride<R>, before: &Self::Memory, after: &Self::Memory) -> R;
+    fn work(&self, system: &Y, stride: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar;
 
     /// The scheme's own energy where it differs from m v²/2 + Φ(q).
-    fn discrete_energy(&self, _law: &L, _stride: &Stride<R>, _t: R, _memory: &Self::Memory) -> Option<R> {
+    fn discrete_energy(&self, _system: &Y, _t: Y::Scalar, _memory: &Self::Memory) -> Option<Y::Scalar> {
         None
     }
 
     /// Takes steps of another length from here on, `ratio` times those before; t is the time now. Returns the evaluations of
     /// the force that this takes.
     #[inline(always)]
-    fn stretch(&self, _law: &L, _stride: &Stride<R>, _t: R, _ratio: R, _memory: &mut Self::Memory) -> u32 {
+    fn stretch(
+        &self,
+        _system: &Y,
+        _stride: &Y::Stride,
+        _t: Y::Scalar,
+        _ratio: Y::Scalar,
+        _memory: &mut Self::Memory,
+        _workspace: &mut Self::Workspace,
+    ) -> u32 {
         0
     }
-
-    /// Finds again what the memory does not carry because it follows from the length of the steps; the memory is that of a run
-    /// that was saved.
-    #[doc(hidden)]
-    fn restore(&self, _stride: &Stride<R>, _memory: &mut Self::Memory) {}
 
     /// The time after so many steps from `start`: t₀ + k h, unless the scheme chooses its steps.
     #[inline(always)]

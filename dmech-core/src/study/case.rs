@@ -1,14 +1,18 @@
 //! What all schemes of a study run.
 
+use std::hint::black_box;
+
 use dmech_scalar::{DoubleDouble, Real};
 
 use crate::error::Error;
 use crate::law::Law;
 use crate::motion::steps_until;
-use crate::scheme::Explicit;
+use crate::scheme::{Explicit, Scheme};
+use crate::setup::Setup;
 use crate::state::State;
-use crate::stepper::Stepper;
-use crate::vector::finite;
+use crate::stepper::{Stepper, check_step};
+use crate::system::Particle;
+use crate::system::vector::finite;
 use crate::verify::Scales;
 
 /// A motion from a state until a time.
@@ -28,7 +32,18 @@ impl<L: Law<D> + Clone, const D: usize> Case<L, D> {
         if self.start.t.is_finite() && !(span > 0.0 && span.is_finite()) {
             return Err(Error::Span { start: self.start.t, end: self.end });
         }
-        Stepper::new(self.law.clone(), Explicit, self.start, span.max(f64::MIN_POSITIVE), self.mass).map(|_| ())
+        self.stepper(Explicit, span.max(f64::MIN_POSITIVE)).map(|_| ())
+    }
+
+    /// The motion by a scheme.
+    pub(super) fn stepper<S: Scheme<Particle<L, D>>>(
+        &self,
+        scheme: S,
+        dt: f64,
+    ) -> Result<Stepper<Particle<L, D>, S>, Error> {
+        check_step::<f64>(scheme.tolerance(), dt)?;
+        let start = black_box(self.start);
+        Stepper::new(start.system(self.law.clone(), self.mass, dt)?, scheme, start, dt)
     }
 
     /// The number of steps of at most this length, and the length with which they end at the end.

@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use super::case::Case;
 use crate::error::Error;
 use crate::law::Law;
-use crate::motion::Motion;
 use crate::scheme::{Adaptable, Adaptive, Method, Scheme};
 use crate::stepper::Stepper;
-use crate::watch::Drifts;
+use crate::system::Particle;
+use crate::watch::{Drifts, Watch};
 
 /// States at which the invariants of a run are looked at.
 const SAMPLES: u64 = 4096;
@@ -42,7 +42,7 @@ pub(super) struct Watched<const D: usize> {
 /// A scheme, with its options.
 pub(super) struct Entrant<S>(pub(super) S);
 
-impl<L: Law<D> + Clone, S: Scheme<L, D>, const D: usize> Runner<L, D> for Entrant<S> {
+impl<L: Law<D> + Clone, S: Scheme<Particle<L, D>>, const D: usize> Runner<L, D> for Entrant<S> {
     fn name(&self) -> &'static str {
         S::NAME
     }
@@ -52,14 +52,14 @@ impl<L: Law<D> + Clone, S: Scheme<L, D>, const D: usize> Runner<L, D> for Entran
     }
 
     fn watch(&self, case: &Case<L, D>, dt: f64, steps: u64) -> Result<Watched<D>, Error> {
-        let mut stepper = Stepper::new(case.law.clone(), self.0, case.start, dt, case.mass)?;
-        let mut watch = stepper.watch();
+        let mut stepper = case.stepper(self.0, dt)?;
+        let mut watch = Watch::begin(&stepper);
         let every = steps.div_ceil(SAMPLES);
         for step in 1..=steps {
-            stepper.step_watched(&mut watch)?;
+            watch.step(&mut stepper)?;
             if step % every == 0 || step == steps {
                 let state = stepper.state();
-                stepper.observe(&mut watch, &state);
+                watch.observe(&stepper, &state);
             }
         }
         let (evaluations, iterations) = (stepper.evaluations(), stepper.iterations());
@@ -69,7 +69,7 @@ impl<L: Law<D> + Clone, S: Scheme<L, D>, const D: usize> Runner<L, D> for Entran
     fn time(&self, case: &Case<L, D>, dt: f64, steps: u64, runs: u32) -> Option<Duration> {
         let clock = Instant::now();
         for _ in 0..runs {
-            let mut stepper = Stepper::new(case.law.clone(), self.0, black_box(case.start), dt, case.mass).ok()?;
+            let mut stepper = case.stepper(self.0, dt).ok()?;
             stepper.advance(black_box(steps)).ok()?;
             black_box(stepper.q());
         }
@@ -88,16 +88,16 @@ impl<S: Adaptable> Adapting<S> {
         &self,
         case: &Case<L, D>,
         tolerance: f64,
-    ) -> Result<Stepper<L, Adaptive<S>, D>, Error>
+    ) -> Result<Stepper<Particle<L, D>, Adaptive<S>>, Error>
     where
-        S: Scheme<L, D>,
+        S: Scheme<Particle<L, D>>,
     {
         let scheme = Adaptive::new(self.scheme, tolerance).until(case.end);
-        Stepper::new(case.law.clone(), scheme, black_box(case.start), f64::INFINITY, case.mass)
+        case.stepper(scheme, f64::INFINITY)
     }
 }
 
-impl<L: Law<D> + Clone, S: Adaptable + Scheme<L, D>, const D: usize> Runner<L, D> for Adapting<S> {
+impl<L: Law<D> + Clone, S: Adaptable + Scheme<Particle<L, D>>, const D: usize> Runner<L, D> for Adapting<S> {
     fn name(&self) -> &'static str {
         Adaptive::<S>::NAME
     }
@@ -112,14 +112,14 @@ impl<L: Law<D> + Clone, S: Adaptable + Scheme<L, D>, const D: usize> Runner<L, D
 
     fn watch(&self, case: &Case<L, D>, tolerance: f64, _: u64) -> Result<Watched<D>, Error> {
         let mut stepper = self.stepper(case, tolerance)?;
-        let mut watch = stepper.watch();
+        let mut watch = Watch::begin(&stepper);
         // How many steps there will be is not known: every one up to SAMPLES, every second up to twice that, and so on.
         let (mut every, mut next) = (1, 1);
-        while !Motion::arrived(&stepper) {
-            stepper.step_watched(&mut watch)?;
-            if stepper.steps() == next || Motion::arrived(&stepper) {
+        while !stepper.arrived() {
+            watch.step(&mut stepper)?;
+            if stepper.steps() == next || stepper.arrived() {
                 let state = stepper.state();
-                stepper.observe(&mut watch, &state);
+                watch.observe(&stepper, &state);
                 if stepper.steps() >= SAMPLES * every {
                     every *= 2;
                 }
@@ -134,7 +134,7 @@ impl<L: Law<D> + Clone, S: Adaptable + Scheme<L, D>, const D: usize> Runner<L, D
         let clock = Instant::now();
         for _ in 0..runs {
             let mut stepper = self.stepper(case, tolerance).ok()?;
-            while !Motion::arrived(&stepper) {
+            while !stepper.arrived() {
                 stepper.step().ok()?;
             }
             black_box(stepper.q());

@@ -11,7 +11,7 @@ use dmech_scalar::Real;
 use crate::error::Error;
 use crate::law::{Field, Law};
 use crate::state::State;
-use crate::vector::{add_scaled, difference, finite, scaled, sum};
+use crate::system::vector::{add_scaled, difference, finite, scaled, sum};
 
 /// K, the numbers of substeps.
 const COLUMNS: usize = 14;

@@ -29,6 +29,7 @@ use crate::error::Error;
 use crate::law::Law;
 use crate::scheme::{Adaptable, Scheme};
 use crate::state::State;
+use crate::system::Particle;
 
 use case::{Case, rounding};
 use entrant::{Adapting, Entrant, Runner};
@@ -105,14 +106,14 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, D> {
     }
 
     /// Adds a scheme, with whatever options it has.
-    pub fn scheme<S: Scheme<L, D> + 'a>(mut self, scheme: S) -> Self {
+    pub fn scheme<S: Scheme<Particle<L, D>> + 'a>(mut self, scheme: S) -> Self {
         self.runners.push(Box::new(Entrant(scheme)));
         self
     }
 
     /// Adds a scheme whose steps follow the motion, [`Simulation::adaptive`](crate::Simulation::adaptive), with tolerances
     /// in place of the ladder.
-    pub fn adaptive<S: Adaptable + Scheme<L, D> + 'a>(
+    pub fn adaptive<S: Adaptable + Scheme<Particle<L, D>> + 'a>(
         mut self,
         scheme: S,
         tolerances: impl IntoIterator<Item = f64>,

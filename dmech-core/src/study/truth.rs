@@ -2,7 +2,7 @@
 
 use dmech_scalar::{DoubleDouble, Real};
 
-use crate::vector::finite;
+use crate::system::vector::finite;
 
 /// q* at the end, and where it is known to more digits than `f64` has, the velocity there.
 #[derive(Clone, Copy, Debug)]

@@ -8,7 +8,7 @@ use super::points::{Dice, Scales, around, largest, norm, with};
 use super::report::Check;
 use crate::law::{Field, Law, Potential};
 use crate::state::State;
-use crate::vector::dot;
+use crate::system::vector::dot;
 
 /// Units of rounding that a formula may lose beyond its condition.
 pub(super) const ULPS: f64 = 64.0;

@@ -19,6 +19,7 @@ pub use report::{Check, Outcome, Verification};
 use crate::law::{Law, VelocityIndependent};
 use crate::scheme::{DiscreteGradient, Explicit, Implicit, Kanatani, Leapfrog, Scheme};
 use crate::state::State;
+use crate::system::Particle;
 use crate::written::Written;
 
 pub(crate) use points::Scales;
@@ -122,7 +123,7 @@ impl<L: Law<D> + VelocityIndependent, const D: usize> Verification<L, D> {
 fn scheme<L, S, const D: usize>(law: &L, scheme: S, start: &State<D>, scales: &Scales, checks: &mut Vec<Check>)
 where
     L: Law<D>,
-    S: for<'a> Scheme<Borrowed<'a, L>, D>,
+    S: for<'a> Scheme<Particle<Borrowed<'a, L>, D>>,
 {
     let trial = Trial { law, scheme, start, scales };
     checks.push(trial.order());

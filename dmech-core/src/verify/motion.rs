@@ -10,6 +10,7 @@ use crate::law::{Field, Law, Potential};
 use crate::run::Run;
 use crate::scheme::Scheme;
 use crate::state::State;
+use crate::system::Particle;
 
 /// Steps in one unit of time, and steps in all.
 const PER_TIME: f64 = 50.0;
@@ -20,7 +21,7 @@ const EXPLICIT_STEPS: u64 = 200;
 impl<L, S, const D: usize> Trial<'_, L, S, D>
 where
     L: Law<D>,
-    S: for<'b> Scheme<Borrowed<'b, L>, D>,
+    S: for<'b> Scheme<Particle<Borrowed<'b, L>, D>>,
 {
     /// The largest deviation of an invariant, over the largest |Φ| + m v²/2 or the largest m |q||v| of the run.
     fn deviation(&self, run: &Run<State<D>>, invariant: Invariant) -> Option<f64> {

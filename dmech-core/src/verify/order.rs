@@ -6,6 +6,7 @@ use super::trial::{Halvings, Trial};
 use crate::law::Law;
 use crate::scheme::Scheme;
 use crate::state::State;
+use crate::system::Particle;
 
 /// Below this part of the length, differences of end states are rounding.
 const ROUNDING: f64 = 1e-11;
@@ -16,7 +17,7 @@ const SLACK: f64 = 0.1;
 impl<L, S, const D: usize> Trial<'_, L, S, D>
 where
     L: Law<D>,
-    S: for<'b> Scheme<Borrowed<'b, L>, D>,
+    S: for<'b> Scheme<Particle<Borrowed<'b, L>, D>>,
 {
     /// |u_h − u_{h/2}| / |u_{h/2} − u_{h/4}| → 2^p, with steps halved until two successive p agree.
     ///

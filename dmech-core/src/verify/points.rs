@@ -4,7 +4,7 @@ use core::array::from_fn;
 
 use crate::law::{Field, Law, Potential};
 use crate::state::State;
-use crate::vector::{dot, finite};
+use crate::system::vector::{dot, finite};
 
 /// The mass that all checks use, and a length and a time that are typical of the start.
 #[derive(Clone, Copy, Debug)]

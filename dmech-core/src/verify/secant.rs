@@ -6,7 +6,7 @@ use super::points::{Dice, Scales, around, largest, norm, with};
 use super::report::Check;
 use crate::law::{Law, Potential};
 use crate::state::State;
-use crate::vector::{difference, dot};
+use crate::system::vector::{difference, dot};
 
 /// Gaps |b − a| in units of the length: from far apart to where a quotient of differences is noise.
 const GAPS: [f64; 6] = [0.25, 0.1, 1e-2, 1e-4, 1e-6, 1e-9];

@@ -10,6 +10,7 @@ use crate::run::Run;
 use crate::scheme::Scheme;
 use crate::simulation::Simulation;
 use crate::state::State;
+use crate::system::Particle;
 
 /// What the checks of a scheme share.
 pub(super) struct Trial<'a, L, S, const D: usize> {
@@ -22,7 +23,7 @@ pub(super) struct Trial<'a, L, S, const D: usize> {
 impl<L, S, const D: usize> Trial<'_, L, S, D>
 where
     L: Law<D>,
-    S: for<'b> Scheme<Borrowed<'b, L>, D>,
+    S: for<'b> Scheme<Particle<Borrowed<'b, L>, D>>,
 {
     fn motion(&self, start: &State<D>, dt: f64) -> Simulation<Borrowed<'_, L>, State<D>, S> {
         Simulation::new(Borrowed(self.law), *start).mass(self.scales.mass).scheme(self.scheme).dt(dt)

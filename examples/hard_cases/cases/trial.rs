@@ -2,7 +2,7 @@
 
 use dmech::Law;
 use dmech::prelude::*;
-use dmech::scene::{SceneScheme, Term};
+use dmech::scene::{SceneSystem, Term};
 
 /// What a trial needs to know of a recorded state.
 pub(crate) trait Recorded {
@@ -175,7 +175,7 @@ impl<L: Law<D> + Copy, const D: usize> Motion<L, D> {
         Motion { record_every: n, ..self }
     }
 
-    pub(crate) fn by<S: Scheme<L, D>>(&self, scheme: S) -> Trial<State<D>> {
+    pub(crate) fn by<S: Scheme<Particle<L, D>>>(&self, scheme: S) -> Trial<State<D>> {
         let simulation = Simulation::new(self.law, self.start).mass(self.mass).scheme(scheme);
         let outcome = simulation.dt(self.dt).record_every(self.record_every).run(self.steps);
         trial(outcome, self.dt, self.steps, self.record_every, vec![self.mass])
@@ -193,7 +193,7 @@ pub(crate) struct Together<const D: usize, L> {
 }
 
 impl<const D: usize, L: Term<D, ()> + Clone> Together<D, L> {
-    pub(crate) fn by<S: SceneScheme<D, L::Ready>>(&self, scheme: S) -> Trial<SceneState<D>> {
+    pub(crate) fn by<S: Scheme<SceneSystem<D, L::Ready>>>(&self, scheme: S) -> Trial<SceneState<D>> {
         let simulation = Simulation::scene(self.scene.clone()).scheme(scheme).dt(self.dt);
         let outcome = simulation.record_every(self.record_every).run(self.steps);
         trial(outcome, self.dt, self.steps, self.record_every, self.masses.clone())

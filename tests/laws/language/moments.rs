@@ -52,7 +52,7 @@ fn a_law_gives_the_potential_of_one_moment() {
 /// A law that names the time keeps no energy and promises none; one that names the mass does.
 #[test]
 fn what_depends_on_time_has_no_energy_to_keep() {
-    fn check<S: Scheme<Pulsar, 2> + Scheme<Sun, 2>>(scheme: S) {
+    fn check<S: Scheme<Particle<Pulsar, 2>> + Scheme<Particle<Sun, 2>>>(scheme: S) {
         let moving = Simulation::new(PULSAR, start()).mass(1.7).scheme(scheme).dt(0.01).run(500).unwrap();
         assert!(moving.drift(Invariant::Energy).is_none() && moving.drift(Invariant::DiscreteEnergy).is_none());
         // The force is along q at all times.
@@ -72,10 +72,10 @@ fn what_depends_on_time_has_no_energy_to_keep() {
 /// All masses fall alike where the potential is proportional to the mass; the mass of the simulation is the law's `m`.
 #[test]
 fn the_mass_of_the_simulation_reaches_the_law() {
-    fn end<S: Scheme<Pulsar, 2>>(scheme: S, mass: f64) -> [f64; 2] {
+    fn end<S: Scheme<Particle<Pulsar, 2>>>(scheme: S, mass: f64) -> [f64; 2] {
         Simulation::new(PULSAR, start()).mass(mass).scheme(scheme).dt(0.01).run(300).unwrap().last().q
     }
-    fn check<S: Scheme<Pulsar, 2>>(scheme: S) {
+    fn check<S: Scheme<Particle<Pulsar, 2>>>(scheme: S) {
         let (light, heavy) = (end(scheme, 0.4), end(scheme, 3.1));
         for i in 0..2 {
             assert!((light[i] - heavy[i]).abs() < 1e-12, "{}: {light:?} {heavy:?}", S::NAME);
@@ -91,7 +91,7 @@ fn the_mass_of_the_simulation_reaches_the_law() {
 /// The second order is that of the law with its time, and not of one that is frozen: halving the step quarters the error.
 #[test]
 fn the_time_of_each_step_reaches_the_law() {
-    fn order<S: Scheme<Pulsar, 2>>(scheme: S) -> f64 {
+    fn order<S: Scheme<Particle<Pulsar, 2>>>(scheme: S) -> f64 {
         let end = |steps: u64| {
             let run = Simulation::new(PULSAR, start()).scheme(scheme).dt(1.0 / steps as f64).run(steps).unwrap();
             run.last().q

@@ -108,7 +108,7 @@ pub(super) trait Unknown<const D: usize> {
 
 /// The Newton matrix and the vectors of an iteration, allocated once.
 #[derive(Clone, Debug)]
-pub struct Solver<const D: usize> {
+pub(super) struct Solver<const D: usize> {
     matrix: Matrix<D>,
     /// In place of the matrix, where consecutive bodies are linked and forces do not depend on velocities.
     chain: Option<Chain<D>>,

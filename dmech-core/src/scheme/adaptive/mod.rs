@@ -10,14 +10,15 @@ pub use adaptable::Adaptable;
 
 use dmech_scalar::Compensated;
 
-use self::monitor::{Look, Place};
+use self::monitor::EVALUATIONS;
+pub use self::monitor::Look;
+pub(crate) use self::monitor::Place;
 use super::name::Name;
-use super::{Effort, Method, Scheme, Stride};
-use crate::State;
+use super::{Effort, Method, Scheme};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
-use crate::law::Law;
 use crate::newton::NotConverged;
+use crate::system::{Start, System, TimeScale};
 
 /// Steps as long as the motion allows, short at a pericentre and long at an apocentre, by a rule that runs backward as it
 /// runs forward; [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
@@ -108,8 +109,13 @@ impl<S: Adaptable> Adaptive<S> {
         Adaptive { scheme, tolerance, angle, row: (ROW / angle).floor().max(1.0), end: f64::INFINITY }
     }
 
-    fn look<L: Law<D>, const D: usize>(&self, law: &L, stride: &Stride<f64>, t: f64, [q, v]: [[f64; D]; 2]) -> Look {
-        Place { t, q, v, mass: stride.mass, least: self.angle / stride.dt }.look(law)
+    /// Prepares the scheme for steps of another length.
+    fn turn<Y: TimeScale>(&self, system: &Y, dt: f64, workspace: &mut Pace<Y, S::Workspace>)
+    where
+        S: Scheme<Y>,
+    {
+        system.set_stride(&mut workspace.stride, dt, S::SHARE);
+        self.scheme.pace(system, &workspace.stride, &mut workspace.inner);
     }
 
     /// ρ in the next step from that in the last.
@@ -146,68 +152,106 @@ impl<S: Adaptable> Method for Adaptive<S> {
     }
 }
 
-impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Adaptive<S> {
+/// Where adaptive steps are made: the step that the scheme is prepared for.
+pub struct Pace<Y: System, W> {
+    stride: Y::Stride,
+    inner: W,
+}
+
+impl<Y: System, W: Clone> Clone for Pace<Y, W> {
+    fn clone(&self) -> Self {
+        Pace { stride: self.stride.clone(), inner: self.inner.clone() }
+    }
+}
+
+impl<Y: System, W: core::fmt::Debug> core::fmt::Debug for Pace<Y, W> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Pace").field("stride", &self.stride).field("inner", &self.inner).finish()
+    }
+}
+
+impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
+    const SHARE: f64 = S::SHARE;
+
     type Memory = AdaptiveMemory<S::Memory>;
+    type Workspace = Pace<Y, S::Workspace>;
+
+    fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
+        Pace { stride: stride.clone(), inner: self.scheme.workspace(system, stride) }
+    }
 
     /// `stride` has the longest step, which may be infinite.
-    fn begin(&self, law: &L, stride: &Stride<f64>, start: &State<D>) -> Result<Self::Memory, NotConverged> {
-        let look = self.look(law, stride, start.t, [start.q, start.v]);
+    fn begin(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        start: &Start<'_, Y>,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Self::Memory, NotConverged> {
+        let longest = Y::dt(stride);
+        let look = system.look(start.t, start.q, start.v, self.angle / longest);
         let density = look.within(MIDDLE, look.rate() + 0.5 * self.row * self.angle * look.growth);
         // What the motion meets later no look at the start can tell.
-        let density = if !L::AUTONOMOUS && stride.dt.is_infinite() { 0.0 } else { density };
-        let first = Stride::new((self.angle / density).min(stride.dt), stride.mass);
-        let inner = self.scheme.begin(law, &first, start)?;
+        let density = if !Y::AUTONOMOUS && longest.is_infinite() { 0.0 } else { density };
+        let first = (self.angle / density).min(longest);
+        self.turn(system, first, workspace);
+        let inner = self.scheme.begin(system, &workspace.stride, start, &mut workspace.inner)?;
         let (time, range) = (Compensated::new(start.t), [f64::MAX, 0.0]);
-        let mut memory = AdaptiveMemory {
-            inner,
-            density,
-            last: first.dt,
-            dt: first.dt,
-            left: self.row,
-            landing: false,
-            time,
-            range,
-        };
-        self.plan(stride.dt, &mut memory);
+        let (last, dt, left, landing) = (first, first, self.row, false);
+        let mut memory = AdaptiveMemory { inner, density, last, dt, left, landing, time, range };
+        self.plan(longest, &mut memory);
         Ok(memory)
     }
 
     #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        let now = Stride::new(memory.dt, stride.mass);
-        let ratio = now.dt / memory.last;
-        let stretched = if ratio == 1.0 { 0 } else { self.scheme.stretch(law, &now, t, ratio, &mut memory.inner) };
-        let mut effort = self.scheme.step(law, &now, t, &mut memory.inner)?;
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: f64,
+        memory: &mut Self::Memory,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Effort, NotConverged> {
+        let dt = memory.dt;
+        if Y::dt(&workspace.stride) != dt {
+            self.turn(system, dt, workspace);
+        }
+        let Pace { stride: now, inner } = workspace;
+        let ratio = dt / memory.last;
+        let stretched =
+            if ratio == 1.0 { 0 } else { self.scheme.stretch(system, now, t, ratio, &mut memory.inner, inner) };
+        let mut effort = self.scheme.step(system, now, t, &mut memory.inner, inner)?;
         effort.evaluations += stretched;
-        memory.last = now.dt;
+        memory.last = dt;
         memory.left -= 1.0;
-        memory.time.add(now.dt);
+        memory.time.add(dt);
         if memory.landing {
             memory.time = Compensated::new(self.end);
         } else {
-            memory.range = [memory.range[0].min(now.dt), memory.range[1].max(now.dt)];
+            memory.range = [memory.range[0].min(dt), memory.range[1].max(dt)];
         }
+        let longest = Y::dt(stride);
         if memory.left < 1.0 {
             let end = memory.time.value();
             let q = self.scheme.position(&memory.inner);
-            let v = self.scheme.velocity(law, &now, end, &memory.inner);
-            let look = self.look(law, stride, end, [q, v]);
-            effort.evaluations += monitor::EVALUATIONS;
+            let v = self.scheme.velocity(system, now, end, &memory.inner);
+            let look = system.look(end, q, &v, self.angle / longest);
+            effort.evaluations += EVALUATIONS;
             memory.density = self.follow(memory.density, &look);
             memory.left = self.row;
         }
-        self.plan(stride.dt, memory);
+        self.plan(longest, memory);
         Ok(effort)
     }
 
     #[inline]
-    fn position(&self, memory: &Self::Memory) -> [f64; D] {
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
         self.scheme.position(&memory.inner)
     }
 
     #[inline]
-    fn velocity(&self, law: &L, stride: &Stride<f64>, t: f64, memory: &Self::Memory) -> [f64; D] {
-        self.scheme.velocity(law, stride, t, &memory.inner)
+    fn velocity(&self, system: &Y, stride: &Y::Stride, t: f64, memory: &Self::Memory) -> Y::Vector {
+        self.scheme.velocity(system, stride, t, &memory.inner)
     }
 
     #[inline]
@@ -215,16 +259,12 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
         self.scheme.finite(&memory.inner)
     }
 
-    fn kinetic_energy(&self, law: &L, stride: &Stride<f64>, memory: &Self::Memory) -> f64 {
-        self.scheme.kinetic_energy(law, stride, &memory.inner)
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> f64 {
+        self.scheme.kinetic_energy(system, &memory.inner)
     }
 
-    fn work(&self, law: &L, stride: &Stride<f64>, before: &Self::Memory, after: &Self::Memory) -> f64 {
-        self.scheme.work(law, stride, &before.inner, &after.inner)
-    }
-
-    fn restore(&self, stride: &Stride<f64>, memory: &mut Self::Memory) {
-        self.scheme.restore(&Stride::new(memory.last, stride.mass), &mut memory.inner);
+    fn work(&self, system: &Y, stride: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> f64 {
+        self.scheme.work(system, stride, &before.inner, &after.inner)
     }
 
     #[inline]
@@ -245,7 +285,8 @@ impl<L: Law<D>, S: Adaptable + Scheme<L, D>, const D: usize> Scheme<L, D> for Ad
     #[inline]
     fn ready(&self, step: u64, memory: &Self::Memory) -> Result<(), Error> {
         let (time, dt) = (memory.time.value(), memory.dt);
-        if (dt > time.abs() * f64::EPSILON && dt.is_finite()) || self.arrived(memory) || memory.landing {
+        let arrived = time >= self.end;
+        if (dt > time.abs() * f64::EPSILON && dt.is_finite()) || arrived || memory.landing {
             return Ok(());
         }
         Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })

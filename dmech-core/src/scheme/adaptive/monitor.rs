@@ -3,29 +3,29 @@
 use core::array::from_fn;
 
 use crate::law::{Field, Law, Potential};
-use crate::vector::{add_scaled, dot};
+use crate::system::vector::{add_scaled, dot};
 
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Look {
+pub struct Look {
     /// (ω s)¹²: roots take longer than all the rest, and are hardly ever needed.
     power: f64,
     /// A length of time.
     s: f64,
     /// d ln ω/dt along the motion.
-    pub(super) growth: f64,
+    pub(crate) growth: f64,
 }
 
 impl Look {
     /// ω, the angular frequency of the linearised motion.
     #[cold]
-    pub(super) fn rate(&self) -> f64 {
+    pub(crate) fn rate(&self) -> f64 {
         self.power.sqrt().sqrt().cbrt() / self.s
     }
 
     /// ρ, or the end of the range `band` of ρ/ω where it lies outside.
     #[inline]
-    pub(super) fn within(&self, [least, most]: [f64; 2], density: f64) -> f64 {
+    pub(crate) fn within(&self, [least, most]: [f64; 2], density: f64) -> f64 {
         // No density is negative.
         let ratio = (density * self.s).max(0.0).powi(12);
         if ratio < least.powi(12) * self.power {
@@ -40,13 +40,13 @@ impl Look {
 
 /// A place of the motion.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<const D: usize> {
-    pub(super) t: f64,
-    pub(super) q: [f64; D],
-    pub(super) v: [f64; D],
-    pub(super) mass: f64,
+pub(crate) struct Place<const D: usize> {
+    pub(crate) t: f64,
+    pub(crate) q: [f64; D],
+    pub(crate) v: [f64; D],
+    pub(crate) mass: f64,
     /// The smallest ω that counts.
-    pub(super) least: f64,
+    pub(crate) least: f64,
 }
 
 /// How fast accelerations change, times the mass: m ∂a/∂q and m ‖∂a/∂v‖².
@@ -80,7 +80,7 @@ impl<const D: usize> Place<D> {
     ///
     /// in Frobenius norms; K̇ and K̈ are differences between here and the places s before and after on the parabola
     /// q ± s v + s² a/2. Under v → −v ω is even and its growth odd, whatever s: that makes the steps reversible.
-    pub(super) fn look<L: Law<D>>(&self, law: &L) -> Look {
+    pub(crate) fn look<L: Law<D>>(&self, law: &L) -> Look {
         let here = self.stiffness(law, self.t, self.q, self.v);
         let slope = law.field(self.mass, self.t).slope(self.q, self.v);
         let per_mass = self.mass.recip();

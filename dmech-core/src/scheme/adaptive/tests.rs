@@ -5,7 +5,8 @@ use super::{Adaptable, Adaptive};
 use crate::State;
 use crate::law::{Conservative, Potential};
 use crate::scheme::splitting::SplittingMemory;
-use crate::scheme::{Composed, DiscreteGradient, ForceGradient, Leapfrog, Nystrom, Scheme, Stride};
+use crate::scheme::{Composed, DiscreteGradient, ForceGradient, Leapfrog, Nystrom, Scheme};
+use crate::system::{Particle, Start, System, TimeScale};
 
 /// −k/r.
 struct Kepler {
@@ -40,16 +41,22 @@ impl Potential<2> for Kepler {
 
 const MASS: f64 = 1.3;
 
+type Sun = Particle<Kepler, 2>;
+
 /// Forward, the velocity turned round, and back: the steps are those of the way there, and so is the motion.
-fn comes_back<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, tolerance: f64, turn: impl Fn(&mut S::Memory)) {
-    let law = Kepler { k: 1.7 };
+fn comes_back<S: Adaptable + Scheme<Sun>>(scheme: S, tolerance: f64, turn: impl Fn(&mut S::Memory)) {
+    let law = Sun::new(Kepler { k: 1.7 }, MASS);
     let adaptive = Adaptive::new(scheme, tolerance);
-    let unlimited = Stride::new(f64::INFINITY, MASS);
+    let unlimited = law.stride(f64::INFINITY, 0.0);
     let start = State::new([1.4, 0.2], [-0.1, 0.45]);
-    let mut memory = adaptive.begin(&law, &unlimited, &start).unwrap();
-    let step = |memory: &mut _| {
-        let t = adaptive.time(0.0, 0, 0.0, memory);
-        adaptive.step(&law, &unlimited, t, memory).map(|_| ()).unwrap();
+    let mut workspace = Scheme::<Sun>::workspace(&adaptive, &law, &unlimited);
+    let mut slope = [0.0; 2];
+    law.slope(0.0, &start.q, &start.v, &mut slope);
+    let first = Start { t: 0.0, q: &start.q, v: &start.v, slope: &slope };
+    let mut memory = adaptive.begin(&law, &unlimited, &first, &mut workspace).unwrap();
+    let mut step = |memory: &mut _| {
+        let t = Scheme::<Sun>::time(&adaptive, 0.0, 0, 0.0, memory);
+        adaptive.step(&law, &unlimited, t, memory, &mut workspace).map(|_| ()).unwrap();
     };
     let (steps, mut forth, mut back) = (100 * adaptive.row as usize, Vec::new(), Vec::new());
     for _ in 0..steps {
@@ -57,9 +64,9 @@ fn comes_back<S: Adaptable + Scheme<Kepler, 2>>(scheme: S, tolerance: f64, turn:
         step(&mut memory);
     }
     turn(&mut memory.inner);
-    let here = [adaptive.position(&memory), adaptive.velocity(&law, &unlimited, 0.0, &memory)];
+    let (q, v) = (*adaptive.position(&memory), adaptive.velocity(&law, &unlimited, 0.0, &memory));
     // ρ of the step that would have come next is ρ of the step before, seen backward.
-    memory.density = adaptive.follow(memory.density, &adaptive.look(&law, &unlimited, 0.0, here));
+    memory.density = adaptive.follow(memory.density, &law.look(0.0, &q, &v, 0.0));
     adaptive.plan(f64::INFINITY, &mut memory);
     for _ in 0..steps {
         back.push(memory.dt);
@@ -91,7 +98,7 @@ fn the_way_back_is_the_way_there() {
         memory.v.lo = memory.v.lo.map(|x| -x);
     });
     // The kick that is shared with the next step lies before a turn, and after it.
-    fn turn(memory: &mut SplittingMemory<2>) {
+    fn turn(memory: &mut SplittingMemory<Sun>) {
         (memory.v_before, memory.v_after) = (memory.v_after.map(|x| -x), memory.v_before.map(|x| -x));
     }
     comes_back(Nystrom::order4(), 1e-5, turn);

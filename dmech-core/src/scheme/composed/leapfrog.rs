@@ -1,13 +1,8 @@
 //! Stages of leap-frog: drifts of γ_k h, and between them the half kicks of both neighbours in one.
 
-use dmech_scalar::Real;
-
 use super::{Coefficients, Composed};
-use crate::State;
-use crate::law::{Law, VelocityIndependent};
-use crate::newton::NotConverged;
-use crate::scheme::splitting::{First, Splitting, SplittingMemory};
-use crate::scheme::{Effort, Leapfrog, Scheme, Stride};
+use crate::scheme::Leapfrog;
+use crate::scheme::splitting::{First, Splitting};
 
 impl<C: Coefficients<N>, const N: usize> Splitting<N> for Composed<Leapfrog, C, N> {
     const FIRST: First = First::Kick;
@@ -37,51 +32,4 @@ impl<C: Coefficients<N>, const N: usize> Splitting<N> for Composed<Leapfrog, C, 
         }
         low
     };
-}
-
-impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for Composed<Leapfrog, C, N>
-where
-    L: Law<D, R> + VelocityIndependent,
-    C: Coefficients<N>,
-{
-    type Memory = SplittingMemory<D, R>;
-
-    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-        Ok(SplittingMemory::new::<Self, L, N>(law, stride, start))
-    }
-
-    #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        Ok(memory.advance::<Self, L, N>(law, stride, t))
-    }
-
-    #[inline(always)]
-    fn stretch(&self, law: &L, stride: &Stride<R>, t: R, _: R, memory: &mut Self::Memory) -> u32 {
-        memory.stretch::<Self, L, N>(law, stride, t)
-    }
-
-    #[inline]
-    fn position(&self, memory: &Self::Memory) -> [R; D] {
-        memory.q
-    }
-
-    #[inline]
-    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-        memory.velocity()
-    }
-
-    #[inline]
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        memory.finite()
-    }
-
-    /// m v²/2 before the kick that belongs half to the step to come.
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(law.mass_ratios(), memory.v_before)
-    }
-
-    /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after.
-    fn work(&self, _: &L, _: &Stride<R>, _: &Self::Memory, after: &Self::Memory) -> R {
-        after.work()
-    }
 }

@@ -1,9 +1,8 @@
 //! Compositions: schemes of order 4, 6 and 8 from symmetric schemes of order 2.
 
-mod discrete_gradient;
-mod implicit;
 mod leapfrog;
 mod predictor;
+mod stages;
 
 pub mod coefficients;
 
@@ -11,8 +10,7 @@ pub mod coefficients;
 mod tests;
 
 pub use coefficients::Coefficients;
-pub use discrete_gradient::ComposedDiscreteGradientMemory;
-pub use implicit::ComposedImplicitMemory;
+pub use stages::{Stage, StagesMemory};
 
 use dmech_scalar::Real;
 

@@ -2,7 +2,7 @@
 
 use dmech_scalar::Real;
 
-use crate::vector::add_scaled;
+use crate::system::System;
 
 /// What the forces of one step would have been, had the step been longer or shorter: for steps that change.
 #[derive(Clone, Copy)]
@@ -43,15 +43,15 @@ impl<const N: usize> Resample<N> {
     }
 
     /// From a step of length h to one of length `ratio` h.
-    pub(super) fn apply<const D: usize, R: Real>(&self, ratio: R, gradients: &mut [[R; D]; N]) {
-        let mut changes = [[R::ZERO; D]; TERMS];
+    pub(super) fn apply<Y: System>(&self, system: &Y, ratio: Y::Scalar, slopes: &mut [Y::Vector; N]) {
+        let mut changes: [Y::Vector; TERMS] = core::array::from_fn(|_| system.zero());
         for i in 1..TERMS {
-            let change = ratio.powi(POWERS[i]) - R::ONE;
-            changes[i] = expected(&self.coefficients[i], gradients).map(|x| change * x);
+            Y::weigh(&self.coefficients[i], slopes, &mut changes[i]);
+            Y::scale(&mut changes[i], ratio.powi(POWERS[i]) - Y::Scalar::ONE);
         }
         for j in 0..N {
             for i in 1..TERMS {
-                gradients[j] = add_scaled(gradients[j], R::from_f64(self.terms[i][j]), changes[i]);
+                Y::add_scaled(&mut slopes[j], Y::Scalar::from_f64(self.terms[i][j]), &changes[i]);
             }
         }
     }
@@ -59,7 +59,7 @@ impl<const N: usize> Resample<N> {
 
 /// Where in a stage the force of a scheme belongs.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub enum Place {
     /// A discrete gradient: at the middle, and off it by the square of the stage's length.
     Middle,
     /// A force at the end.
@@ -176,16 +176,6 @@ const fn dot<const N: usize>(x: &[f64; N], y: &[f64; N]) -> f64 {
     while j < N {
         sum += x[j] * y[j];
         j += 1;
-    }
-    sum
-}
-
-/// Σ w_j G_j.
-#[inline(always)]
-pub(super) fn expected<const N: usize, const D: usize, R: Real>(w: &[f64; N], gradients: &[[R; D]; N]) -> [R; D] {
-    let mut sum = [R::ZERO; D];
-    for j in 0..N {
-        sum = add_scaled(sum, R::from_f64(w[j]), gradients[j]);
     }
     sum
 }

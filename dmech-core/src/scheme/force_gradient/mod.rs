@@ -2,16 +2,11 @@
 
 pub(crate) mod coefficients;
 
-use dmech_scalar::Real;
-
 use self::coefficients::{ForceGradientCoefficients, Omelyan4S5, Omelyan6S5, Omelyan8S11};
 use super::name::Name;
-use super::splitting::{First, Splitting, SplittingMemory};
-use super::{Effort, Leapfrog, Method, Scheme, Stride};
-use crate::State;
+use super::splitting::{First, Splitting};
+use super::{Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
-use crate::law::{Law, VelocityIndependent};
-use crate::newton::NotConverged;
 
 /// Drifts and kicks in turn, with kicks that know how the force changes: order 4 in as few as two forces.
 ///
@@ -117,51 +112,4 @@ impl<C: ForceGradientCoefficients<N>, const N: usize> Splitting<N> for ForceGrad
     const DRIFTS: [f64; N] = C::DRIFTS;
     const KICKS: [f64; N] = C::KICKS;
     const GRADIENTS: [f64; N] = C::GRADIENTS;
-}
-
-impl<L, C, const N: usize, const D: usize, R: Real> Scheme<L, D, R> for ForceGradient<C, N>
-where
-    L: Law<D, R> + VelocityIndependent,
-    C: ForceGradientCoefficients<N>,
-{
-    type Memory = SplittingMemory<D, R>;
-
-    fn begin(&self, law: &L, stride: &Stride<R>, start: &State<D, R>) -> Result<Self::Memory, NotConverged> {
-        Ok(SplittingMemory::new::<Self, L, N>(law, stride, start))
-    }
-
-    #[inline(always)]
-    fn step(&self, law: &L, stride: &Stride<R>, t: R, memory: &mut Self::Memory) -> Result<Effort, NotConverged> {
-        Ok(memory.advance::<Self, L, N>(law, stride, t))
-    }
-
-    #[inline(always)]
-    fn stretch(&self, law: &L, stride: &Stride<R>, t: R, _: R, memory: &mut Self::Memory) -> u32 {
-        memory.stretch::<Self, L, N>(law, stride, t)
-    }
-
-    #[inline]
-    fn position(&self, memory: &Self::Memory) -> [R; D] {
-        memory.q
-    }
-
-    #[inline]
-    fn velocity(&self, _: &L, _: &Stride<R>, _: R, memory: &Self::Memory) -> [R; D] {
-        memory.velocity()
-    }
-
-    #[inline]
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        memory.finite()
-    }
-
-    /// m v²/2 before the kick that belongs half to the step to come.
-    fn kinetic_energy(&self, law: &L, stride: &Stride<R>, memory: &Self::Memory) -> R {
-        stride.kinetic_energy(law.mass_ratios(), memory.v_before)
-    }
-
-    /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after.
-    fn work(&self, _: &L, _: &Stride<R>, _: &Self::Memory, after: &Self::Memory) -> R {
-        after.work()
-    }
 }

@@ -3,126 +3,178 @@
 use dmech_scalar::Real;
 
 use super::{First, Splitting, digits};
-use crate::State;
-use crate::law::{Field, Law};
-use crate::scheme::{Effort, Stride};
-use crate::vector::{add_scaled, difference, finite, scaled, sum, weighted};
+use crate::newton::NotConverged;
+use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
+use crate::scheme::memory::memory;
+use crate::scheme::{Coefficients, Composed, Effort, ForceGradient, Leapfrog, Nystrom, Scheme, WithoutVelocities};
+use crate::system::{Kick, Start, System};
 
-/// What a scheme of drifts and kicks carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SplittingMemory<const D: usize, R = f64> {
-    /// Position.
-    pub q: [R; D],
-    /// Velocity before the kick that belongs half to the step that ends; the velocity now where a step ends with a drift.
-    pub v_before: [R; D],
-    /// Velocity after it.
-    pub v_after: [R; D],
-    /// Work of the last step.
-    work: R,
-}
-
-#[cfg(feature = "serde")]
-impl<const D: usize> crate::checkpoint::Carried for SplittingMemory<D> {
-    fn carried(&mut self) -> Vec<&mut [f64]> {
-        vec![&mut self.q, &mut self.v_before, &mut self.v_after]
+memory! {
+    /// What a scheme of drifts and kicks carries.
+    pub struct SplittingMemory<Y> {
+        /// Position.
+        pub q: Y::Vector,
+        /// Velocity before the kick that belongs half to the step that ends; the velocity now where a step ends with a drift.
+        pub v_before: Y::Vector,
+        /// Velocity after it.
+        pub v_after: Y::Vector,
+    }
+    lists {}
+    uncarried {
+        /// Work of the kicks that belong wholly to the last step.
+        work: Y::Work,
     }
 }
 
-impl<const D: usize, R: Real> SplittingMemory<D, R> {
-    /// From a state.
-    pub(crate) fn new<S, L, const N: usize>(law: &L, stride: &Stride<R>, start: &State<D, R>) -> Self
-    where
-        S: Splitting<N>,
-        L: Law<D, R>,
-    {
-        let State { t, q, v } = *start;
-        if matches!(S::FIRST, First::Drift) {
-            return SplittingMemory { q, v_before: v, v_after: v, work: R::ZERO };
-        }
-        let field = law.field(stride.mass, R::from_f64(t));
-        let b = digits::<R>(S::KICKS[0], S::KICKS_LOW[0]);
-        let kicked = |sign: f64| kick(&field, stride, R::from_f64(sign) * b, sign * S::GRADIENTS[0], q, v);
-        SplittingMemory { q, v_before: kicked(-1.0), v_after: kicked(1.0), work: R::ZERO }
-    }
+/// The kick after drift k of a step that began at t.
+#[inline(always)]
+fn kick<S: Splitting<N>, const N: usize, R: Real>(k: usize, h: R, t: R) -> Kick<R> {
+    let t = R::from_f64(S::ENDS[k]).mul_add(h, t);
+    Kick { t, b: digits(S::JOINED[k], S::JOINED_LOW[k]), e: S::JOINED_GRADIENTS[k] }
+}
 
-    /// One step from time t.
-    #[inline(always)]
-    pub(crate) fn advance<S, L, const N: usize>(&mut self, law: &L, stride: &Stride<R>, t: R) -> Effort
-    where
-        S: Splitting<N>,
-        L: Law<D, R>,
-    {
-        let SplittingMemory { mut q, mut v_before, mut v_after, .. } = *self;
-        let mut work = R::ZERO;
-        // A kick does the work F·(mean velocity) in its time.
-        let of_kick = |before, after| weighted(law.mass_ratios(), difference(after, before), sum(after, before));
-        for k in 0..N {
-            // Of the kick before this drift; before the first drift of a step that begins with one both are the same.
-            work += of_kick(v_before, v_after);
-            q = add_scaled(q, digits::<R>(S::DRIFTS[k], S::DRIFTS_LOW[k]) * stride.dt, v_after);
-            let now = R::from_f64(S::ENDS[k]).mul_add(stride.dt, t);
-            v_before = v_after;
-            let field = law.field(stride.mass, now);
-            let b = digits(S::JOINED[k], S::JOINED_LOW[k]);
-            v_after = kick(&field, stride, b, S::JOINED_GRADIENTS[k], q, v_before);
-        }
-        if matches!(S::FIRST, First::Drift) {
-            work += of_kick(v_before, v_after);
-            q = add_scaled(q, digits::<R>(S::DRIFTS[0], S::DRIFTS_LOW[0]) * stride.dt, v_after);
-            v_before = v_after;
-        }
-        work *= R::from_f64(0.5) * stride.mass;
-        *self = SplittingMemory { q, v_before, v_after, work };
-        Effort { evaluations: N as u32, iterations: 0 }
-    }
+/// Half of the kick that two steps share.
+#[inline(always)]
+fn half_kick<S: Splitting<N>, const N: usize, R: Real>(t: R) -> Kick<R> {
+    Kick { t, b: digits(S::KICKS[0], S::KICKS_LOW[0]), e: S::GRADIENTS[0] }
+}
 
-    /// Steps of another length from here on: of the kick that two steps share, the second half is theirs.
+#[inline(always)]
+fn drift<S: Splitting<N>, const N: usize, R: Real>(k: usize, h: R) -> R {
+    digits::<R>(S::DRIFTS[k], S::DRIFTS_LOW[k]) * h
+}
+
+impl<Y: System> SplittingMemory<Y> {
+    /// The kick, then a drift in the time a, and the work of the kick.
     #[inline(always)]
-    pub(crate) fn stretch<S, L, const N: usize>(&mut self, law: &L, stride: &Stride<R>, t: R) -> u32
-    where
-        S: Splitting<N>,
-        L: Law<D, R>,
-    {
-        if matches!(S::FIRST, First::Drift) {
-            return 0;
-        }
-        let field = law.field(stride.mass, t);
-        let b = digits(S::KICKS[0], S::KICKS_LOW[0]);
-        self.v_after = kick(&field, stride, b, S::GRADIENTS[0], self.q, self.velocity());
-        1
+    fn kick_and_drift(
+        &mut self,
+        (system, room, stride): (&Y, &mut Y::Room, &Y::Stride),
+        kick: Kick<Y::Scalar>,
+        a: Y::Scalar,
+    ) {
+        let SplittingMemory { q, v_before, v_after, work } = self;
+        core::mem::swap(v_before, v_after);
+        system.kick_and_drift(room, stride, kick, a, q, v_before, v_after, work);
     }
 
     /// The mean of the velocities around the last kick: half of it belongs to the step that ends.
     #[inline]
-    pub(crate) fn velocity(&self) -> [R; D] {
-        // Halves first: the sum of two finite velocities need not be finite.
-        let half = R::from_f64(0.5);
-        sum(scaled(half, self.v_before), scaled(half, self.v_after))
-    }
-
-    #[inline]
-    pub(crate) fn finite(&self) -> bool {
-        finite(self.q) && finite(self.v_after)
-    }
-
-    pub(crate) fn work(&self) -> R {
-        self.work
+    fn velocity(&self) -> Y::Vector {
+        Y::mean(&self.v_before, &self.v_after)
     }
 }
 
-/// v + b h a + e h³ a′a, at one position.
-#[inline(always)]
-fn kick<F: Field<D, R>, const D: usize, R: Real>(
-    field: &F,
-    stride: &Stride<R>,
-    b: R,
-    e: f64,
-    q: [R; D],
-    v: [R; D],
-) -> [R; D] {
-    let c = b * stride.kick;
-    if e == 0.0 {
-        return field.kick(c, q, v);
-    }
-    field.gradient_kick(c, R::from_f64(e) * stride.dt * stride.kick * stride.kick, q, v)
+macro_rules! stepped_by_drifts_and_kicks {
+    ($($scheme:ty, $n:tt, <$($coefficients:ident: $bound:path, const $m:ident: usize)?>;)*) => {$(
+        impl<$($coefficients: $bound, const $m: usize,)? Y: System + WithoutVelocities> Scheme<Y> for $scheme {
+            type Memory = SplittingMemory<Y>;
+            type Workspace = Y::Room;
+
+            fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Room {
+                system.room()
+            }
+
+            fn begin(
+                &self,
+                system: &Y,
+                stride: &Y::Stride,
+                start: &Start<'_, Y>,
+                room: &mut Y::Room,
+            ) -> Result<Self::Memory, NotConverged> {
+                let (q, work) = (start.q.clone(), system.no_work());
+                if matches!(Self::FIRST, First::Drift) {
+                    return Ok(SplittingMemory { q, v_before: start.v.clone(), v_after: start.v.clone(), work });
+                }
+                let half = half_kick::<Self, { $n }, Y::Scalar>(start.t);
+                let [v_before, v_after] = system.kick_both_ways(room, stride, half, start);
+                Ok(SplittingMemory { q, v_before, v_after, work })
+            }
+
+            #[inline(always)]
+            fn step(
+                &self,
+                system: &Y,
+                stride: &Y::Stride,
+                t: Y::Scalar,
+                memory: &mut Self::Memory,
+                room: &mut Y::Room,
+            ) -> Result<Effort, NotConverged> {
+                let h = Y::dt(stride);
+                Y::clear(&mut memory.work);
+                Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
+                for k in 0..$n - 1 {
+                    let a = drift::<Self, { $n }, _>(k + 1, h);
+                    memory.kick_and_drift((system, room, stride), kick::<Self, { $n }, _>(k, h, t), a);
+                }
+                let last = kick::<Self, { $n }, _>($n - 1, h, t);
+                if matches!(Self::FIRST, First::Drift) {
+                    memory.kick_and_drift((system, room, stride), last, drift::<Self, { $n }, _>(0, h));
+                    memory.v_before.clone_from(&memory.v_after);
+                } else {
+                    // Its work belongs to the step to come.
+                    let SplittingMemory { q, v_before, v_after, .. } = memory;
+                    core::mem::swap(v_before, v_after);
+                    system.kick(room, stride, last, q, v_before, v_after);
+                }
+                Ok(Effort { evaluations: $n as u32, iterations: 0 })
+            }
+
+            /// Of the kick that two steps share, the second half is that of the longer or shorter step to come.
+            #[inline(always)]
+            fn stretch(
+                &self,
+                system: &Y,
+                stride: &Y::Stride,
+                t: Y::Scalar,
+                _: Y::Scalar,
+                memory: &mut Self::Memory,
+                room: &mut Y::Room,
+            ) -> u32 {
+                if matches!(Self::FIRST, First::Drift) {
+                    return 0;
+                }
+                let v = memory.velocity();
+                system.kick(room, stride, half_kick::<Self, { $n }, _>(t), &memory.q, &v, &mut memory.v_after);
+                1
+            }
+
+            #[inline]
+            fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+                &memory.q
+            }
+
+            #[inline]
+            fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+                memory.velocity()
+            }
+
+            #[inline]
+            fn finite(&self, memory: &Self::Memory) -> bool {
+                Y::is_finite(&memory.q) && Y::is_finite(&memory.v_after)
+            }
+
+            /// Σ m v²/2 before the kick that belongs half to the step to come.
+            fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+                system.kinetic_energy(&memory.v_before)
+            }
+
+            /// Σ F·h (v₋ + v₊)/2 over the kicks, v₋ and v₊ being the velocities before and after; for leap-frog
+            /// F_k·(q_{k+1} − q_{k−1})/2.
+            fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
+                let mut shared = system.no_work();
+                if matches!(Self::FIRST, First::Kick) {
+                    system.add_work(&mut shared, &before.v_before, &before.v_after);
+                }
+                system.total(&shared) + system.total(&after.work)
+            }
+        }
+    )*};
+}
+
+stepped_by_drifts_and_kicks! {
+    Leapfrog, 1, <>;
+    Composed<Leapfrog, C, N>, N, <C: Coefficients<N>, const N: usize>;
+    Nystrom<C, N>, N, <C: NystromCoefficients<N>, const N: usize>;
+    ForceGradient<C, N>, N, <C: ForceGradientCoefficients<N>, const N: usize>;
 }

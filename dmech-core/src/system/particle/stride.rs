@@ -2,8 +2,6 @@
 
 use dmech_scalar::{CompensatedVector, FUSED, Real, two_sum};
 
-use crate::vector::weighted;
-
 /// Time step and mass, with the coefficients that follow from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stride<R> {
@@ -32,12 +30,6 @@ impl<R: Real> Stride<R> {
     /// The same mass and γ times the step; γ may be negative.
     pub fn times(&self, gamma: R) -> Self {
         Stride::new(gamma * self.dt, self.mass)
-    }
-
-    /// Σ m μᵢ vᵢ²/2, with the [`mass_ratios`](crate::Law::mass_ratios) μᵢ of the law.
-    #[inline]
-    pub fn kinetic_energy<const D: usize>(&self, mass_ratios: [f64; D], v: [R; D]) -> R {
-        R::from_f64(0.5) * self.mass * weighted(mass_ratios, v, v)
     }
 
     /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it.

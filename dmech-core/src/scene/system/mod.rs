@@ -1,0 +1,469 @@
+//! The bodies of a scene: the instructions over columns.
+
+mod passes;
+#[cfg(feature = "serde")]
+mod saved;
+mod solve;
+
+pub use solve::SceneSolver;
+
+use super::builder::{Bodies, Scene};
+use super::compensated::CompensatedVectors;
+use super::state::SceneState;
+use super::terms::{Acts, Fault, Term};
+use super::vectors::Vectors;
+use crate::error::Error;
+use crate::invariant::Invariant;
+use crate::motion::moves_on;
+use crate::newton::NotConverged;
+use crate::scheme::{Effort, WithoutVelocities};
+use crate::setup::Setup;
+use crate::system::{Kick, PARTS, Start, Step, System, not_converged};
+
+/// The bodies of a scene and the terms `A` that act on them.
+#[derive(Clone, Debug)]
+pub struct SceneSystem<const D: usize, A> {
+    pub(super) acts: A,
+    pub(super) masses: Vec<f64>,
+    pub(super) pins: Vec<usize>,
+}
+
+/// The length of a step, and what follows from it for each coordinate.
+#[derive(Clone, Debug)]
+pub struct SceneStride<const D: usize> {
+    /// h.
+    pub dt: f64,
+    /// h/m, and 0 for pinned bodies.
+    pub kick: Vectors<D>,
+    /// The coefficient of the unknown force, a share of h²/m; of no bodies where there is none.
+    pub g: Vectors<D>,
+}
+
+impl<const D: usize> SceneStride<D> {
+    fn new(dt: f64, kick: Vectors<D>, share: f64) -> Self {
+        let mut g = if share == 0.0 { Vectors::zeros(0) } else { kick.clone() };
+        g.flat_mut().iter_mut().for_each(|g| *g *= share * dt);
+        SceneStride { dt, kick, g }
+    }
+}
+
+/// Where explicit steps work.
+#[derive(Clone, Debug)]
+pub struct SceneRoom<const D: usize> {
+    slope: Vectors<D>,
+    /// H ∇Φ, where a scheme asks for it.
+    turned: Vectors<D>,
+}
+
+impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
+    type State = SceneState<D>;
+    type System = SceneSystem<D, L::Ready>;
+
+    fn start(&self) -> SceneState<D> {
+        let Bodies { t, q, v, .. } = &self.bodies;
+        SceneState { t: *t, q: q.clone(), v: v.clone() }
+    }
+
+    fn mass(&self, _: f64) -> f64 {
+        self.bodies.masses.iter().sum()
+    }
+
+    fn system(self, (): (), _: f64, dt: f64) -> Result<Self::System, Error> {
+        let Scene { bodies, laws } = self;
+        bodies.check()?;
+        moves_on(bodies.t, dt)?;
+        let acts = laws.prepare(&bodies)?;
+        Ok(SceneSystem { acts, masses: bodies.masses, pins: bodies.pins })
+    }
+}
+
+impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
+    fn zeros(&self) -> Vectors<D> {
+        Vectors::zeros(self.masses.len())
+    }
+
+    /// The first link or body on which what acts is not finite.
+    fn fault(&self, from: Option<&Vectors<D>>, [q, v]: [&Vectors<D>; 2], t: f64) -> Option<Fault> {
+        self.acts.fault(from, q, v, t)
+    }
+}
+
+/// A fault in words.
+fn told(fault: Fault, step: u64, time: f64) -> Error {
+    match fault {
+        Fault::Link { a, b, distance } => Error::Link { a, b, distance, step, time },
+        Fault::Body { body, value, place } => Error::Body { body, value, place, step, time },
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<const D: usize, A: super::terms::WithoutVelocities> WithoutVelocities for SceneSystem<D, A> {}
+
+impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
+    type Scalar = f64;
+    type Vector = Vectors<D>;
+    type Sum = CompensatedVectors<D>;
+    type State = SceneState<D>;
+    type Stride = SceneStride<D>;
+    /// Of each coordinate.
+    type Work = Vectors<D>;
+    type Room = SceneRoom<D>;
+    type Solver = SceneSolver<D>;
+    type Found = Effort;
+
+    const IN_REGISTERS: bool = false;
+    const DIMENSION: usize = D;
+
+    fn stride(&self, dt: f64, share: f64) -> SceneStride<D> {
+        let mut kick = self.zeros();
+        for (i, &mass) in self.masses.iter().enumerate() {
+            kick.set(i, [dt / mass; D]);
+        }
+        for &i in &self.pins {
+            kick.set(i, [0.0; D]);
+        }
+        SceneStride::new(dt, kick, share)
+    }
+
+    fn stage(&self, stride: &SceneStride<D>, gamma: f64, share: f64) -> SceneStride<D> {
+        let mut kick = stride.kick.clone();
+        kick.flat_mut().iter_mut().for_each(|kick| *kick *= gamma);
+        SceneStride::new(gamma * stride.dt, kick, share)
+    }
+
+    fn dt(stride: &SceneStride<D>) -> f64 {
+        stride.dt
+    }
+
+    fn vectors(&self, state: &SceneState<D>) -> [Vectors<D>; 2] {
+        [Vectors::from_list(&state.q), Vectors::from_list(&state.v)]
+    }
+
+    fn state(&self, t: f64, q: &Vectors<D>, v: &Vectors<D>) -> SceneState<D> {
+        SceneState { t, q: q.to_list(), v: v.to_list() }
+    }
+
+    fn time(state: &SceneState<D>) -> f64 {
+        state.t
+    }
+
+    fn zero(&self) -> Vectors<D> {
+        self.zeros()
+    }
+
+    fn sum(x: &Vectors<D>) -> CompensatedVectors<D> {
+        CompensatedVectors::new(x.clone())
+    }
+
+    fn value(x: &CompensatedVectors<D>) -> &Vectors<D> {
+        &x.hi
+    }
+
+    fn mean(x: &Vectors<D>, y: &Vectors<D>) -> Vectors<D> {
+        let mut mean = x.clone();
+        for (mean, y) in mean.flat_mut().iter_mut().zip(y.flat()) {
+            *mean = 0.5 * *mean + 0.5 * y;
+        }
+        mean
+    }
+
+    fn scale(x: &mut Vectors<D>, c: f64) {
+        x.flat_mut().iter_mut().for_each(|x| *x *= c);
+    }
+
+    fn add_scaled(x: &mut Vectors<D>, c: f64, y: &Vectors<D>) {
+        for (x, y) in x.flat_mut().iter_mut().zip(y.flat()) {
+            *x += c * y;
+        }
+    }
+
+    fn weigh<const N: usize>(w: &[f64; N], x: &[Vectors<D>; N], out: &mut Vectors<D>) {
+        out.clear();
+        for (&w, x) in w.iter().zip(x) {
+            Self::add_scaled(out, w, x);
+        }
+    }
+
+    fn is_finite(x: &Vectors<D>) -> bool {
+        x.is_finite()
+    }
+
+    fn room(&self) -> SceneRoom<D> {
+        SceneRoom { slope: self.zeros(), turned: Vectors::zeros(0) }
+    }
+
+    fn potential(&self, t: f64, q: &Vectors<D>) -> f64 {
+        self.acts.potential(q, t)
+    }
+
+    fn kinetic_energy(&self, v: &Vectors<D>) -> f64 {
+        let squares = v.columns().map(|column| column.iter().zip(&self.masses).map(|(v, m)| m * (v * v)).sum::<f64>());
+        0.5 * squares.iter().sum::<f64>()
+    }
+
+    fn slope(&self, t: f64, q: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
+        self.acts.set_gradient(q, t, out);
+        self.acts.subtract_force(1.0, q, v, t, out);
+    }
+
+    fn drift_by_mean(stride: &SceneStride<D>, q: &mut Vectors<D>, v: &Vectors<D>, next: &Vectors<D>) {
+        let half = 0.5 * stride.dt;
+        for (q, (v, next)) in q.flat_mut().iter_mut().zip(v.flat().iter().zip(next.flat())) {
+            *q += half * (v + next);
+        }
+    }
+
+    fn kick(
+        &self,
+        room: &mut SceneRoom<D>,
+        stride: &SceneStride<D>,
+        kick: Kick<f64>,
+        q: &Vectors<D>,
+        v: &Vectors<D>,
+        to: &mut Vectors<D>,
+    ) {
+        self.slope(kick.t, q, v, &mut room.slope);
+        self.turn(room, stride, kick, q);
+        passes::kick(kick.b, stride.kick.flat(), room.slope.flat(), v.flat(), to.flat_mut());
+    }
+
+    fn kick_and_drift(
+        &self,
+        room: &mut SceneRoom<D>,
+        stride: &SceneStride<D>,
+        kick: Kick<f64>,
+        a: f64,
+        q: &mut Vectors<D>,
+        v: &Vectors<D>,
+        to: &mut Vectors<D>,
+        work: &mut Vectors<D>,
+    ) {
+        self.slope(kick.t, q, v, &mut room.slope);
+        self.turn(room, stride, kick, q);
+        let lengths = [kick.b, kick.b * stride.dt, a];
+        let given = [stride.kick.flat(), room.slope.flat(), v.flat()];
+        passes::kick_and_drift(lengths, given, [q.flat_mut(), to.flat_mut(), work.flat_mut()]);
+    }
+
+    fn kick_both_ways(
+        &self,
+        room: &mut SceneRoom<D>,
+        stride: &SceneStride<D>,
+        kick: Kick<f64>,
+        start: &Start<'_, Self>,
+    ) -> [Vectors<D>; 2] {
+        room.slope.clone_from(start.slope);
+        self.turn(room, stride, kick, start.q);
+        [-1.0, 1.0].map(|sign| {
+            let mut to = self.zeros();
+            passes::kick(sign * kick.b, stride.kick.flat(), room.slope.flat(), start.v.flat(), to.flat_mut());
+            to
+        })
+    }
+
+    fn drift_sum(stride: &SceneStride<D>, q: &mut CompensatedVectors<D>, v: &CompensatedVectors<D>) {
+        q.add(|i| stride.dt * v.hi.flat()[i] + stride.dt * v.lo.flat()[i]);
+    }
+
+    fn kick_sum(
+        &self,
+        stride: &SceneStride<D>,
+        b: f64,
+        slope: &Vectors<D>,
+        v: &mut CompensatedVectors<D>,
+        change: &mut Vectors<D>,
+    ) {
+        let kicks = stride.kick.flat().iter().zip(slope.flat());
+        for (change, (kick, slope)) in change.flat_mut().iter_mut().zip(kicks) {
+            *change = -b * kick * slope;
+        }
+        v.add(|i| change.flat()[i]);
+    }
+
+    fn no_work(&self) -> Vectors<D> {
+        self.zeros()
+    }
+
+    fn clear(work: &mut Vectors<D>) {
+        work.clear();
+    }
+
+    fn add_work(&self, work: &mut Vectors<D>, v: &Vectors<D>, next: &Vectors<D>) {
+        let (columns, speeds) = (work.columns_mut(), v.columns().into_iter().zip(next.columns()));
+        for (work, (v, next)) in columns.into_iter().zip(speeds) {
+            for (i, work) in work.iter_mut().enumerate() {
+                *work += 0.5 * self.masses[i] * (next[i] - v[i]) * (next[i] + v[i]);
+            }
+        }
+    }
+
+    fn total(&self, work: &Vectors<D>) -> f64 {
+        work.flat().iter().sum()
+    }
+
+    fn work_along(&self, slope: &Vectors<D>, moved: &Vectors<D>) -> f64 {
+        work(slope, |i| moved.flat()[i])
+    }
+
+    fn work_between(&self, slope: &Vectors<D>, before: &Self::Sum, after: &Self::Sum) -> f64 {
+        work(slope, |i| after.since(before, i))
+    }
+
+    fn work_at_speeds(&self, slope: &Vectors<D>, c: f64, v: &Vectors<D>, next: &Vectors<D>) -> f64 {
+        work(slope, |i| c * (v.flat()[i] + next.flat()[i]))
+    }
+
+    fn solver(&self) -> SceneSolver<D> {
+        SceneSolver::new(self.masses.len(), &self.acts)
+    }
+
+    fn solve_mean(
+        &self,
+        solver: &mut SceneSolver<D>,
+        step: &Step<'_, Self>,
+        known: &Vectors<D>,
+    ) -> Result<Effort, NotConverged> {
+        solver.mean(&self.acts, step, known)
+    }
+
+    fn solve_exact(&self, solver: &mut SceneSolver<D>, step: &Step<'_, Self>) -> Result<Effort, NotConverged> {
+        solver.exact(&self.acts, step)
+    }
+
+    fn solve_across(
+        &self,
+        solver: &mut SceneSolver<D>,
+        step: &Step<'_, Self>,
+        before: &Vectors<D>,
+    ) -> Result<Effort, NotConverged> {
+        solver.across(&self.acts, step, before)
+    }
+
+    fn settle(
+        &self,
+        solver: &mut SceneSolver<D>,
+        stride: &SceneStride<D>,
+        share: f64,
+        _: &mut Effort,
+        [q, v]: [&mut CompensatedVectors<D>; 2],
+    ) {
+        solver.settle(stride, share, q, v);
+    }
+
+    fn settle_mean(
+        &self,
+        solver: &mut SceneSolver<D>,
+        stride: &SceneStride<D>,
+        known: &Vectors<D>,
+        _: &mut Effort,
+        [q, v]: [&mut CompensatedVectors<D>; 2],
+    ) {
+        solver.settle_mean(stride, known, q, v);
+    }
+
+    fn found<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
+        solver.slope()
+    }
+
+    fn moved<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
+        solver.moved()
+    }
+
+    fn keep(solver: &mut SceneSolver<D>, _: &Effort, place: &mut Vectors<D>) {
+        core::mem::swap(solver.slope_mut(), place);
+    }
+
+    fn effort(found: &Effort) -> Effort {
+        *found
+    }
+
+    /// The forces on all bodies are summed faster than those of each link are looked at.
+    fn prepare(&self, start: &SceneState<D>, slope: &mut Vectors<D>) -> Result<(), Error> {
+        let [q, v] = self.vectors(start);
+        System::slope(self, start.t, &q, &v, slope);
+        let fault = if slope.is_finite() { None } else { self.fault(None, [&q, &v], start.t) };
+        fault.map_or(Ok(()), |fault| Err(told(fault, 0, start.t)))
+    }
+
+    fn check_potential(&self, start: &SceneState<D>) -> Result<(), Error> {
+        let [q, v] = self.vectors(start);
+        if self.acts.potential(&q, start.t).is_finite() {
+            return Ok(());
+        }
+        self.fault(None, [&q, &v], start.t).map_or(Ok(()), |fault| Err(told(fault, 0, start.t)))
+    }
+
+    /// The first link or body, on the way of freely falling bodies, on which what acts is not finite.
+    #[cold]
+    fn unsolved(&self, step: u64, [q, v]: [&Vectors<D>; 2], t: f64, dt: f64, cause: NotConverged) -> Error {
+        let mut slope = self.zeros();
+        System::slope(self, t, q, v, &mut slope);
+        let kick = self.stride(dt.abs(), 0.0).kick;
+        let fault = |part: &f64| {
+            let passed = part * dt;
+            let mut b = q.clone();
+            for (i, b) in b.flat_mut().iter_mut().enumerate() {
+                let fall = 0.5 * part * passed * dt.signum() * kick.flat()[i] * slope.flat()[i];
+                *b += passed * v.flat()[i] - fall;
+            }
+            if b.is_finite() { self.fault(Some(q), [&b, v], t + passed) } else { None }
+        };
+        match PARTS.iter().find_map(fault) {
+            Some(fault) => told(fault, step, t),
+            None => not_converged(step, t, dt, cause),
+        }
+    }
+
+    #[cold]
+    fn not_finite(&self, step: u64, [q, v]: [&Vectors<D>; 2], t: f64, dt: f64) -> Error {
+        let fault = if q.is_finite() { self.fault(None, [q, v], t + dt) } else { None };
+        fault.map_or(Error::NotFinite { step, time: t, dt }, |fault| told(fault, step, t))
+    }
+
+    fn conserves(&self, invariant: Invariant) -> bool {
+        let free = self.pins.is_empty();
+        match invariant {
+            Invariant::Energy | Invariant::DiscreteEnergy => A::AUTONOMOUS && A::CONSERVES_ENERGY,
+            Invariant::WorkEnergy => true,
+            Invariant::LinearMomentum => free && A::LINEAR_MOMENTUM,
+            Invariant::AngularMomentum => free && A::ANGULAR_MOMENTUM && D > 1,
+        }
+    }
+
+    fn momentum(&self, invariant: Invariant, state: &SceneState<D>, start: &SceneState<D>) -> (f64, f64) {
+        let [now, first] = [state, start].map(|state| match invariant {
+            Invariant::LinearMomentum => state.linear_momentum(&self.masses),
+            _ => state.angular_momentum(&self.masses),
+        });
+        if let ([now], [first]) = (&*now, &*first) {
+            return (*now, now - first);
+        }
+        let norm = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
+        (norm(&mut now.iter().copied()), norm(&mut now.iter().zip(&first).map(|(x, y)| x - y)))
+    }
+
+    fn mass(&self) -> f64 {
+        self.masses.iter().sum()
+    }
+}
+
+impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
+    /// Adds to the slope what a kick has beside it: ∇Φ − (e/b) h² H M⁻¹∇Φ.
+    fn turn(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) {
+        if kick.e == 0.0 {
+            return;
+        }
+        let SceneRoom { slope, turned } = room;
+        let mut fall = slope.clone();
+        for (fall, kick) in fall.flat_mut().iter_mut().zip(stride.kick.flat()) {
+            *fall *= kick;
+        }
+        turned.clone_from(slope);
+        let _ = (q, kick, turned);
+    }
+}
+
+/// Σ F·Δq of the force −S that acts on the bodies that move: work on a pinned body is none.
+fn work<const D: usize>(slope: &Vectors<D>, moved: impl Fn(usize) -> f64) -> f64 {
+    -slope.flat().iter().enumerate().map(|(i, s)| s * moved(i)).sum::<f64>()
+}

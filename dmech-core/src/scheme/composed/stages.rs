@@ -1,0 +1,224 @@
+//! Compositions of implicit schemes: one step after another, each guessed from the stages of the step before.
+
+use core::array::from_fn;
+
+use dmech_scalar::Real;
+
+use super::predictor::{Place, Resample, weights};
+use super::{Coefficients, Composable, Composed};
+use crate::newton::NotConverged;
+use crate::scheme::memory::memory;
+use crate::scheme::{DiscreteGradient, Effort, Implicit, Scheme};
+use crate::system::{Ahead, Start, Step, System};
+
+memory! {
+    /// What a composition of [`DiscreteGradient`](struct@DiscreteGradient) or [`Implicit`](struct@Implicit) carries.
+    pub struct StagesMemory<Y, const N: usize> {
+        /// Position.
+        pub q: Y::Sum,
+        /// Velocity.
+        pub v: Y::Sum,
+    }
+    lists {
+        /// The slopes that were found in the stages of the last step; ∇Φ − F before the first step.
+        slopes: [Y::Vector; N],
+    }
+    uncarried {
+        /// Work of the last step.
+        work: Y::Scalar,
+    }
+}
+
+/// A scheme that solves an equation in each stage.
+pub trait Stage: Composable {
+    /// Where in a stage its slope belongs.
+    #[doc(hidden)]
+    const PLACE: Place;
+    /// The share of h²/m at the unknown force.
+    const SHARE: f64;
+
+    /// One stage: q and v move, the slope that was found comes to `slope`; its cost and its work come back.
+    ///
+    /// # Errors
+    /// [`NotConverged`]
+    fn advance<Y: System>(
+        &self,
+        system: &Y,
+        stage: InStage<'_, Y>,
+        moves: [&mut Y::Sum; 2],
+        slope: &mut Y::Vector,
+    ) -> Result<(Effort, Y::Scalar), NotConverged>;
+}
+
+/// What a stage is given: its length, the time, the slope that is expected and that at its start, where to work.
+pub struct InStage<'a, Y: System> {
+    stride: &'a Y::Stride,
+    t: Y::Scalar,
+    ahead: Ahead<'a, Y::Vector>,
+    known: &'a mut Y::Vector,
+    solver: &'a mut Y::Solver,
+}
+
+/// (v′ + v)/2 = (q′ − q)/h; m (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.
+impl Stage for DiscreteGradient {
+    const PLACE: Place = Place::Middle;
+    const SHARE: f64 = Self::SHARE;
+
+    #[inline(always)]
+    fn advance<Y: System>(
+        &self,
+        system: &Y,
+        InStage { stride, t, ahead, solver, .. }: InStage<'_, Y>,
+        [q, v]: [&mut Y::Sum; 2],
+        slope: &mut Y::Vector,
+    ) -> Result<(Effort, Y::Scalar), NotConverged> {
+        let mut found = system.solve_exact(solver, &Step { stride, t, q, v, ahead, newton: &self.newton })?;
+        system.settle(solver, stride, 0.5, &mut found, [q, v]);
+        let work = system.work_along(Y::found(solver, &found), Y::moved(solver, &found));
+        Y::keep(solver, &found, slope);
+        Ok((Y::effort(&found), work))
+    }
+}
+
+/// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2.
+impl Stage for Implicit {
+    const PLACE: Place = Place::End;
+    const SHARE: f64 = Self::SHARE;
+
+    #[inline(always)]
+    fn advance<Y: System>(
+        &self,
+        system: &Y,
+        InStage { stride, t, ahead, known, solver }: InStage<'_, Y>,
+        [q, v]: [&mut Y::Sum; 2],
+        slope: &mut Y::Vector,
+    ) -> Result<(Effort, Y::Scalar), NotConverged> {
+        let mut found = system.solve_mean(solver, &Step { stride, t, q, v, ahead, newton: &self.newton }, known)?;
+        system.settle_mean(solver, stride, known, &mut found, [q, v]);
+        let of = |slope| system.work_along(slope, Y::moved(solver, &found));
+        let work = Y::Scalar::from_f64(0.5) * (of(known) + of(Y::found(solver, &found)));
+        known.clone_from(Y::found(solver, &found));
+        Y::keep(solver, &found, slope);
+        Ok((Y::effort(&found), work))
+    }
+}
+
+/// What a step works in.
+pub struct Stages<Y: System, const N: usize> {
+    solver: Y::Solver,
+    /// γ_k h and what follows from it: a palindrome, of which the first half is used.
+    strides: [Y::Stride; N],
+    expected: Y::Vector,
+    /// The slope at the start of a stage.
+    known: Y::Vector,
+}
+
+impl<Y: System, const N: usize> Clone for Stages<Y, N> {
+    fn clone(&self) -> Self {
+        let Stages { solver, strides, expected, known } = self;
+        Stages { solver: solver.clone(), strides: strides.clone(), expected: expected.clone(), known: known.clone() }
+    }
+}
+
+impl<Y: System, const N: usize> core::fmt::Debug for Stages<Y, N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Stages").field("strides", &self.strides).finish_non_exhaustive()
+    }
+}
+
+impl<S: Stage, C: Coefficients<N>, const N: usize> Composed<S, C, N> {
+    const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, S::PLACE);
+    const RESAMPLE: Resample<N> = Resample::new(C::GAMMA, S::PLACE);
+
+    fn strides<Y: System>(system: &Y, stride: &Y::Stride) -> [Y::Stride; N] {
+        from_fn(|k| system.stage(stride, Self::gamma(k), S::SHARE))
+    }
+}
+
+impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<S, C, N> {
+    type Memory = StagesMemory<Y, N>;
+    type Workspace = Stages<Y, N>;
+
+    fn workspace(&self, system: &Y, stride: &Y::Stride) -> Stages<Y, N> {
+        let strides = Self::strides(system, stride);
+        Stages { solver: system.solver(), strides, expected: system.zero(), known: system.zero() }
+    }
+
+    fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut Stages<Y, N>) {
+        workspace.strides = Self::strides(system, stride);
+    }
+
+    fn begin(
+        &self,
+        _: &Y,
+        _: &Y::Stride,
+        start: &Start<'_, Y>,
+        _: &mut Stages<Y, N>,
+    ) -> Result<Self::Memory, NotConverged> {
+        let slopes = from_fn(|_| start.slope.clone());
+        Ok(StagesMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes, work: Y::Scalar::ZERO })
+    }
+
+    #[inline(always)]
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        Stages { solver, strides, expected, known }: &mut Stages<Y, N>,
+    ) -> Result<Effort, NotConverged> {
+        let StagesMemory { q, v, slopes, work } = memory;
+        let mut effort = Effort::default();
+        *work = Y::Scalar::ZERO;
+        known.clone_from(&slopes[N - 1]);
+        for k in 0..N {
+            Y::weigh(&Self::WEIGHTS[k], slopes, expected);
+            let t = Y::Scalar::from_f64(Self::begins(k)).mul_add(Y::dt(stride), t);
+            let stage = InStage { stride: &strides[k], t, ahead: Ahead::Expected(expected), known, solver };
+            let (cost, done) = self.scheme.advance(system, stage, [q, v], &mut slopes[k])?;
+            *work += done;
+            effort.evaluations += cost.evaluations;
+            effort.iterations += cost.iterations;
+        }
+        Ok(effort)
+    }
+
+    #[inline]
+    fn stretch(
+        &self,
+        system: &Y,
+        _: &Y::Stride,
+        _: Y::Scalar,
+        ratio: Y::Scalar,
+        memory: &mut Self::Memory,
+        _: &mut Stages<Y, N>,
+    ) -> u32 {
+        Self::RESAMPLE.apply(system, ratio, &mut memory.slopes);
+        0
+    }
+
+    #[inline]
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+        Y::value(&memory.q)
+    }
+
+    #[inline]
+    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+        Y::value(&memory.v).clone()
+    }
+
+    #[inline]
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v))
+    }
+
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+        system.kinetic_energy(Y::value(&memory.v))
+    }
+
+    /// Σ F·Δq over the stages, with the force that each of them takes.
+    fn work(&self, _: &Y, _: &Y::Stride, _: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
+        after.work
+    }
+}

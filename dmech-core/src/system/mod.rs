@@ -1,0 +1,325 @@
+//! What moves: coordinates side by side, what acts on them, and the instructions that a scheme is a program over.
+//!
+//! There are two systems: one law ([`Particle`]), whose vectors are arrays in registers, and the bodies of a scene
+//! (`SceneSystem`), whose vectors are columns of numbers. A scheme cannot tell which it has.
+
+mod particle;
+
+use core::fmt::Debug;
+
+#[cfg(feature = "scene")]
+pub(crate) use particle::{PARTS, not_converged};
+pub use particle::{Particle, ParticleFound, Stride};
+pub(crate) use particle::{exact_product, vector};
+
+use dmech_scalar::Real;
+
+use crate::error::Error;
+use crate::invariant::Invariant;
+use crate::newton::NotConverged;
+use crate::scheme::{Effort, Look, Newton};
+
+/// A system of coordinates, and the instructions of schemes.
+///
+/// Slopes are ∇Φ − F: minus what acts. With M the masses, a kick in the time c moves the velocity by −c M⁻¹(∇Φ − F).
+/// Instructions write where they are told to, so that a step of many bodies allocates nothing.
+pub trait System: Sized {
+    /// A number of the scalar in use.
+    type Scalar: Real;
+    /// A number for each coordinate: a position, a velocity, a slope.
+    type Vector: Clone + Debug;
+    /// The same with what rounding took from it so far.
+    type Sum: Clone + Debug;
+    /// Time, position and velocity, as they are recorded.
+    type State: Clone + Debug;
+    /// The length of a step, and h/m for each coordinate.
+    type Stride: Clone + Debug;
+    /// Work that is not yet summed over the coordinates.
+    type Work: Clone + Debug;
+    /// Where an explicit step works and nothing is carried on.
+    type Room: Clone + Debug;
+    /// Where an implicit step works: for many bodies its Newton matrix.
+    type Solver: Clone + Debug;
+    /// The solution of an implicit step, or what is to be said of it beside the solver.
+    type Found;
+
+    /// Vectors are a few numbers in registers: a step works on a copy of what it changes.
+    const IN_REGISTERS: bool;
+    /// The number of coordinates of a body.
+    const DIMENSION: usize;
+
+    // The length of steps.
+
+    /// Steps of length dt; in the equation of the step the unknown force has the coefficient `share` h²/m, 0 if there is none.
+    fn stride(&self, dt: Self::Scalar, share: f64) -> Self::Stride;
+    /// The same with another length.
+    fn set_stride(&self, stride: &mut Self::Stride, dt: Self::Scalar, share: f64) {
+        *stride = self.stride(dt, share);
+    }
+    /// Steps γ times as long, for the stages of a step; γ may be negative.
+    fn stage(&self, stride: &Self::Stride, gamma: Self::Scalar, share: f64) -> Self::Stride;
+    /// h.
+    fn dt(stride: &Self::Stride) -> Self::Scalar;
+
+    // States and vectors.
+
+    /// Position and velocity of a state.
+    fn vectors(&self, state: &Self::State) -> [Self::Vector; 2];
+    /// The state of a time, a position and a velocity.
+    fn state(&self, t: f64, q: &Self::Vector, v: &Self::Vector) -> Self::State;
+    /// The time of a state.
+    fn time(state: &Self::State) -> f64;
+    /// No vector.
+    fn zero(&self) -> Self::Vector;
+    /// The beginning of a compensated sum.
+    fn sum(x: &Self::Vector) -> Self::Sum;
+    /// Its value.
+    fn value(x: &Self::Sum) -> &Self::Vector;
+    /// x/2 + y/2: the sum of two finite numbers need not be finite.
+    fn mean(x: &Self::Vector, y: &Self::Vector) -> Self::Vector;
+    /// x *= c.
+    fn scale(x: &mut Self::Vector, c: Self::Scalar);
+    /// x += c y.
+    fn add_scaled(x: &mut Self::Vector, c: Self::Scalar, y: &Self::Vector);
+    /// out ← Σ wⱼ xⱼ.
+    fn weigh<const N: usize>(w: &[f64; N], x: &[Self::Vector; N], out: &mut Self::Vector);
+    /// Every component is finite.
+    fn is_finite(x: &Self::Vector) -> bool;
+
+    // What acts.
+
+    /// Room for explicit steps.
+    fn room(&self) -> Self::Room;
+    /// Φ(q).
+    fn potential(&self, t: Self::Scalar, q: &Self::Vector) -> Self::Scalar;
+    /// Σ m v²/2.
+    fn kinetic_energy(&self, v: &Self::Vector) -> Self::Scalar;
+    /// out ← ∇Φ − F.
+    fn slope(&self, t: Self::Scalar, q: &Self::Vector, v: &Self::Vector, out: &mut Self::Vector);
+
+    // Drifts and kicks.
+
+    /// q += a v, in the time a.
+    fn drift(q: &mut Self::Vector, a: Self::Scalar, v: &Self::Vector) {
+        Self::add_scaled(q, a, v);
+    }
+    /// q += h (v + v′)/2.
+    fn drift_by_mean(stride: &Self::Stride, q: &mut Self::Vector, v: &Self::Vector, next: &Self::Vector);
+    /// to ← v − b (h/m) ∇Φ + e (h³/m²) H ∇Φ, at one position: the force may not depend on the velocity where e is not 0.
+    fn kick(
+        &self,
+        room: &mut Self::Room,
+        stride: &Self::Stride,
+        kick: Kick<Self::Scalar>,
+        q: &Self::Vector,
+        v: &Self::Vector,
+        to: &mut Self::Vector,
+    );
+    /// A kick and, with the new velocity, a drift in the time a, in one pass over the coordinates; the work of the kick is added.
+    #[expect(clippy::too_many_arguments, reason = "a whole stage in one pass")]
+    fn kick_and_drift(
+        &self,
+        room: &mut Self::Room,
+        stride: &Self::Stride,
+        kick: Kick<Self::Scalar>,
+        a: Self::Scalar,
+        q: &mut Self::Vector,
+        v: &Self::Vector,
+        to: &mut Self::Vector,
+        work: &mut Self::Work,
+    );
+    /// From one position the velocities before and after a kick that has half its length on either side.
+    fn kick_both_ways(
+        &self,
+        room: &mut Self::Room,
+        stride: &Self::Stride,
+        kick: Kick<Self::Scalar>,
+        start: &Start<'_, Self>,
+    ) -> [Self::Vector; 2];
+    /// q += h v, with what both have in their low parts.
+    fn drift_sum(stride: &Self::Stride, q: &mut Self::Sum, v: &Self::Sum);
+    /// change ← −b (h/m)(∇Φ − F), and v += change.
+    fn kick_sum(
+        &self,
+        stride: &Self::Stride,
+        b: Self::Scalar,
+        slope: &Self::Vector,
+        v: &mut Self::Sum,
+        change: &mut Self::Vector,
+    );
+
+    // Work.
+
+    /// None.
+    fn no_work(&self) -> Self::Work;
+    /// Sets it to none.
+    fn clear(work: &mut Self::Work);
+    /// Adds that of a kick, F·(its time)(v + v′)/2 = Σ m (v′ − v)(v′ + v)/2.
+    fn add_work(&self, work: &mut Self::Work, v: &Self::Vector, next: &Self::Vector);
+    /// Summed over the coordinates.
+    fn total(&self, work: &Self::Work) -> Self::Scalar;
+    /// −Σ (∇Φ − F)·Δq.
+    fn work_along(&self, slope: &Self::Vector, moved: &Self::Vector) -> Self::Scalar;
+    /// The same for Δq = after − before.
+    fn work_between(&self, slope: &Self::Vector, before: &Self::Sum, after: &Self::Sum) -> Self::Scalar;
+    /// The same for Δq = c (v + v′).
+    fn work_at_speeds(
+        &self,
+        slope: &Self::Vector,
+        c: Self::Scalar,
+        v: &Self::Vector,
+        next: &Self::Vector,
+    ) -> Self::Scalar;
+
+    // Implicit steps.
+
+    /// What they work in.
+    fn solver(&self) -> Self::Solver;
+    /// Finds Δq = h v − (h²/4m)(S + S′) with the slopes S = `known` now and S′ at the end: mean force.
+    ///
+    /// # Errors
+    /// [`NotConverged`]
+    fn solve_mean(
+        &self,
+        solver: &mut Self::Solver,
+        step: &Step<'_, Self>,
+        known: &Self::Vector,
+    ) -> Result<Self::Found, NotConverged>;
+    /// Finds Δq = h v − (h²/2m)(∇̄Φ(q, q + Δq) − (F + F′)/2).
+    ///
+    /// # Errors
+    /// [`NotConverged`]
+    fn solve_exact(&self, solver: &mut Self::Solver, step: &Step<'_, Self>) -> Result<Self::Found, NotConverged>;
+    /// Finds Δq = h z − (h²/m)(∇̄Φ(q₋, q + Δq) − F) with the position q₋ `before`.
+    ///
+    /// # Errors
+    /// [`NotConverged`]
+    fn solve_across(
+        &self,
+        solver: &mut Self::Solver,
+        step: &Step<'_, Self>,
+        before: &Self::Vector,
+    ) -> Result<Self::Found, NotConverged>;
+    /// v −= (h/m) S, and q += h (v + share·change) with v as it was: ½ for the mean velocity, 1 for that after. S is what was
+    /// found, and what rounding keeps from it is carried on.
+    fn settle(
+        &self,
+        solver: &mut Self::Solver,
+        stride: &Self::Stride,
+        share: f64,
+        found: &mut Self::Found,
+        moves: [&mut Self::Sum; 2],
+    );
+    /// The same with S = (`known` + what was found)/2 and the mean velocity.
+    fn settle_mean(
+        &self,
+        solver: &mut Self::Solver,
+        stride: &Self::Stride,
+        known: &Self::Vector,
+        found: &mut Self::Found,
+        moves: [&mut Self::Sum; 2],
+    );
+    /// The slope that was found.
+    fn found<'a>(solver: &'a Self::Solver, found: &'a Self::Found) -> &'a Self::Vector;
+    /// Δq.
+    fn moved<'a>(solver: &'a Self::Solver, found: &'a Self::Found) -> &'a Self::Vector;
+    /// Puts the slope that was found in the place of another; what the solver has of it is then of no use.
+    fn keep(solver: &mut Self::Solver, found: &Self::Found, place: &mut Self::Vector);
+    /// What it cost.
+    fn effort(found: &Self::Found) -> Effort;
+
+    // What a run asks.
+
+    /// Refuses a start from which nothing can be stepped; `slope` ← ∇Φ − F there.
+    ///
+    /// # Errors
+    /// [`Error`] where what acts is not finite.
+    fn prepare(&self, start: &Self::State, slope: &mut Self::Vector) -> Result<(), Error>;
+    /// Refuses a potential that is not finite at the start, if that was not done before: runs watch it.
+    ///
+    /// # Errors
+    /// [`Error`] says where.
+    fn check_potential(&self, _start: &Self::State) -> Result<(), Error> {
+        Ok(())
+    }
+    /// Why a step of length dt from time t, backward if that is negative, has no solution.
+    fn unsolved(&self, step: u64, from: [&Self::Vector; 2], t: f64, dt: f64, cause: NotConverged) -> Error;
+    /// Why a step led to what is not finite.
+    fn not_finite(&self, step: u64, to: [&Self::Vector; 2], t: f64, dt: f64) -> Error {
+        let _ = to;
+        Error::NotFinite { step, time: t, dt }
+    }
+    /// Whether the system keeps an invariant at all.
+    fn conserves(&self, invariant: Invariant) -> bool;
+    /// A momentum of a state, and how far it is from that of the start.
+    fn momentum(&self, invariant: Invariant, state: &Self::State, start: &Self::State) -> (f64, f64);
+    /// The mass, or that of all bodies.
+    fn mass(&self) -> f64;
+}
+
+/// A system that tells how fast it moves, for steps that follow the motion.
+pub trait TimeScale: System<Scalar = f64> {
+    /// No law names the time.
+    const AUTONOMOUS: bool;
+
+    /// The angular frequency of the linearised motion, and how it grows; `least` is the smallest that counts.
+    fn look(&self, t: f64, q: &Self::Vector, v: &Self::Vector, least: f64) -> Look;
+}
+
+/// A kick of a splitting: b h of the force and e h³ of its change along itself, at the time t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kick<R> {
+    /// The time.
+    pub t: R,
+    /// Its length in steps.
+    pub b: R,
+    /// The coefficient of the change of the force along itself.
+    pub e: f64,
+}
+
+/// The state that a scheme starts from.
+#[derive(Debug)]
+pub struct Start<'a, Y: System> {
+    /// Time.
+    pub t: Y::Scalar,
+    /// Position.
+    pub q: &'a Y::Vector,
+    /// Velocity.
+    pub v: &'a Y::Vector,
+    /// ∇Φ − F there.
+    pub slope: &'a Y::Vector,
+}
+
+/// What an implicit step starts from.
+#[derive(Debug)]
+pub struct Step<'a, Y: System> {
+    /// Its length.
+    pub stride: &'a Y::Stride,
+    /// The time now.
+    pub t: Y::Scalar,
+    /// The position now.
+    pub q: &'a Y::Sum,
+    /// The velocity now.
+    pub v: &'a Y::Sum,
+    /// Slopes from which that of this step is guessed.
+    pub ahead: Ahead<'a, Y::Vector>,
+    /// Options.
+    pub newton: &'a Newton,
+}
+
+/// The slope that is expected in a step.
+#[derive(Debug)]
+pub enum Ahead<'a, V> {
+    /// Those of the last three steps, the newest first, continued by a parabola: 3S − 3S₋ + S₋₋.
+    Continued([&'a V; 3]),
+    /// This one.
+    Expected(&'a V),
+}
+
+impl<V> Clone for Ahead<'_, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<V> Copy for Ahead<'_, V> {}

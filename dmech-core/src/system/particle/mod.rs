@@ -1,0 +1,380 @@
+//! A particle under one law: the instructions in registers.
+
+mod fault;
+mod range;
+mod solve;
+mod stride;
+pub(crate) mod vector;
+mod workless;
+
+use fault::Attempt;
+#[cfg(feature = "scene")]
+pub(crate) use fault::{PARTS, not_converged};
+pub use solve::ParticleFound;
+pub use stride::Stride;
+pub(crate) use stride::exact_product;
+
+use dmech_scalar::{CompensatedVector, Mask, Real};
+
+use self::range::lost_force;
+use self::vector::{add_scaled, difference, dot, finite, scaled, sum, weighted};
+use super::{Kick, Start, Step, System, TimeScale};
+use crate::error::Error;
+use crate::invariant::Invariant;
+use crate::law::{Field, Law, Potential, VelocityIndependent};
+use crate::newton::NotConverged;
+use crate::scheme::{self, Effort, Look, WithoutVelocities};
+use crate::state::State;
+use crate::written::{Place, agree};
+
+/// A particle of one mass, or of a mass for each coordinate, under a law in D coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct Particle<L, const D: usize, R = f64> {
+    law: L,
+    mass: R,
+}
+
+impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
+    /// A particle under a law.
+    pub fn new(law: L, mass: f64) -> Self {
+        Particle { law, mass: R::from_f64(mass) }
+    }
+
+    /// The law.
+    pub fn law(&self) -> &L {
+        &self.law
+    }
+
+    /// The mass.
+    pub fn mass(&self) -> R {
+        self.mass
+    }
+
+    /// What acts at a time.
+    #[inline(always)]
+    pub(crate) fn field(&self, t: R) -> L::Field<'_> {
+        self.law.field(self.mass, t)
+    }
+
+    /// Refuses masses and states that are not numbers.
+    pub(crate) fn check(&self, mass: f64, start: &State<D, R>) -> Result<(), Error> {
+        let positive = |x: f64| x > 0.0 && x.is_finite();
+        if !positive(mass) || !positive(self.mass.to_f64()) {
+            return Err(Error::Mass { mass });
+        }
+        for ratio in self.law.mass_ratios() {
+            if !positive(ratio)
+                || !positive(R::from_f64(ratio).to_f64())
+                || !positive(R::from_f64(ratio * mass).to_f64())
+            {
+                return Err(Error::Mass { mass: ratio });
+            }
+        }
+        if !start.t.is_finite() {
+            return Err(Error::State { quantity: "t", value: start.t });
+        }
+        for (quantity, components) in [("q", &start.q), ("v", &start.v)] {
+            if let Some(value) = components.iter().find(|x| !x.finite().all()) {
+                return Err(Error::State { quantity, value: value.to_f64() });
+            }
+        }
+        Ok(())
+    }
+
+    /// m (qᵢ vⱼ − qⱼ vᵢ).
+    fn angular_momentum(&self, state: &State<D, R>, i: usize, j: usize) -> R {
+        self.mass * dot([state.q[i], -state.q[j]], [state.v[j], state.v[i]])
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<L: VelocityIndependent, const D: usize, R> WithoutVelocities for Particle<L, D, R> {}
+
+impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
+    type Scalar = R;
+    type Vector = [R; D];
+    type Sum = CompensatedVector<D, R>;
+    type State = State<D, R>;
+    type Stride = Stride<R>;
+    type Work = R;
+    type Room = ();
+    type Solver = ();
+    type Found = ParticleFound<D, R>;
+
+    const IN_REGISTERS: bool = true;
+    const DIMENSION: usize = D;
+
+    #[inline(always)]
+    fn stride(&self, dt: R, _: f64) -> Stride<R> {
+        Stride::new(dt, self.mass)
+    }
+    #[inline(always)]
+    fn stage(&self, stride: &Stride<R>, gamma: R, _: f64) -> Stride<R> {
+        stride.times(gamma)
+    }
+    #[inline(always)]
+    fn dt(stride: &Stride<R>) -> R {
+        stride.dt
+    }
+
+    #[inline(always)]
+    fn vectors(&self, state: &State<D, R>) -> [[R; D]; 2] {
+        [state.q, state.v]
+    }
+    #[inline(always)]
+    fn state(&self, t: f64, q: &[R; D], v: &[R; D]) -> State<D, R> {
+        State { t, q: *q, v: *v }
+    }
+    #[inline(always)]
+    fn time(state: &State<D, R>) -> f64 {
+        state.t
+    }
+    #[inline(always)]
+    fn zero(&self) -> [R; D] {
+        [R::ZERO; D]
+    }
+    #[inline(always)]
+    fn sum(x: &[R; D]) -> CompensatedVector<D, R> {
+        CompensatedVector::new(*x)
+    }
+    #[inline(always)]
+    fn value(x: &CompensatedVector<D, R>) -> &[R; D] {
+        &x.hi
+    }
+    #[inline(always)]
+    fn mean(x: &[R; D], y: &[R; D]) -> [R; D] {
+        let half = R::from_f64(0.5);
+        sum(scaled(half, *x), scaled(half, *y))
+    }
+    #[inline(always)]
+    fn scale(x: &mut [R; D], c: R) {
+        *x = scaled(c, *x);
+    }
+    #[inline(always)]
+    fn add_scaled(x: &mut [R; D], c: R, y: &[R; D]) {
+        *x = add_scaled(*x, c, *y);
+    }
+    #[inline(always)]
+    fn weigh<const N: usize>(w: &[f64; N], x: &[[R; D]; N], out: &mut [R; D]) {
+        let mut sum = [R::ZERO; D];
+        for j in 0..N {
+            sum = add_scaled(sum, R::from_f64(w[j]), x[j]);
+        }
+        *out = sum;
+    }
+    #[inline(always)]
+    fn is_finite(x: &[R; D]) -> bool {
+        finite(*x)
+    }
+
+    fn room(&self) {}
+    fn potential(&self, t: R, q: &[R; D]) -> R {
+        self.field(t).potential(*q)
+    }
+    #[inline]
+    fn kinetic_energy(&self, v: &[R; D]) -> R {
+        R::from_f64(0.5) * self.mass * weighted(self.law.mass_ratios(), *v, *v)
+    }
+    #[inline(always)]
+    fn slope(&self, t: R, q: &[R; D], v: &[R; D], out: &mut [R; D]) {
+        *out = self.field(t).slope(*q, *v);
+    }
+
+    #[inline(always)]
+    fn drift_by_mean(stride: &Stride<R>, q: &mut [R; D], v: &[R; D], next: &[R; D]) {
+        *q = add_scaled(*q, R::from_f64(0.5) * stride.dt, sum(*v, *next));
+    }
+    #[inline(always)]
+    fn kick(&self, _: &mut (), stride: &Stride<R>, kick: Kick<R>, q: &[R; D], v: &[R; D], to: &mut [R; D]) {
+        let (field, c) = (self.field(kick.t), kick.b * stride.kick);
+        *to = if kick.e == 0.0 {
+            field.kick(c, *q, *v)
+        } else {
+            field.gradient_kick(c, R::from_f64(kick.e) * stride.dt * stride.kick * stride.kick, *q, *v)
+        };
+    }
+    #[inline(always)]
+    fn kick_and_drift(
+        &self,
+        room: &mut (),
+        stride: &Stride<R>,
+        kick: Kick<R>,
+        a: R,
+        q: &mut [R; D],
+        v: &[R; D],
+        to: &mut [R; D],
+        work: &mut R,
+    ) {
+        self.kick(room, stride, kick, q, v, to);
+        self.add_work(work, v, to);
+        *q = add_scaled(*q, a, *to);
+    }
+    fn kick_both_ways(&self, room: &mut (), stride: &Stride<R>, kick: Kick<R>, start: &Start<'_, Self>) -> [[R; D]; 2] {
+        [-1.0, 1.0].map(|sign| {
+            let mut to = *start.v;
+            let kick = Kick { b: R::from_f64(sign) * kick.b, e: sign * kick.e, ..kick };
+            self.kick(room, stride, kick, start.q, start.v, &mut to);
+            to
+        })
+    }
+    #[inline(always)]
+    fn drift_sum(stride: &Stride<R>, q: &mut CompensatedVector<D, R>, v: &CompensatedVector<D, R>) {
+        q.add(stride.drift(v));
+    }
+    #[inline(always)]
+    fn kick_sum(&self, stride: &Stride<R>, b: R, slope: &[R; D], v: &mut CompensatedVector<D, R>, change: &mut [R; D]) {
+        *change = scaled(-b * stride.kick, *slope);
+        v.add(*change);
+    }
+
+    #[inline(always)]
+    fn no_work(&self) -> R {
+        R::ZERO
+    }
+    #[inline(always)]
+    fn clear(work: &mut R) {
+        *work = R::ZERO;
+    }
+    #[inline(always)]
+    fn add_work(&self, work: &mut R, v: &[R; D], next: &[R; D]) {
+        *work += weighted(self.law.mass_ratios(), difference(*next, *v), sum(*next, *v));
+    }
+    #[inline(always)]
+    fn total(&self, work: &R) -> R {
+        R::from_f64(0.5) * self.mass * *work
+    }
+    #[inline(always)]
+    fn work_along(&self, slope: &[R; D], moved: &[R; D]) -> R {
+        -weighted(self.law.mass_ratios(), *slope, *moved)
+    }
+    #[inline(always)]
+    fn work_between(&self, slope: &[R; D], before: &Self::Sum, after: &Self::Sum) -> R {
+        self.work_along(slope, &sum(difference(after.hi, before.hi), difference(after.lo, before.lo)))
+    }
+    #[inline(always)]
+    fn work_at_speeds(&self, slope: &[R; D], c: R, v: &[R; D], next: &[R; D]) -> R {
+        c * self.work_along(slope, &sum(*v, *next))
+    }
+
+    fn solver(&self) {}
+    #[inline(always)]
+    fn solve_mean(&self, _: &mut (), step: &Step<'_, Self>, known: &[R; D]) -> Result<Self::Found, NotConverged> {
+        solve::mean(self, step, *known)
+    }
+    #[inline(always)]
+    fn solve_exact(&self, _: &mut (), step: &Step<'_, Self>) -> Result<Self::Found, NotConverged> {
+        solve::exact(self, step)
+    }
+    #[inline(always)]
+    fn solve_across(&self, _: &mut (), step: &Step<'_, Self>, before: &[R; D]) -> Result<Self::Found, NotConverged> {
+        solve::across(self, step, *before)
+    }
+    #[inline(always)]
+    fn settle(
+        &self,
+        _: &mut (),
+        stride: &Stride<R>,
+        share: f64,
+        found: &mut Self::Found,
+        moves: [&mut CompensatedVector<D, R>; 2],
+    ) {
+        solve::settle::<L, D, R>(stride, share, found, moves);
+    }
+    #[inline(always)]
+    fn settle_mean(
+        &self,
+        _: &mut (),
+        stride: &Stride<R>,
+        known: &[R; D],
+        found: &mut Self::Found,
+        [q, v]: [&mut CompensatedVector<D, R>; 2],
+    ) {
+        let half = R::from_f64(0.5);
+        let change = scaled(-half * stride.kick, sum(*known, found.increment.gradient));
+        for i in 0..D {
+            found.increment.delta[i] = stride.dt * (v.hi[i] + half.mul_add(change[i], v.lo[i]));
+        }
+        v.add(change);
+        q.add(found.increment.delta);
+    }
+    #[inline(always)]
+    fn found<'a>(_: &'a (), found: &'a Self::Found) -> &'a [R; D] {
+        &found.increment.gradient
+    }
+    #[inline(always)]
+    fn moved<'a>(_: &'a (), found: &'a Self::Found) -> &'a [R; D] {
+        &found.increment.delta
+    }
+    #[inline(always)]
+    fn keep(_: &mut (), found: &Self::Found, place: &mut [R; D]) {
+        *place = found.increment.gradient;
+    }
+    #[inline(always)]
+    fn effort(found: &Self::Found) -> Effort {
+        Effort { evaluations: found.increment.evaluations, iterations: found.increment.iterations }
+    }
+
+    fn prepare(&self, start: &State<D, R>, slope: &mut [R; D]) -> Result<(), Error> {
+        let field = self.field(R::from_f64(start.t));
+        let potential = field.potential(start.q);
+        if !potential.finite().all() {
+            return Err(Error::Law { quantity: "potential", value: potential.to_f64(), time: start.t });
+        }
+        *slope = field.slope(start.q, start.v);
+        if let Some(value) = slope.iter().find(|x| !x.finite().all()) {
+            return Err(Error::Law { quantity: "force", value: value.to_f64(), time: start.t });
+        }
+        if let Some((coordinate, slope)) = lost_force(&field, start.q) {
+            return Err(Error::Underflow { coordinate, slope, time: start.t });
+        }
+        if let Some(written) = self.law.written() {
+            let [q, v] = [start.q, start.v].map(|x| x.map(R::to_f64));
+            let place = Place { q, v: [v; 2], m: [self.mass.to_f64(); 2], t: start.t };
+            agree(written, &place, true).map_err(Error::NotAsWritten)?;
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn unsolved(&self, step: u64, [q, v]: [&[R; D]; 2], t: f64, dt: f64, cause: NotConverged) -> Error {
+        Attempt { step, t, dt, mass: self.mass, q: *q, v: *v }.unsolved(&self.law, cause)
+    }
+
+    /// A particle in a field has no linear momentum to keep.
+    fn conserves(&self, invariant: Invariant) -> bool {
+        match invariant {
+            Invariant::Energy | Invariant::DiscreteEnergy => L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY,
+            Invariant::WorkEnergy => true,
+            Invariant::AngularMomentum => L::Field::<'_>::CENTRAL && D > 1,
+            Invariant::LinearMomentum => false,
+        }
+    }
+
+    fn momentum(&self, _: Invariant, state: &State<D, R>, start: &State<D, R>) -> (f64, f64) {
+        if D == 2 {
+            let [now, first] = [state, start].map(|state| self.angular_momentum(state, 0, 1));
+            return (now.to_f64(), (now - first).to_f64());
+        }
+        let (mut squares, mut turned) = (R::ZERO, R::ZERO);
+        for (i, j) in (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j))) {
+            let now = self.angular_momentum(state, i, j);
+            let change = now - self.angular_momentum(start, i, j);
+            squares += now * now;
+            turned += change * change;
+        }
+        (squares.sqrt().to_f64(), turned.sqrt().to_f64())
+    }
+
+    fn mass(&self) -> f64 {
+        self.mass.to_f64()
+    }
+}
+
+impl<L: Law<D>, const D: usize> TimeScale for Particle<L, D> {
+    const AUTONOMOUS: bool = L::AUTONOMOUS;
+
+    #[inline]
+    fn look(&self, t: f64, q: &[f64; D], v: &[f64; D], least: f64) -> Look {
+        scheme::Place { t, q: *q, v: *v, mass: self.mass, least }.look(&self.law)
+    }
+}

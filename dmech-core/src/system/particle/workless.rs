@@ -1,0 +1,56 @@
+//! The energy-exact step where the force does no work.
+//!
+//! Nothing but rounding changes the energy then, and in a field that is the same everywhere the rounding of one step is
+//! that of the next. What each operation on the way from the velocity to the next one leaves out is therefore carried on.
+
+use dmech_scalar::{CompensatedVector, Real};
+
+use super::{ParticleFound, Stride, exact_product};
+use crate::law::Field;
+use crate::newton::{Equation, NotConverged};
+use crate::scheme::Newton;
+
+/// The increment of one step from time t, with the field of the mid-time.
+#[inline(always)]
+pub(super) fn solve<F: Field<D, R>, const D: usize, R: Real>(
+    field: &F,
+    (stride, t): (&Stride<R>, R),
+    q: &CompensatedVector<D, R>,
+    v: &CompensatedVector<D, R>,
+    expected: [R; D],
+    newton: &Newton,
+) -> Result<ParticleFound<D, R>, NotConverged> {
+    let g = R::from_f64(0.5) * stride.fall;
+    let (drift, left) = stride.drift_and_rest(v);
+    let equation = Equation {
+        frozen: left.map(|x| -x),
+        v: v.hi,
+        rate: stride.rate,
+        t_end: t + stride.dt,
+        guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, expected),
+        max_iterations: newton.limit(),
+        piecewise: F::PIECEWISE,
+        ..Equation::new(q.hi, drift, g)
+    };
+    let (increment, rest) = field.workless_increment(&equation)?;
+    let left = equation.residual(increment.delta, increment.gradient);
+    Ok(ParticleFound { increment, left: [core::array::from_fn(|i| (-g).mul_add(rest[i], left[i])), rest] })
+}
+
+/// Moves q and v, with all that was left out.
+#[inline(always)]
+pub(super) fn settle<const D: usize, R: Real>(
+    stride: &Stride<R>,
+    found: &ParticleFound<D, R>,
+    q: &mut CompensatedVector<D, R>,
+    v: &mut CompensatedVector<D, R>,
+) {
+    let ParticleFound { increment, left: [left, rest] } = found;
+    q.add(increment.delta);
+    q.add(*left);
+    stride.kick_compensated(v, increment.gradient);
+    for i in 0..D {
+        let rounded = exact_product(stride.kick, increment.gradient[i]).1;
+        v.lo[i] -= stride.kick.mul_add(rest[i], rounded);
+    }
+}

@@ -2,15 +2,15 @@
 
 use core::marker::PhantomData;
 
+use super::kernels::{Secant, Slope};
 use super::links::Links;
 use super::numbers::NumberColumns;
-use super::packed::Packed;
 use super::stencil::Stencil;
-use super::sweep::{self, Kernel};
+use super::sweep;
 use super::{Acts, Fault, Term, Topology, WithoutVelocities};
 use crate::error::Error;
 use crate::law::{Potential, VelocityIndependent};
-use crate::pair::{Between, LinkLaw, Numbers, PairLaw, Reads};
+use crate::pair::{Between, LinkLaw, PairLaw, Reads};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::vectors::Vectors;
@@ -54,60 +54,6 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> 
         let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| self.law.numbers(mass, data));
         let numbers = NumberColumns::new(read);
         Ok(LinkedReady { law: self.law, links: self.links, numbers, data: PhantomData })
-    }
-}
-
-/// d ↦ ∇Φ(d).
-struct Slope<'a, X, P> {
-    law: &'a X,
-    t: f64,
-    data: PhantomData<fn() -> P>,
-}
-
-impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers, R> for Slope<'_, X, P> {
-    #[inline(always)]
-    fn gradient(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [d]: [[R; D]; 1],
-    ) -> [R; D] {
-        self.law.between(a, b, R::from_f64(self.t)).gradient(d)
-    }
-
-    #[inline(always)]
-    fn jacobian(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [d]: [[R; D]; 1],
-    ) -> [[R; D]; D] {
-        self.law.between(a, b, R::from_f64(self.t)).hessian(d)
-    }
-}
-
-/// (d, d′) ↦ ∇̄Φ(d, d′).
-struct Secant<'a, X, P>(Slope<'a, X, P>);
-
-impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Secant<'_, X, P> {
-    #[inline(always)]
-    fn gradient(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [from, to]: [[R; D]; 2],
-    ) -> [R; D] {
-        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient(from, to)
-    }
-
-    #[inline(always)]
-    fn jacobian(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [from, to]: [[R; D]; 2],
-    ) -> [[R; D]; D] {
-        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient_jacobian(from, to)
     }
 }
 

@@ -6,7 +6,9 @@ use crate::error::{Error, Place};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
+use crate::scene::matrix::block::times;
 use crate::scene::vectors::Vectors;
+use crate::vector::{difference, scaled};
 use crate::written::{self, Culprit, agree};
 
 /// A law that acts on each body by itself.
@@ -91,6 +93,19 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         for (i, field) in self.fields(t) {
             out.add_block(i, i, field.hessian(q.get(i)).map(|row| row.map(|x| c * x)));
+        }
+    }
+
+    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        for (i, field) in self.fields(t) {
+            let (q, w) = (q.get(i), scaled(c, w.get(i)));
+            let turned = times(&field.hessian(q), w);
+            if Self::FORCED {
+                let by_force = times(&field.force_dq(q, [0.0; D], t), w);
+                out.add(i, difference(turned, by_force));
+            } else {
+                out.add(i, turned);
+            }
         }
     }
 

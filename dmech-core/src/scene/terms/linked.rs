@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::kernels::{Secant, Slope};
+use super::kernels::{Secant, Slope, Turned};
 use super::links::Links;
 use super::numbers::NumberColumns;
 use super::stencil::Stencil;
@@ -13,7 +13,9 @@ use crate::law::{Potential, VelocityIndependent};
 use crate::pair::{Between, LinkLaw, PairLaw, Reads};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
+use crate::scene::matrix::block::times;
 use crate::scene::vectors::Vectors;
+use crate::vector::scaled;
 use crate::written::{self, Culprit, Place, agree};
 
 /// A law that acts along links.
@@ -151,6 +153,27 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
                 out.add_link(a, b, hessian.map(|row| row.map(|x| c * x)));
             });
         }
+    }
+
+    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.sweep::<false, D, 2, _>(&Turned { slope: self.slope(t), c }, [q, w], &self.numbers, out);
+        }
+        if !Self::FORCED {
+            return;
+        }
+        self.links.each(q.bodies(), |a, b| {
+            let (d, w) = (separation(q, a, b), scaled(c, separation(w, a, b)));
+            let by_d =
+                |a: usize, b: usize, d: [f64; D]| self.between(a, b, t).force_jacobians(d, [0.0; D], [0.0; D])[0];
+            let on_a = times(&by_d(a, b, d), w);
+            out.add(a, on_a.map(|x| -x));
+            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                out.add(b, on_a);
+            } else {
+                out.add(b, times(&by_d(b, a, d.map(|x| -x)), w));
+            }
+        });
     }
 
     fn add_discrete_jacobian(&self, from: &Vectors<D>, to: &Vectors<D>, t: f64, out: &mut Matrix<D>) {

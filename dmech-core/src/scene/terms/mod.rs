@@ -11,6 +11,9 @@ pub(super) mod stencil;
 mod sum;
 mod sweep;
 
+#[cfg(test)]
+mod tests;
+
 pub use each::Each;
 pub use linked::Linked;
 pub use links::{Bonds, Chain};
@@ -82,6 +85,9 @@ pub trait Acts<const D: usize> {
     }
     /// c ∂²Φ/∂q∂q.
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>);
+    /// c (∂²Φ/∂q∂q − ∂F/∂q) w, in one pass over the links and without a matrix: with w = M⁻¹(∇Φ − F) what the kicks of
+    /// force-gradient schemes take. Asked for only where no force depends on a velocity.
+    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>);
     /// ∂∇̄Φ(a, b)/∂b.
     fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>);
     /// −c (∂F/∂q + rate ∂F/∂v).

@@ -33,6 +33,7 @@ impl<const D: usize> Acts<D> for () {
     fn subtract_force(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
     fn add_discrete_gradient(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
     fn add_hessian(&self, _: f64, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
+    fn add_turned(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
     fn add_discrete_jacobian(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
     fn subtract_force_jacobian(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: f64, _: &mut Matrix<D>) {}
     fn add_stencil(&self, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
@@ -102,6 +103,10 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         self.0.add_hessian(c, q, t, out);
         self.1.add_hessian(c, q, t, out);
+    }
+    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.add_turned(c, q, w, t, out);
+        self.1.add_turned(c, q, w, t, out);
     }
     fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         self.0.add_discrete_jacobian(a, b, t, out);

@@ -1,0 +1,4 @@
+//! Terms against matrices, differences and the motion of one body.
+
+mod laws;
+mod turned;

@@ -12,6 +12,8 @@ mod error;
 mod fault;
 mod invariant;
 mod law;
+#[doc(hidden)]
+pub mod look;
 mod masses;
 mod motion;
 mod pair;

@@ -27,5 +27,5 @@ pub use scheme::{SceneScheme, Start, Workspace};
 pub use setting::{Setting, System};
 pub use state::SceneState;
 pub use stepper::SceneStepper;
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Pairs, Term, Topology, WithoutVelocities};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Moving, Pairs, Term, Topology, WithoutVelocities};
 pub use vectors::Vectors;

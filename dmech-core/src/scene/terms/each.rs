@@ -1,9 +1,10 @@
 //! A law on each body.
 
 use super::stencil::{Stencil, block};
-use super::{Acts, Fault, Term, Topology, WithoutVelocities};
+use super::{Acts, Fault, Moving, Term, Topology, WithoutVelocities};
 use crate::error::{Error, Place};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
+use crate::look::{Frequency, Stiffness};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
@@ -140,6 +141,13 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
             let (field, a, b) = (self.law.field(self.masses[i], t), a.get(i), b.get(i));
             out.add_own(i - first, field.discrete_gradient(a, b), field.discrete_gradient_jacobian(a, b));
         }
+    }
+
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
+        let moving = self.masses.iter().enumerate().filter(|&(i, _)| at.per_mass[i] != 0.0);
+        moving.fold(at.nothing(), |all, (i, &mass)| {
+            all.and(Frequency::of(at.body(i), |s, q, v| Stiffness::of(&self.law, mass, at.t + s, q, v)))
+        })
     }
 
     fn links(&self, _: usize) -> Topology {

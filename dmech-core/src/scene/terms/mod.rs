@@ -4,6 +4,7 @@ mod each;
 mod kernels;
 mod linked;
 mod links;
+mod moving;
 mod numbers;
 mod packed;
 mod pairs;
@@ -17,6 +18,7 @@ mod tests;
 pub use each::Each;
 pub use linked::Linked;
 pub use links::{Bonds, Chain};
+pub use moving::Moving;
 pub use pairs::Pairs;
 
 use stencil::Stencil;
@@ -25,6 +27,7 @@ use super::builder::Bodies;
 use super::matrix::Matrix;
 use super::vectors::Vectors;
 use crate::error::{Error, Place};
+use crate::look::{Frequency, Look};
 
 /// A term of a scene as it was declared, for bodies that carry a `P`.
 pub trait Term<const D: usize, P> {
@@ -96,6 +99,16 @@ pub trait Acts<const D: usize> {
     fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
     /// ∇̄Φ(a, b) and ∂∇̄Φ(a, b)/∂b for the same.
     fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
+    /// How fast everything moves that is linked or in a field: ω¹² = Σ ω_l¹², in O(links).
+    ///
+    /// A link is a particle of reduced mass at q_a − q_b and a field acts on each body by itself, both with the accelerations
+    /// of the whole scene; bodies that are pinned have infinite mass. [`Frequency::of`] has ω_l.
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency;
+    /// The time scale of a scene: ω¹² = Σ ω_l¹² + ω_least¹², and how ω grows. Under v → −v ω is even and its growth odd, to
+    /// the bit, while no force depends on a velocity.
+    fn look(&self, at: &Moving<'_, D>) -> Look {
+        self.frequency(at).look(at.least)
+    }
     /// Every pair of bodies that the Jacobian links; how far apart in the order of bodies says which solver fits.
     fn links(&self, bodies: usize) -> Topology;
     /// Every number that makes this what it is, by name: the fields of the laws, what they read of the bodies, listed links.

@@ -1,8 +1,9 @@
 //! Nothing, and several terms together.
 
 use super::stencil::Stencil;
-use super::{Acts, Fault, Term, Topology, WithoutVelocities};
+use super::{Acts, Fault, Moving, Term, Topology, WithoutVelocities};
 use crate::error::Error;
+use crate::look::Frequency;
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::vectors::Vectors;
@@ -38,6 +39,9 @@ impl<const D: usize> Acts<D> for () {
     fn subtract_force_jacobian(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: f64, _: &mut Matrix<D>) {}
     fn add_stencil(&self, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
     fn add_discrete_stencil(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
+        at.nothing()
+    }
     fn links(&self, _: usize) -> Topology {
         Topology::Chain
     }
@@ -125,6 +129,9 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
         self.0.add_discrete_stencil(a, b, t, first, out);
         self.1.add_discrete_stencil(a, b, t, first, out);
+    }
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
+        self.0.frequency(at).and(self.1.frequency(at))
     }
     fn links(&self, bodies: usize) -> Topology {
         self.0.links(bodies).and(self.1.links(bodies))

@@ -62,6 +62,47 @@ impl<const D: usize, R: Real> Potential<D, R> for Attraction<R> {
     }
 }
 
+/// k d²/2 between two bodies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spring {
+    pub(super) k: f64,
+}
+
+impl<P> Reads<P> for Spring {
+    type Numbers = [f64; 0];
+    fn numbers(&self, _: f64, _: &P) -> [f64; 0] {
+        []
+    }
+}
+
+impl<const D: usize, P, R: Real> PairLaw<D, P, R> for Spring {
+    type Between<'a> = Spring;
+    fn between(&self, _: [R; 0], _: [R; 0], _: R) -> Spring {
+        *self
+    }
+}
+
+impl<const D: usize, R: Real> Between<D, R> for Spring {}
+
+impl<const D: usize, R: Real> Potential<D, R> for Spring {
+    const LINEAR: bool = true;
+    fn potential(&self, d: [R; D]) -> R {
+        R::from_f64(0.5 * self.k) * radial::square(d)
+    }
+    fn gradient(&self, d: [R; D]) -> [R; D] {
+        radial::gradient(R::from_f64(self.k), d)
+    }
+    fn hessian(&self, d: [R; D]) -> [[R; D]; D] {
+        radial::hessian(R::from_f64(self.k), R::ZERO, d)
+    }
+    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
+        radial::discrete_gradient(R::from_f64(0.5 * self.k), a, b)
+    }
+    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
+        radial::discrete_gradient_jacobian(R::from_f64(0.5 * self.k), R::ZERO, a, b)
+    }
+}
+
 /// Nothing but a force acts.
 macro_rules! without_potential {
     ($([$($generic:tt)*] $law:ty, $r:ty;)*) => {$(
@@ -100,7 +141,7 @@ pub(super) struct Pull<const RECIPROCAL: bool> {
 
 /// [k, γ, β], with the masses in them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pulls<R, const RECIPROCAL: bool>([R; 3]);
+pub(super) struct Pulls<R, const RECIPROCAL: bool>(pub(super) [R; 3]);
 
 impl<const RECIPROCAL: bool> Symmetric for Pull<RECIPROCAL> {}
 
@@ -133,6 +174,31 @@ impl<const D: usize, R: Real, const RECIPROCAL: bool> Between<D, R> for Pulls<R,
         let unit = |x: R| from_fn(|i| from_fn(|j| if i == j { x } else { R::ZERO }));
         let by_d = radial::hessian(k * radial::square(d), k, d).map(|row| row.map(|x| -x));
         [by_d, unit(-gamma), unit(gamma * beta)]
+    }
+}
+
+/// The same as a law of one body, the other at rest in the origin.
+impl<const D: usize> Law<D> for Pulls<f64, true> {
+    type Field<'a> = Self;
+    fn field(&self, _: f64, _: f64) -> Self {
+        *self
+    }
+}
+
+impl<const D: usize> Field<D> for Pulls<f64, true> {
+    const FORCED: bool = true;
+    const CONSERVES_ENERGY: bool = false;
+    fn slope(&self, q: [f64; D], v: [f64; D]) -> [f64; D] {
+        Between::force(self, q, v, [0.0; D]).map(|f| -f)
+    }
+    fn force(&self, q: [f64; D], v: [f64; D], _: f64) -> [f64; D] {
+        Between::force(self, q, v, [0.0; D])
+    }
+    fn force_dq(&self, q: [f64; D], v: [f64; D], _: f64) -> [[f64; D]; D] {
+        self.force_jacobians(q, v, [0.0; D])[0]
+    }
+    fn force_dv(&self, q: [f64; D], v: [f64; D], _: f64) -> [[f64; D]; D] {
+        self.force_jacobians(q, v, [0.0; D])[1]
     }
 }
 

@@ -138,8 +138,6 @@ pub trait Symmetric {}
 /// With c = 2 φ′ the gradient is c d; with C = (φ(s_b) − φ(s_a))/(s_b − s_a) the discrete gradient is C (a + b), along the
 /// sum, which is what keeps the angular momentum (Kanatani (3.25) is an instance).
 pub mod radial {
-    use core::array::from_fn;
-
     use dmech_scalar::Real;
 
     use crate::system::vector::{dot, scaled, sum};
@@ -177,6 +175,13 @@ pub mod radial {
     /// c 1 + x⊗y.
     #[inline(always)]
     fn rank_one<const D: usize, R: Real>(c: R, x: [R; D], y: [R; D]) -> [[R; D]; D] {
-        from_fn(|i| from_fn(|j| if i == j { x[i].mul_add(y[j], c) } else { x[i] * y[j] }))
+        // Loops, as nested closures over arrays are not inlined.
+        let mut sum = [[R::ZERO; D]; D];
+        for i in 0..D {
+            for j in 0..D {
+                sum[i][j] = if i == j { x[i].mul_add(y[j], c) } else { x[i] * y[j] };
+            }
+        }
+        sum
     }
 }

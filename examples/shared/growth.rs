@@ -38,10 +38,19 @@ type FputChain = <((), Linked<FermiPastaUlamTsingou, Chain>) as Term<1, ()>>::Re
 
 /// A scheme that every motion here can be stepped by.
 pub(crate) trait Any:
-    Scheme<Particle<Kepler, 2>> + Scheme<Particle<Stretched, 2>> + Scheme<Particle<HenonHeiles, 2>> + Scheme<SceneSystem<1, FputChain>>
+    Scheme<Particle<Kepler, 2>>
+    + Scheme<Particle<Stretched, 2>>
+    + Scheme<Particle<HenonHeiles, 2>>
+    + Scheme<SceneSystem<1, FputChain>>
 {
 }
-impl<S> Any for S where S: Scheme<Particle<Kepler, 2>> + Scheme<Particle<Stretched, 2>> + Scheme<Particle<HenonHeiles, 2>> + Scheme<SceneSystem<1, FputChain>> {}
+impl<S> Any for S where
+    S: Scheme<Particle<Kepler, 2>>
+        + Scheme<Particle<Stretched, 2>>
+        + Scheme<Particle<HenonHeiles, 2>>
+        + Scheme<SceneSystem<1, FputChain>>
+{
+}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Motion {

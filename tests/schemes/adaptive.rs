@@ -38,7 +38,13 @@ fn error(run: &Run<State<2>>, e: f64) -> f64 {
 
 #[test]
 fn energy_and_angular_momentum_are_exact_over_many_steps() {
-    fn check<S: Adaptable + Scheme<Particle<Kepler, 2>>>(scheme: S, e: f64, tolerance: f64, revolutions: f64, stages: u64) {
+    fn check<S: Adaptable + Scheme<Particle<Kepler, 2>>>(
+        scheme: S,
+        e: f64,
+        tolerance: f64,
+        revolutions: f64,
+        stages: u64,
+    ) {
         let run = orbit(scheme, e, tolerance, TAU * revolutions, 7);
         let solutions = stages * run.steps();
         assert!(solutions > 100_000, "{solutions} equations solved");

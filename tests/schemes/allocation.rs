@@ -90,7 +90,12 @@ fn no_step_of_a_scene_allocates() {
     use dmech::models::pairs::Spring;
     use dmech::scene::{SceneSystem, Term};
 
-    fn check<L: Term<3, ()>, S: Scheme<SceneSystem<3, L::Ready>>>(scene: Scene<3, (), L>, scheme: S, dt: f64, what: &str) {
+    fn check<L: Term<3, ()>, S: Scheme<SceneSystem<3, L::Ready>>>(
+        scene: Scene<3, (), L>,
+        scheme: S,
+        dt: f64,
+        what: &str,
+    ) {
         let mut stepper = Simulation::scene(scene).scheme(scheme).dt(dt).stepper().unwrap();
         (0..10).for_each(|_| stepper.step().unwrap());
         let before = stepper.q().clone();

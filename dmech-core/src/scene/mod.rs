@@ -18,7 +18,7 @@ pub use compensated::CompensatedVectors;
 pub use matrix::Matrix;
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Pairs, Term, Topology, WithoutVelocities};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Moving, Pairs, Term, Topology};
 pub use vectors::Vectors;
 
 use crate::scheme::Scheme;

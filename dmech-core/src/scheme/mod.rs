@@ -16,8 +16,7 @@ mod name;
 mod nystrom;
 mod splitting;
 
-pub(crate) use adaptive::Place;
-pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory, Look};
+pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
 pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
 pub use composed::{Coefficients, Composable, Composed, Stage, StagesMemory, coefficients};
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};

@@ -3,10 +3,12 @@
 //! There are two systems: one law ([`Particle`]), whose vectors are arrays in registers, and the bodies of a scene
 //! (`SceneSystem`), whose vectors are columns of numbers. A scheme cannot tell which it has.
 
+mod look;
 mod particle;
 
 use core::fmt::Debug;
 
+pub use look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, not_converged};
 pub use particle::{Particle, ParticleFound, Stride};
@@ -17,7 +19,7 @@ use dmech_scalar::Real;
 use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::newton::NotConverged;
-use crate::scheme::{Effort, Look, Newton};
+use crate::scheme::{Effort, Newton};
 
 /// A system of coordinates, and the instructions of schemes.
 ///
@@ -263,7 +265,7 @@ pub trait TimeScale: System<Scalar = f64> {
     const AUTONOMOUS: bool;
 
     /// The angular frequency of the linearised motion, and how it grows; `least` is the smallest that counts.
-    fn look(&self, t: f64, q: &Self::Vector, v: &Self::Vector, least: f64) -> Look;
+    fn look(&self, room: &mut Self::Room, t: f64, q: &Self::Vector, v: &Self::Vector, least: f64) -> Look;
 }
 
 /// A kick of a splitting: b h of the force and e h³ of its change along itself, at the time t.

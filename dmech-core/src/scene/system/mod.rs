@@ -10,7 +10,7 @@ pub use solve::SceneSolver;
 use super::builder::{Bodies, Scene};
 use super::compensated::CompensatedVectors;
 use super::state::SceneState;
-use super::terms::{Acts, Fault, Term};
+use super::terms::{Acts, Fault, Moving, Term};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
@@ -18,7 +18,7 @@ use crate::motion::moves_on;
 use crate::newton::NotConverged;
 use crate::scheme::{Effort, WithoutVelocities};
 use crate::setup::Setup;
-use crate::system::{Kick, PARTS, Start, Step, System, not_converged};
+use crate::system::{Kick, Look, PARTS, Start, Step, System, TimeScale, not_converged};
 
 /// The bodies of a scene and the terms `A` that act on them.
 #[derive(Clone, Debug)]
@@ -26,6 +26,8 @@ pub struct SceneSystem<const D: usize, A> {
     pub(super) acts: A,
     pub(super) masses: Vec<f64>,
     pub(super) pins: Vec<usize>,
+    /// 1/m, and 0 for pinned bodies.
+    per_mass: Vec<f64>,
 }
 
 /// The length of a step, and what follows from it for each coordinate.
@@ -51,7 +53,8 @@ impl<const D: usize> SceneStride<D> {
 #[derive(Clone, Debug)]
 pub struct SceneRoom<const D: usize> {
     slope: Vectors<D>,
-    /// H ∇Φ, where a scheme asks for it.
+    /// (h/m) ∇Φ and H (h/m) ∇Φ, where a scheme asks for them.
+    fall: Vectors<D>,
     turned: Vectors<D>,
 }
 
@@ -73,7 +76,9 @@ impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
         bodies.check()?;
         moves_on(bodies.t, dt)?;
         let acts = laws.prepare(&bodies)?;
-        Ok(SceneSystem { acts, masses: bodies.masses, pins: bodies.pins })
+        let mut per_mass: Vec<_> = bodies.masses.iter().map(|mass| mass.recip()).collect();
+        bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);
+        Ok(SceneSystem { acts, masses: bodies.masses, pins: bodies.pins, per_mass })
     }
 }
 
@@ -97,7 +102,7 @@ fn told(fault: Fault, step: u64, time: f64) -> Error {
 }
 
 #[diagnostic::do_not_recommend]
-impl<const D: usize, A: super::terms::WithoutVelocities> WithoutVelocities for SceneSystem<D, A> {}
+impl<const D: usize, A: WithoutVelocities> WithoutVelocities for SceneSystem<D, A> {}
 
 impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     type Scalar = f64;
@@ -189,7 +194,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn room(&self) -> SceneRoom<D> {
-        SceneRoom { slope: self.zeros(), turned: Vectors::zeros(0) }
+        SceneRoom { slope: self.zeros(), fall: Vectors::zeros(0), turned: Vectors::zeros(0) }
     }
 
     fn potential(&self, t: f64, q: &Vectors<D>) -> f64 {
@@ -223,8 +228,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         to: &mut Vectors<D>,
     ) {
         self.slope(kick.t, q, v, &mut room.slope);
-        self.turn(room, stride, kick, q);
-        passes::kick(kick.b, stride.kick.flat(), room.slope.flat(), v.flat(), to.flat_mut());
+        let b = self.turned(room, stride, kick, q);
+        passes::kick(b, stride.kick.flat(), room.slope.flat(), v.flat(), to.flat_mut());
     }
 
     fn kick_and_drift(
@@ -239,8 +244,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         work: &mut Vectors<D>,
     ) {
         self.slope(kick.t, q, v, &mut room.slope);
-        self.turn(room, stride, kick, q);
-        let lengths = [kick.b, kick.b * stride.dt, a];
+        let b = self.turned(room, stride, kick, q);
+        let lengths = [b, b * stride.dt, a];
         let given = [stride.kick.flat(), room.slope.flat(), v.flat()];
         passes::kick_and_drift(lengths, given, [q.flat_mut(), to.flat_mut(), work.flat_mut()]);
     }
@@ -253,10 +258,10 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         start: &Start<'_, Self>,
     ) -> [Vectors<D>; 2] {
         room.slope.clone_from(start.slope);
-        self.turn(room, stride, kick, start.q);
+        let b = self.turned(room, stride, kick, start.q);
         [-1.0, 1.0].map(|sign| {
             let mut to = self.zeros();
-            passes::kick(sign * kick.b, stride.kick.flat(), room.slope.flat(), start.v.flat(), to.flat_mut());
+            passes::kick(sign * b, stride.kick.flat(), room.slope.flat(), start.v.flat(), to.flat_mut());
             to
         })
     }
@@ -448,18 +453,34 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 }
 
 impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
-    /// Adds to the slope what a kick has beside it: ∇Φ − (e/b) h² H M⁻¹∇Φ.
-    fn turn(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) {
+    /// The length of a kick by the slope in the room. With a force gradient the slope becomes b ∇Φ − e h H (h/m) ∇Φ, and the
+    /// length 1.
+    fn turned(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
         if kick.e == 0.0 {
-            return;
+            return kick.b;
         }
-        let SceneRoom { slope, turned } = room;
-        let mut fall = slope.clone();
+        let SceneRoom { slope, fall, turned } = room;
+        fall.clone_from(slope);
         for (fall, kick) in fall.flat_mut().iter_mut().zip(stride.kick.flat()) {
             *fall *= kick;
         }
         turned.clone_from(slope);
-        let _ = (q, kick, turned);
+        turned.clear();
+        self.acts.add_turned(1.0, q, fall, kick.t, turned);
+        let c = kick.e * stride.dt;
+        for (slope, turned) in slope.flat_mut().iter_mut().zip(turned.flat()) {
+            *slope = kick.b * *slope - c * turned;
+        }
+        1.0
+    }
+}
+
+impl<const D: usize, A: Acts<D>> TimeScale for SceneSystem<D, A> {
+    const AUTONOMOUS: bool = A::AUTONOMOUS;
+
+    fn look(&self, room: &mut SceneRoom<D>, t: f64, q: &Vectors<D>, v: &Vectors<D>, least: f64) -> Look {
+        System::slope(self, t, q, v, &mut room.slope);
+        self.acts.look(&Moving { t, q, v, slope: &room.slope, per_mass: &self.per_mass, least })
     }
 }
 

@@ -1,12 +1,16 @@
 //! A law on each body.
 
 use super::stencil::{Stencil, block};
-use super::{Acts, Fault, Term, Topology, WithoutVelocities};
+use super::{Acts, Fault, Moving, Term, Topology};
 use crate::error::{Error, Place};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
+use crate::scene::matrix::block::times;
 use crate::scene::vectors::Vectors;
+use crate::scheme::WithoutVelocities;
+use crate::system::vector::{difference, scaled};
+use crate::system::{Frequency, Stiffness};
 use crate::written::{self, Culprit, agree};
 
 /// A law that acts on each body by itself.
@@ -94,6 +98,19 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
         }
     }
 
+    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        for (i, field) in self.fields(t) {
+            let (q, w) = (q.get(i), scaled(c, w.get(i)));
+            let turned = times(&field.hessian(q), w);
+            if Self::FORCED {
+                let by_force = times(&field.force_dq(q, [0.0; D], t), w);
+                out.add(i, difference(turned, by_force));
+            } else {
+                out.add(i, turned);
+            }
+        }
+    }
+
     fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         for (i, field) in self.fields(t) {
             out.add_block(i, i, field.discrete_gradient_jacobian(a.get(i), b.get(i)));
@@ -125,6 +142,13 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
             let (field, a, b) = (self.law.field(self.masses[i], t), a.get(i), b.get(i));
             out.add_own(i - first, field.discrete_gradient(a, b), field.discrete_gradient_jacobian(a, b));
         }
+    }
+
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
+        let moving = self.masses.iter().enumerate().filter(|&(i, _)| at.per_mass[i] != 0.0);
+        moving.fold(at.nothing(), |all, (i, &mass)| {
+            all.and(Frequency::of(at.body(i), |s, q, v| Stiffness::of(&self.law, mass, at.t + s, q, v)))
+        })
     }
 
     fn links(&self, _: usize) -> Topology {

@@ -2,18 +2,22 @@
 
 use core::marker::PhantomData;
 
+use super::kernels::{Secant, Slope, Turned};
 use super::links::Links;
 use super::numbers::NumberColumns;
-use super::packed::Packed;
 use super::stencil::Stencil;
-use super::sweep::{self, Kernel};
-use super::{Acts, Fault, Term, Topology, WithoutVelocities};
+use super::sweep;
+use super::{Acts, Fault, Moving, Term, Topology};
 use crate::error::Error;
 use crate::law::{Potential, VelocityIndependent};
-use crate::pair::{Between, LinkLaw, Numbers, PairLaw, Reads};
+use crate::pair::{Between, LinkLaw, PairLaw, Reads};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
+use crate::scene::matrix::block::times;
 use crate::scene::vectors::Vectors;
+use crate::scheme::WithoutVelocities;
+use crate::system::vector::{add_scaled, dot, scaled};
+use crate::system::{Course, Frequency, Stiffness};
 use crate::written::{self, Culprit, Place, agree};
 
 /// A law that acts along links.
@@ -57,60 +61,6 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> 
     }
 }
 
-/// d ↦ ∇Φ(d).
-struct Slope<'a, X, P> {
-    law: &'a X,
-    t: f64,
-    data: PhantomData<fn() -> P>,
-}
-
-impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers, R> for Slope<'_, X, P> {
-    #[inline(always)]
-    fn gradient(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [d]: [[R; D]; 1],
-    ) -> [R; D] {
-        self.law.between(a, b, R::from_f64(self.t)).gradient(d)
-    }
-
-    #[inline(always)]
-    fn jacobian(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [d]: [[R; D]; 1],
-    ) -> [[R; D]; D] {
-        self.law.between(a, b, R::from_f64(self.t)).hessian(d)
-    }
-}
-
-/// (d, d′) ↦ ∇̄Φ(d, d′).
-struct Secant<'a, X, P>(Slope<'a, X, P>);
-
-impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Secant<'_, X, P> {
-    #[inline(always)]
-    fn gradient(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [from, to]: [[R; D]; 2],
-    ) -> [R; D] {
-        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient(from, to)
-    }
-
-    #[inline(always)]
-    fn jacobian(
-        &self,
-        a: <X::Numbers as Numbers>::Of<R>,
-        b: <X::Numbers as Numbers>::Of<R>,
-        [from, to]: [[R; D]; 2],
-    ) -> [[R; D]; D] {
-        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient_jacobian(from, to)
-    }
-}
-
 impl<X: Reads<P>, T: Links, P> LinkedReady<X, T, P> {
     fn slope(&self, t: f64) -> Slope<'_, X, P> {
         Slope { law: &self.law, t, data: PhantomData }
@@ -123,6 +73,39 @@ impl<X: Reads<P>, T: Links, P> LinkedReady<X, T, P> {
         X: PairLaw<D, P>,
     {
         PairLaw::<D, P, f64>::between(&self.law, self.numbers.at(a), self.numbers.at(b), t)
+    }
+
+    /// How fast the relative acceleration of two bodies changes, times the reduced mass μ, at the separation d and s after t.
+    ///
+    /// With the shares σ_a = μ/m_a and σ_b = μ/m_b the force on d is σ_a F_a − σ_b F_b; in the motion of the one about the
+    /// other ∂v_a/∂w = σ_a and ∂v_b/∂w = −σ_b, w = v_a − v_b.
+    #[inline]
+    fn stiffness<const D: usize>(&self, t: f64, s: f64, ends: [(usize, &Course<D>); 2], d: [f64; D]) -> Stiffness<D>
+    where
+        X: PairLaw<D, P>,
+    {
+        let [(a, on_a), (b, on_b)] = ends;
+        let between = self.between(a, b, t + s);
+        let mut by_position = [[0.0; D]; D];
+        let mut damping = 0.0;
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            by_position = between.hessian(d);
+        }
+        if <X as PairLaw<D, P>>::Between::<'_>::FORCED {
+            let per_mass = on_a.per_mass + on_b.per_mass;
+            let [share_a, share_b] = [on_a, on_b].map(|body| body.per_mass / per_mass);
+            let [va, vb] = [on_a, on_b].map(|body| add_scaled(body.v, s, body.fall));
+            let [by_d, by_va, by_vb] = between.force_jacobians(d, va, vb);
+            let (mut by_d, mut by_w) = (by_d, combine(share_a, by_va, -share_b, by_vb));
+            if !<X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                let back = self.between(b, a, t + s).force_jacobians(d.map(|x| -x), vb, va);
+                by_d = combine(share_a, by_d, share_b, back[0]);
+                by_w = combine(share_a, by_w, share_b, combine(share_b, back[1], -share_a, back[2]));
+            }
+            by_position = combine(1.0, by_position, -1.0, by_d);
+            damping = per_mass * by_w.iter().map(|row| dot(*row, *row)).sum::<f64>();
+        }
+        Stiffness { by_position, damping }
     }
 }
 
@@ -207,6 +190,27 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
         }
     }
 
+    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+            self.links.sweep::<false, D, 2, _>(&Turned { slope: self.slope(t), c }, [q, w], &self.numbers, out);
+        }
+        if !Self::FORCED {
+            return;
+        }
+        self.links.each(q.bodies(), |a, b| {
+            let (d, w) = (separation(q, a, b), scaled(c, separation(w, a, b)));
+            let by_d =
+                |a: usize, b: usize, d: [f64; D]| self.between(a, b, t).force_jacobians(d, [0.0; D], [0.0; D])[0];
+            let on_a = times(&by_d(a, b, d), w);
+            out.add(a, on_a.map(|x| -x));
+            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                out.add(b, on_a);
+            } else {
+                out.add(b, times(&by_d(b, a, d.map(|x| -x)), w));
+            }
+        });
+    }
+
     fn add_discrete_jacobian(&self, from: &Vectors<D>, to: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.links.each(from.bodies(), |a, b| {
@@ -245,6 +249,18 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             sweep::stencil(&Secant(self.slope(t)), [a, b], &self.numbers, first, out);
         }
+    }
+
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
+        let mut all = at.nothing();
+        self.links.each(at.q.bodies(), |a, b| {
+            if at.per_mass[a] + at.per_mass[b] != 0.0 {
+                let (on_a, on_b) = (at.body(a), at.body(b));
+                let stiffness = |s, d, _| self.stiffness(at.t, s, [(a, &on_a), (b, &on_b)], d);
+                all = all.and(Frequency::of(at.link(&on_a, &on_b), stiffness));
+            }
+        });
+        all
     }
 
     fn links(&self, _: usize) -> Topology {

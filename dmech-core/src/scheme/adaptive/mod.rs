@@ -1,7 +1,6 @@
 //! Steps that follow the time scale of the motion, reversibly.
 
 mod adaptable;
-mod monitor;
 
 #[cfg(test)]
 mod tests;
@@ -10,15 +9,12 @@ pub use adaptable::Adaptable;
 
 use dmech_scalar::Compensated;
 
-use self::monitor::EVALUATIONS;
-pub use self::monitor::Look;
-pub(crate) use self::monitor::Place;
 use super::name::Name;
 use super::{Effort, Method, Scheme};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Start, System, TimeScale};
+use crate::system::{EVALUATIONS, Look, Start, System, TimeScale};
 
 /// Steps as long as the motion allows, short at a pericentre and long at an apocentre, by a rule that runs backward as it
 /// runs forward; [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
@@ -155,12 +151,13 @@ impl<S: Adaptable> Method for Adaptive<S> {
 /// Where adaptive steps are made: the step that the scheme is prepared for.
 pub struct Pace<Y: System, W> {
     stride: Y::Stride,
+    room: Y::Room,
     inner: W,
 }
 
 impl<Y: System, W: Clone> Clone for Pace<Y, W> {
     fn clone(&self) -> Self {
-        Pace { stride: self.stride.clone(), inner: self.inner.clone() }
+        Pace { stride: self.stride.clone(), room: self.room.clone(), inner: self.inner.clone() }
     }
 }
 
@@ -177,7 +174,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
     type Workspace = Pace<Y, S::Workspace>;
 
     fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
-        Pace { stride: stride.clone(), inner: self.scheme.workspace(system, stride) }
+        Pace { stride: stride.clone(), room: system.room(), inner: self.scheme.workspace(system, stride) }
     }
 
     /// `stride` has the longest step, which may be infinite.
@@ -189,7 +186,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         workspace: &mut Self::Workspace,
     ) -> Result<Self::Memory, NotConverged> {
         let longest = Y::dt(stride);
-        let look = system.look(start.t, start.q, start.v, self.angle / longest);
+        let look = system.look(&mut workspace.room, start.t, start.q, start.v, self.angle / longest);
         let density = look.within(MIDDLE, look.rate() + 0.5 * self.row * self.angle * look.growth);
         // What the motion meets later no look at the start can tell.
         let density = if !Y::AUTONOMOUS && longest.is_infinite() { 0.0 } else { density };
@@ -216,7 +213,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         if Y::dt(&workspace.stride) != dt {
             self.turn(system, dt, workspace);
         }
-        let Pace { stride: now, inner } = workspace;
+        let Pace { stride: now, room, inner } = workspace;
         let ratio = dt / memory.last;
         let stretched =
             if ratio == 1.0 { 0 } else { self.scheme.stretch(system, now, t, ratio, &mut memory.inner, inner) };
@@ -235,7 +232,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
             let end = memory.time.value();
             let q = self.scheme.position(&memory.inner);
             let v = self.scheme.velocity(system, now, end, &memory.inner);
-            let look = system.look(end, q, &v, self.angle / longest);
+            let look = system.look(room, end, q, &v, self.angle / longest);
             effort.evaluations += EVALUATIONS;
             memory.density = self.follow(memory.density, &look);
             memory.left = self.row;

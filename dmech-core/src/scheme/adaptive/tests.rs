@@ -1,6 +1,5 @@
 //! The way back, and the scale of ω.
 
-use super::monitor::Place;
 use super::{Adaptable, Adaptive};
 use crate::State;
 use crate::law::{Conservative, Potential};
@@ -66,7 +65,7 @@ fn comes_back<S: Adaptable + Scheme<Sun>>(scheme: S, tolerance: f64, turn: impl 
     turn(&mut memory.inner);
     let (q, v) = (*adaptive.position(&memory), adaptive.velocity(&law, &unlimited, 0.0, &memory));
     // ρ of the step that would have come next is ρ of the step before, seen backward.
-    memory.density = adaptive.follow(memory.density, &law.look(0.0, &q, &v, 0.0));
+    memory.density = adaptive.follow(memory.density, &law.look(&mut (), 0.0, &q, &v, 0.0));
     adaptive.plan(f64::INFINITY, &mut memory);
     for _ in 0..steps {
         back.push(memory.dt);
@@ -116,8 +115,7 @@ fn the_frequency_has_no_scale_of_its_own() {
         let r = 0.8 * length;
         // E = 0.
         let v = -(2.0 * law.k / r).sqrt();
-        let place = Place { t: 0.0, q: [0.6 * r, 0.8 * r], v: [0.6 * v, 0.8 * v], mass: 1.0, least: 0.0 };
-        let look = place.look(&law);
+        let look = Sun::new(law, 1.0).look(&mut (), 0.0, &[0.6 * r, 0.8 * r], &[0.6 * v, 0.8 * v], 0.0);
         let growth = -1.5 * v / r;
         assert!((look.growth / growth - 1.0).abs() < 0.02, "{} for {growth}", look.growth);
         [look.rate() * time, look.growth * time]

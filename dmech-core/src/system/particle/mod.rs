@@ -18,12 +18,12 @@ use dmech_scalar::{CompensatedVector, Mask, Real};
 
 use self::range::lost_force;
 use self::vector::{add_scaled, difference, dot, finite, scaled, sum, weighted};
-use super::{Kick, Start, Step, System, TimeScale};
+use super::{Course, Frequency, Kick, Look, Start, Step, Stiffness, System, TimeScale};
 use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::newton::NotConverged;
-use crate::scheme::{self, Effort, Look, WithoutVelocities};
+use crate::scheme::{Effort, WithoutVelocities};
 use crate::state::State;
 use crate::written::{Place, agree};
 
@@ -374,7 +374,10 @@ impl<L: Law<D>, const D: usize> TimeScale for Particle<L, D> {
     const AUTONOMOUS: bool = L::AUTONOMOUS;
 
     #[inline]
-    fn look(&self, t: f64, q: &[f64; D], v: &[f64; D], least: f64) -> Look {
-        scheme::Place { t, q: *q, v: *v, mass: self.mass, least }.look(&self.law)
+    fn look(&self, (): &mut (), t: f64, q: &[f64; D], v: &[f64; D], least: f64) -> Look {
+        let per_mass = self.mass.recip();
+        let fall = self.field(t).slope(*q, *v).map(|x| -per_mass * x);
+        let stiffness = |s: f64, q: [f64; D], v: [f64; D]| Stiffness::of(&self.law, self.mass, t + s, q, v);
+        Frequency::of(Course { q: *q, v: *v, fall, per_mass, least }, stiffness).look(least)
     }
 }

@@ -1,4 +1,4 @@
-//! The local time scale of a motion, from the law.
+//! The local time scale of a motion, from what acts.
 
 use core::array::from_fn;
 
@@ -13,19 +13,19 @@ pub struct Look {
     /// A length of time.
     s: f64,
     /// d ln ω/dt along the motion.
-    pub(crate) growth: f64,
+    pub growth: f64,
 }
 
 impl Look {
     /// ω, the angular frequency of the linearised motion.
     #[cold]
-    pub(crate) fn rate(&self) -> f64 {
+    pub fn rate(&self) -> f64 {
         self.power.sqrt().sqrt().cbrt() / self.s
     }
 
     /// ρ, or the end of the range `band` of ρ/ω where it lies outside.
     #[inline]
-    pub(crate) fn within(&self, [least, most]: [f64; 2], density: f64) -> f64 {
+    pub fn within(&self, [least, most]: [f64; 2], density: f64) -> f64 {
         // No density is negative.
         let ratio = (density * self.s).max(0.0).powi(12);
         if ratio < least.powi(12) * self.power {
@@ -38,22 +38,28 @@ impl Look {
     }
 }
 
-/// A place of the motion.
+/// A particle, or two as one of reduced mass, where the motion has brought it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place<const D: usize> {
-    pub(crate) t: f64,
-    pub(crate) q: [f64; D],
-    pub(crate) v: [f64; D],
-    pub(crate) mass: f64,
+pub struct Course<const D: usize> {
+    /// Where it is.
+    pub q: [f64; D],
+    /// How fast.
+    pub v: [f64; D],
+    /// Its acceleration, by all that acts.
+    pub fall: [f64; D],
+    /// 1/m.
+    pub per_mass: f64,
     /// The smallest ω that counts.
-    pub(crate) least: f64,
+    pub least: f64,
 }
 
 /// How fast accelerations change, times the mass: m ∂a/∂q and m ‖∂a/∂v‖².
 #[derive(Clone, Copy, Debug)]
-struct Stiffness<const D: usize> {
-    by_position: [[f64; D]; D],
-    damping: f64,
+pub struct Stiffness<const D: usize> {
+    /// m ∂a/∂q, or its negative.
+    pub by_position: [[f64; D]; D],
+    /// m ‖∂a/∂v‖².
+    pub damping: f64,
 }
 
 /// The angle ω s between the places where the law is looked at: differences are off by its square.
@@ -66,28 +72,44 @@ const EVEN: f64 = 4.0;
 const MOST: u32 = 120;
 
 /// Evaluations of ∂a/∂q in a look.
-pub(super) const EVALUATIONS: u32 = 5;
+pub const EVALUATIONS: u32 = 5;
 
 /// Shares of K̇ and K̈ in ω.
 const SHARES: [f64; 2] = [0.25, 0.01];
 
-impl<const D: usize> Place<D> {
-    /// ω here, with K = (∂a/∂q, ‖∂a/∂v‖²) and its derivatives along the motion,
+/// ω¹² of one motion, or of several together, and how it grows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frequency {
+    /// (ω s)¹².
+    power: f64,
+    /// s d(ω s)¹²/dt.
+    rise: f64,
+    /// A length of time.
+    s: f64,
+}
+
+impl Frequency {
+    /// ω along a course, with K = (∂a/∂q, ‖∂a/∂v‖²) and its derivatives along the motion,
     ///
     /// ```text
-    /// ω¹² = ‖K‖⁶ + ‖K̇‖⁴/4 + ‖K̈‖³/100 + ω_least¹²
+    /// ω¹² = ‖K‖⁶ + ‖K̇‖⁴/4 + ‖K̈‖³/100
     /// ```
     ///
     /// in Frobenius norms; K̇ and K̈ are differences between here and the places s before and after on the parabola
     /// q ± s v + s² a/2. Under v → −v ω is even and its growth odd, whatever s: that makes the steps reversible.
-    pub(crate) fn look<L: Law<D>>(&self, law: &L) -> Look {
-        let here = self.stiffness(law, self.t, self.q, self.v);
-        let slope = law.field(self.mass, self.t).slope(self.q, self.v);
-        let per_mass = self.mass.recip();
+    ///
+    /// `stiffness` is m K at the time s from now, at a position and a velocity.
+    #[inline(always)]
+    pub fn of<const D: usize>(
+        course: Course<D>,
+        stiffness: impl Fn(f64, [f64; D], [f64; D]) -> Stiffness<D>,
+    ) -> Frequency {
+        let Course { per_mass, least, .. } = course;
+        // t − 0 is t to the bit, also where that is −0.
+        let here = stiffness(-0.0, course.q, course.v);
         let size = per_mass * here.norm();
-        let mut s = (ANGLE / size.sqrt()).min(ANGLE / self.least);
-        let fall = slope.map(|x| -per_mass * x);
-        let mut sides = self.sides(law, fall, s);
+        let mut s = (ANGLE / size.sqrt()).min(ANGLE / least);
+        let mut sides = course.sides(&stiffness, s);
         // Where K is small only here, the motion is not alike as far away as K tells.
         for _ in 0..MOST {
             let [before, after] = &sides;
@@ -97,11 +119,11 @@ impl<const D: usize> Place<D> {
                 break;
             }
             s = if excess.is_finite() { s * excess.powf(-0.25) } else { 1e-3 * s.min(1e150) };
-            sides = self.sides(law, fall, s);
+            sides = course.sides(&stiffness, s);
         }
         // Derivatives by differences over s, in units of s so that no power overflows.
         let [before, after] = &sides;
-        let [earlier, later] = &self.sides(law, fall, 2.0 * s);
+        let [earlier, later] = &course.sides(&stiffness, 2.0 * s);
         let square = s * s * per_mass;
         let k = here.map(|x| square * x);
         let k1 = after.map2(before, |x, y| 0.5 * square * (x - y));
@@ -109,37 +131,77 @@ impl<const D: usize> Place<D> {
         let k3 = later.map2(earlier, |x, y| 0.5 * square * (x - y)).map2(&k1, |x, y| x - 2.0 * y);
         let [kk, k1k1, k2k2] = [k.dot(&k), k1.dot(&k1), k2.dot(&k2)];
         let root = k2k2.sqrt();
-        let power = kk * kk * kk + SHARES[0] * k1k1 * k1k1 + SHARES[1] * k2k2 * root + (self.least * s).powi(12);
+        let power = kk * kk * kk + SHARES[0] * k1k1 * k1k1 + SHARES[1] * k2k2 * root;
         let rise =
             6.0 * kk * kk * k.dot(&k1) + 4.0 * SHARES[0] * k1k1 * k1.dot(&k2) + 3.0 * SHARES[1] * root * k2.dot(&k3);
+        Frequency { power, rise, s }
+    }
+
+    /// Nothing moves faster than `least`.
+    pub fn none(least: f64) -> Frequency {
+        Frequency { power: 0.0, rise: 0.0, s: (ANGLE / least).min(1e150) }
+    }
+
+    /// Both motions together: ω¹² = ω₁¹² + ω₂¹², which is smooth where the one becomes faster than the other, and
+    /// d ln ω/dt = (ω₁¹² d ln ω₁/dt + ω₂¹² d ln ω₂/dt)/ω¹².
+    pub fn and(self, other: Frequency) -> Frequency {
+        if other.power == 0.0 {
+            return self;
+        }
+        if self.power == 0.0 {
+            return other;
+        }
+        // In the unit of the faster one nothing overflows.
+        let there = self.over(other.s);
+        let (fast, slow) = if there.power < other.power { (other, there) } else { (self, other.over(self.s)) };
+        Frequency { power: fast.power + slow.power, rise: fast.rise + slow.rise, s: fast.s }
+    }
+
+    /// The same in another unit of time.
+    fn over(self, s: f64) -> Frequency {
+        let ratio = s / self.s;
+        let fourth = ratio.powi(4);
+        // Factor by factor: the twelfth power would leave the range of numbers where the product does not.
+        let scaled = |x: f64| x * fourth * fourth * fourth;
+        Frequency { power: scaled(self.power), rise: ratio * scaled(self.rise), s }
+    }
+
+    /// What the motion is like, if no ω below `least` counts: ω¹² + ω_least¹².
+    #[inline]
+    pub fn look(self, least: f64) -> Look {
+        let Frequency { power, rise, s } = self;
+        let power = power + (least * s).powi(12);
         let growth = rise / (12.0 * power * s);
         Look { power, s, growth: if growth.is_finite() { growth } else { 0.0 } }
     }
+}
 
-    /// m K before and after; `fall` is the acceleration here.
-    fn sides<L: Law<D>>(&self, law: &L, fall: [f64; D], s: f64) -> [Stiffness<D>; 2] {
+impl<const D: usize> Course<D> {
+    /// m K before and after.
+    fn sides(&self, stiffness: impl Fn(f64, [f64; D], [f64; D]) -> Stiffness<D>, s: f64) -> [Stiffness<D>; 2] {
         [-s, s].map(|s| {
-            let v = add_scaled(self.v, s, fall);
+            let v = add_scaled(self.v, s, self.fall);
             // q + s v + s² a/2
             let q = from_fn(|i| (0.5 * s).mul_add(self.v[i] + v[i], self.q[i]));
-            self.stiffness(law, self.t + s, q, v)
+            stiffness(s, q, v)
         })
     }
+}
 
-    fn stiffness<L: Law<D>>(&self, law: &L, t: f64, q: [f64; D], v: [f64; D]) -> Stiffness<D> {
-        let field = law.field(self.mass, t);
+impl<const D: usize> Stiffness<D> {
+    /// Of a law of one body.
+    pub fn of<L: Law<D>>(law: &L, mass: f64, t: f64, q: [f64; D], v: [f64; D]) -> Self {
+        let field = law.field(mass, t);
         let mut by_position = field.hessian(q);
         let mut damping = 0.0;
         if <L::Field<'_> as Field<D>>::FORCED {
             let (by_q, by_v) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
             by_position = from_fn(|i| from_fn(|j| by_position[i][j] - by_q[i][j]));
-            damping = by_v.iter().map(|row| dot(*row, *row)).sum::<f64>() / self.mass;
+            damping = by_v.iter().map(|row| dot(*row, *row)).sum::<f64>() / mass;
         }
         Stiffness { by_position, damping }
     }
-}
 
-impl<const D: usize> Stiffness<D> {
     fn map(&self, f: impl Fn(f64) -> f64) -> Self {
         Stiffness { by_position: self.by_position.map(|row| row.map(&f)), damping: f(self.damping) }
     }

@@ -1,0 +1,147 @@
+//! Nothing, and several terms together.
+
+use super::stencil::Stencil;
+use super::{Acts, Fault, Moving, Term, Topology};
+use crate::error::Error;
+use crate::scene::builder::Bodies;
+use crate::scene::matrix::Matrix;
+use crate::scene::vectors::Vectors;
+use crate::scheme::WithoutVelocities;
+use crate::system::Frequency;
+
+/// Nothing acts.
+impl<const D: usize, P> Term<D, P> for () {
+    type Ready = ();
+
+    fn prepare(self, _: &Bodies<D, P>) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<const D: usize> Acts<D> for () {
+    const NOTHING: bool = true;
+    const FORCED: bool = false;
+    const CONSERVES_ENERGY: bool = true;
+    const AUTONOMOUS: bool = true;
+    const LINEAR_MOMENTUM: bool = true;
+    const ANGULAR_MOMENTUM: bool = true;
+    const LINEAR: bool = true;
+    const PIECEWISE: bool = false;
+
+    fn potential(&self, _: &Vectors<D>, _: f64) -> f64 {
+        0.0
+    }
+    fn add_gradient(&self, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
+    fn subtract_force(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
+    fn add_discrete_gradient(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
+    fn add_hessian(&self, _: f64, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
+    fn add_turned(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
+    fn add_discrete_jacobian(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
+    fn subtract_force_jacobian(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: f64, _: &mut Matrix<D>) {}
+    fn add_stencil(&self, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
+    fn add_discrete_stencil(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
+        at.nothing()
+    }
+    fn links(&self, _: usize) -> Topology {
+        Topology::Chain
+    }
+    fn fields(&self, _: &mut dyn FnMut(&'static str, f64)) {}
+    fn fault(&self, _: Option<&Vectors<D>>, _: &Vectors<D>, _: &Vectors<D>, _: f64) -> Option<Fault> {
+        None
+    }
+}
+
+/// Two terms, or a list of them and one more.
+impl<const D: usize, P, A: Term<D, P>, B: Term<D, P>> Term<D, P> for (A, B) {
+    type Ready = (A::Ready, B::Ready);
+
+    fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
+        Ok((self.0.prepare(bodies)?, self.1.prepare(bodies)?))
+    }
+}
+
+impl<A: WithoutVelocities, B: WithoutVelocities> WithoutVelocities for (A, B) {}
+impl WithoutVelocities for () {}
+
+impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
+    const NOTHING: bool = A::NOTHING && B::NOTHING;
+    const FORCED: bool = A::FORCED || B::FORCED;
+    const CONSERVES_ENERGY: bool = A::CONSERVES_ENERGY && B::CONSERVES_ENERGY;
+    const AUTONOMOUS: bool = A::AUTONOMOUS && B::AUTONOMOUS;
+    const LINEAR_MOMENTUM: bool = A::LINEAR_MOMENTUM && B::LINEAR_MOMENTUM;
+    const ANGULAR_MOMENTUM: bool = A::ANGULAR_MOMENTUM && B::ANGULAR_MOMENTUM;
+    const LINEAR: bool = A::LINEAR && B::LINEAR;
+    const PIECEWISE: bool = A::PIECEWISE || B::PIECEWISE;
+
+    fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
+        self.0.potential(q, t) + self.1.potential(q, t)
+    }
+    fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.add_gradient(q, t, out);
+        self.1.add_gradient(q, t, out);
+    }
+    fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if A::NOTHING {
+            self.1.set_gradient(q, t, out);
+        } else {
+            self.0.set_gradient(q, t, out);
+            self.1.add_gradient(q, t, out);
+        }
+    }
+    fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.subtract_force(c, q, v, t, out);
+        self.1.subtract_force(c, q, v, t, out);
+    }
+    fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.add_discrete_gradient(a, b, t, out);
+        self.1.add_discrete_gradient(a, b, t, out);
+    }
+    fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        if A::NOTHING {
+            self.1.set_discrete_gradient(a, b, t, out);
+        } else {
+            self.0.set_discrete_gradient(a, b, t, out);
+            self.1.add_discrete_gradient(a, b, t, out);
+        }
+    }
+    fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        self.0.add_hessian(c, q, t, out);
+        self.1.add_hessian(c, q, t, out);
+    }
+    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
+        self.0.add_turned(c, q, w, t, out);
+        self.1.add_turned(c, q, w, t, out);
+    }
+    fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
+        self.0.add_discrete_jacobian(a, b, t, out);
+        self.1.add_discrete_jacobian(a, b, t, out);
+    }
+    fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>) {
+        self.0.subtract_force_jacobian(c, q, v, t, rate, out);
+        self.1.subtract_force_jacobian(c, q, v, t, rate, out);
+    }
+    #[inline(always)]
+    fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        self.0.add_stencil(q, t, first, out);
+        self.1.add_stencil(q, t, first, out);
+    }
+    #[inline(always)]
+    fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
+        self.0.add_discrete_stencil(a, b, t, first, out);
+        self.1.add_discrete_stencil(a, b, t, first, out);
+    }
+    fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
+        self.0.frequency(at).and(self.1.frequency(at))
+    }
+    fn links(&self, bodies: usize) -> Topology {
+        self.0.links(bodies).and(self.1.links(bodies))
+    }
+    fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        self.0.fields(see);
+        self.1.fields(see);
+    }
+    fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+        self.0.fault(from, q, v, t).or_else(|| self.1.fault(from, q, v, t))
+    }
+}

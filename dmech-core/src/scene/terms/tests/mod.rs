@@ -1,0 +1,5 @@
+//! Terms against matrices, differences and the motion of one body.
+
+mod laws;
+mod look;
+mod turned;

@@ -2,7 +2,8 @@
 
 use crate::common::{Pendulum, SUN, greenspan_orbit};
 use dmech_core::prelude::*;
-use dmech_core::scheme::{KanataniMemory, Stride};
+use dmech_core::scheme::KanataniMemory;
+use dmech_core::system::Stride;
 
 /// N steps, the velocity turned round, N steps: where it started. The explicit scheme does not return.
 #[test]
@@ -45,9 +46,10 @@ fn kanatani_goes_back_through_the_same_positions() {
         path.push(stepper.q());
     }
     let (before, now) = (path[path.len() - 1], path[path.len() - 2]);
-    let mut memory = KanataniMemory::from_positions(&stride, before, now, SUN.gradient(now));
+    let sun = Particle::new(SUN, 1.0);
+    let mut memory = KanataniMemory::<Particle<_, 2>>::from_positions(&stride, before, now, &SUN.gradient(now));
     for expected in path.iter().rev().skip(2) {
-        Kanatani.step(&SUN, &stride, 0.0, &mut memory).unwrap();
+        Kanatani.step(&sun, &stride, 0.0, &mut memory, &mut ()).unwrap();
         let q = memory.q();
         assert!((q[0] - expected[0]).hypot(q[1] - expected[1]) < 1e-10, "{q:?} {expected:?}");
     }

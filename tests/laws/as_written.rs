@@ -233,7 +233,7 @@ fn in_scenes() {
     fn refusal<const D: usize, P, L>(simulation: Simulation<(), Scene<D, P, L>, NoScheme>) -> String
     where
         L: dmech::scene::Term<D, P>,
-        Explicit: dmech::scheme::Scheme<SceneSystem<D, L::Ready>>,
+        Explicit: dmech::scheme::Scheme<dmech::scene::SceneSystem<D, L::Ready>>,
     {
         let error = simulation.scheme(Explicit).dt(0.1).stepper().err().unwrap();
         assert!(matches!(error, Error::NotAsWritten(_)), "{error}");

@@ -15,8 +15,8 @@ fn explicit_steps_of_all_pairs_take_a_kilobyte_a_body() {
         let scene = (0..bodies as u32).fold(Scene::<3>::new(), |scene, i| scene.body(1.0, place(i), [0.0; 3]));
         scene.pairs(LennardJones { epsilon: 1.0, sigma: 1.0 })
     };
-    fn check<S: dmech::scheme::Scheme<SceneSystem<3, A>>, A: dmech::scene::Acts<3>>(
-        mut stepper: dmech::Stepper<SceneSystem<3, A>, S>,
+    fn check<S: dmech::scheme::Scheme<dmech::scene::SceneSystem<3, A>>, A: dmech::scene::Acts<3>>(
+        mut stepper: dmech::Stepper<dmech::scene::SceneSystem<3, A>, S>,
         before: isize,
     ) {
         stepper.step().unwrap();

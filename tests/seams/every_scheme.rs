@@ -5,7 +5,8 @@
 //! not keep it exactly errs by h^min(p, s), whatever is promised for smooth laws; what is kept exactly stays so.
 
 use dmech::prelude::*;
-use dmech::scheme::{KanataniMemory, Stride};
+use dmech::scheme::KanataniMemory;
+use dmech::system::Stride;
 use dmech::{Kept, Potential, VelocityIndependent};
 
 use crate::laws::*;
@@ -143,9 +144,10 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
             stepper.advance(steps).expect("every step has a root");
             let (before, now) = (stepper.memory().q_before(), stepper.memory().q());
             let gradient = self.law.field(1.0, 0.0).gradient(before);
-            let mut memory = KanataniMemory::from_positions(&stride, now, before, gradient);
+            let particle = Particle::new(self.law, 1.0);
+            let mut memory = KanataniMemory::<Particle<_, D>>::from_positions(&stride, now, before, &gradient);
             for _ in 0..steps {
-                Kanatani.step(&self.law, &stride, 0.0, &mut memory).expect("the same steps backward");
+                Kanatani.step(&particle, &stride, 0.0, &mut memory, &mut ()).expect("the same steps backward");
             }
             let miss = (0..D).map(|i| (memory.q()[i] - first[i]).abs()).fold(0.0, f64::max);
             assert!(miss < 1e-10, "Kanatani from {start:?}: {miss:e}");

@@ -89,7 +89,7 @@ pub struct Checkpoint {
 }
 
 /// The form of a checkpoint, to be raised when what a scheme carries changes.
-pub(crate) const FORMAT: u32 = 2;
+pub(crate) const FORMAT: u32 = 3;
 
 impl Checkpoint {
     /// Steps made.

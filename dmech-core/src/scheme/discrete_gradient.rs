@@ -1,7 +1,7 @@
 //! The energy-exact one-step scheme.
 
 use super::memory::memory;
-use super::{Effort, Method, Newton, Scheme};
+use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Start, Step, System};
@@ -122,8 +122,7 @@ impl<Y: System> Scheme<Y> for DiscreteGradient {
         let ahead = Ahead::Continued(slopes.each_ref());
         let mut found = system.solve_exact(solver, &Step { stride, t, q, v, ahead, newton: &self.newton })?;
         system.settle(solver, stride, 0.5, &mut found, [q, v]);
-        slopes.rotate_right(1);
-        Y::keep(solver, &found, &mut slopes[0]);
+        remember::<Y>(solver, &found, slopes);
         Ok(Y::effort(&found))
     }
 

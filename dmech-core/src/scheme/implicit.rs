@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::memory::memory;
-use super::{Effort, Method, Newton, Scheme};
+use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Start, Step, System};
@@ -113,8 +113,7 @@ impl<Y: System> Scheme<Y> for Implicit {
         let step = Step { stride, t, q, v, ahead, newton: &self.newton };
         let mut found = system.solve_mean(solver, &step, &slopes[0])?;
         system.settle_mean(solver, stride, &slopes[0], &mut found, [q, v]);
-        slopes.rotate_right(1);
-        Y::keep(solver, &found, &mut slopes[0]);
+        remember::<Y>(solver, &found, slopes);
         Ok(Y::effort(&found))
     }
 

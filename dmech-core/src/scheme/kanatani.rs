@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::memory::memory;
-use super::{DiscreteGradient, Effort, Method, Newton, Scheme, WithoutVelocities};
+use super::{DiscreteGradient, Effort, Method, Newton, Scheme, WithoutVelocities, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Kick, Step, System};
@@ -179,8 +179,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for Kanatani {
         let mut found = system.solve_across(solver, &step, q_before)?;
         q_before.clone_from(Y::value(q));
         system.settle(solver, stride, 1.0, &mut found, [q, z]);
-        slopes.rotate_right(1);
-        Y::keep(solver, &found, &mut slopes[0]);
+        remember::<Y>(solver, &found, slopes);
         Ok(Y::effort(&found))
     }
 

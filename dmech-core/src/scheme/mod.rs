@@ -180,6 +180,14 @@ pub trait Scheme<Y: System>: Method {
     }
 }
 
+/// Makes the slope that was found the newest of three, and forgets the oldest.
+#[inline(always)]
+fn remember<Y: System>(solver: &mut Y::Solver, found: &Y::Found, slopes: &mut [Y::Vector; 3]) {
+    slopes.swap(1, 2);
+    slopes.swap(0, 1);
+    Y::keep(solver, found, &mut slopes[0]);
+}
+
 /// What one step cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {

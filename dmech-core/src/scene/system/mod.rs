@@ -136,6 +136,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         SceneStride::new(gamma * stride.dt, kick, share)
     }
 
+    #[inline]
     fn dt(stride: &SceneStride<D>) -> f64 {
         stride.dt
     }
@@ -160,6 +161,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         CompensatedVectors::new(x.clone())
     }
 
+    #[inline]
     fn value(x: &CompensatedVectors<D>) -> &Vectors<D> {
         &x.hi
     }
@@ -176,6 +178,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         x.flat_mut().iter_mut().for_each(|x| *x *= c);
     }
 
+    #[inline]
     fn add_scaled(x: &mut Vectors<D>, c: f64, y: &Vectors<D>) {
         for (x, y) in x.flat_mut().iter_mut().zip(y.flat()) {
             *x += c * y;
@@ -189,6 +192,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         }
     }
 
+    #[inline]
     fn is_finite(x: &Vectors<D>) -> bool {
         x.is_finite()
     }
@@ -206,11 +210,13 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         0.5 * squares.iter().sum::<f64>()
     }
 
+    #[inline]
     fn slope(&self, t: f64, q: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
         self.acts.set_gradient(q, t, out);
         self.acts.subtract_force(1.0, q, v, t, out);
     }
 
+    #[inline]
     fn drift_by_mean(stride: &SceneStride<D>, q: &mut Vectors<D>, v: &Vectors<D>, next: &Vectors<D>) {
         let half = 0.5 * stride.dt;
         for (q, (v, next)) in q.flat_mut().iter_mut().zip(v.flat().iter().zip(next.flat())) {
@@ -218,6 +224,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         }
     }
 
+    #[inline]
     fn kick(
         &self,
         room: &mut SceneRoom<D>,
@@ -228,10 +235,11 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         to: &mut Vectors<D>,
     ) {
         self.slope(kick.t, q, v, &mut room.slope);
-        let b = self.turned(room, stride, kick, q);
+        let b = self.length(room, stride, kick, q);
         passes::kick(b, stride.kick.flat(), room.slope.flat(), v.flat(), to.flat_mut());
     }
 
+    #[inline]
     fn kick_and_drift(
         &self,
         room: &mut SceneRoom<D>,
@@ -244,10 +252,10 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         work: &mut Vectors<D>,
     ) {
         self.slope(kick.t, q, v, &mut room.slope);
-        let b = self.turned(room, stride, kick, q);
+        let b = self.length(room, stride, kick, q);
         let lengths = [b, b * stride.dt, a];
-        let given = [stride.kick.flat(), room.slope.flat(), v.flat()];
-        passes::kick_and_drift(lengths, given, [q.flat_mut(), to.flat_mut(), work.flat_mut()]);
+        let (kick, slope) = (stride.kick.flat(), room.slope.flat());
+        passes::kick_and_drift(lengths, kick, slope, q.flat_mut(), v.flat(), to.flat_mut(), work.flat_mut());
     }
 
     fn kick_both_ways(
@@ -258,7 +266,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         start: &Start<'_, Self>,
     ) -> [Vectors<D>; 2] {
         room.slope.clone_from(start.slope);
-        let b = self.turned(room, stride, kick, start.q);
+        let b = self.length(room, stride, kick, start.q);
         [-1.0, 1.0].map(|sign| {
             let mut to = self.zeros();
             passes::kick(sign * b, stride.kick.flat(), room.slope.flat(), start.v.flat(), to.flat_mut());
@@ -289,6 +297,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         self.zeros()
     }
 
+    #[inline]
     fn clear(work: &mut Vectors<D>) {
         work.clear();
     }
@@ -453,12 +462,15 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 }
 
 impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
-    /// The length of a kick by the slope in the room. With a force gradient the slope becomes b ∇Φ − e h H (h/m) ∇Φ, and the
+    /// The length of a kick by the slope in the room.
+    #[inline(always)]
+    fn length(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
+        if kick.e == 0.0 { kick.b } else { self.turned(room, stride, kick, q) }
+    }
+
+    /// With a force gradient the slope becomes b ∇Φ − e h H (h/m) ∇Φ, and the
     /// length 1.
     fn turned(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
-        if kick.e == 0.0 {
-            return kick.b;
-        }
         let SceneRoom { slope, fall, turned } = room;
         fall.clone_from(slope);
         for (fall, kick) in fall.flat_mut().iter_mut().zip(stride.kick.flat()) {

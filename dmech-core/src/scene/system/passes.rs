@@ -2,7 +2,7 @@
 //! of them.
 
 /// to ← v − b (h/m) S.
-#[inline(never)]
+#[inline]
 pub(super) fn kick(b: f64, kick: &[f64], slope: &[f64], v: &[f64], to: &mut [f64]) {
     let n = to.len();
     let (kick, slope, v) = (&kick[..n], &slope[..n], &v[..n]);
@@ -11,9 +11,18 @@ pub(super) fn kick(b: f64, kick: &[f64], slope: &[f64], v: &[f64], to: &mut [f64
     }
 }
 
-/// The same, then q += a v′; the work of the kick, F·(mean velocity) in its time b h, is added.
-#[inline(never)]
-pub(super) fn kick_and_drift([b, time, a]: [f64; 3], [kick, slope, v]: [&[f64]; 3], [q, to, work]: [&mut [f64]; 3]) {
+/// The same, then q += a v′; the work of the kick, F·(mean velocity) in its time, is added. `lengths` are b, that time, and a.
+#[inline]
+pub(super) fn kick_and_drift(
+    lengths: [f64; 3],
+    kick: &[f64],
+    slope: &[f64],
+    q: &mut [f64],
+    v: &[f64],
+    to: &mut [f64],
+    work: &mut [f64],
+) {
+    let [b, time, a] = lengths;
     let n = q.len();
     let (kick, slope, v, to, work) = (&kick[..n], &slope[..n], &v[..n], &mut to[..n], &mut work[..n]);
     for i in 0..n {

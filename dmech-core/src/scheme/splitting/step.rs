@@ -101,7 +101,10 @@ macro_rules! stepped_by_drifts_and_kicks {
                 room: &mut Y::Room,
             ) -> Result<Effort, NotConverged> {
                 let h = Y::dt(stride);
-                Y::clear(&mut memory.work);
+                // Leap-frog has no kick within a step.
+                if $n > 1 || matches!(Self::FIRST, First::Drift) {
+                    Y::clear(&mut memory.work);
+                }
                 Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
                 for k in 0..$n - 1 {
                     let a = drift::<Self, { $n }, _>(k + 1, h);

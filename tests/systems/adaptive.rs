@@ -1,0 +1,112 @@
+//! Scenes whose steps follow the motion.
+
+use dmech::models::pairs::Gravity;
+use dmech::prelude::*;
+
+use super::setups::*;
+
+/// Sun, planet, and a comet of eccentricity 0.97.
+fn comet() -> Scene<2> {
+    let e: f64 = 0.97;
+    let speed = ((1.0 + e) / (1.0 - e)).sqrt();
+    Scene::new().body(1.0, [0.0, 0.0], [0.0, 0.0]).body(1e-3, [-5.2, 0.0], [0.0, -(1.0_f64 / 5.2).sqrt()]).body(
+        1e-9,
+        [1.0 - e, 0.0],
+        [0.0, speed],
+    )
+}
+
+/// Burrau's problem: masses 3, 4 and 5 at rest at the corners of the Pythagorean triangle.
+fn burrau() -> Scene<2> {
+    Scene::new().body(3.0, [1.0, 3.0], [0.0; 2]).body(4.0, [-2.0, -1.0], [0.0; 2]).body(5.0, [1.0, -1.0], [0.0; 2])
+}
+
+const GRAVITY: Gravity = Gravity { g: 1.0 };
+
+/// A finer tolerance errs less in the same proportion, and adaptive steps reach an error with fewer forces than equal ones.
+#[test]
+fn a_comet_is_followed_through_its_pericentre() {
+    let adaptive = |tolerance: f64| {
+        let run = Simulation::scene(comet().pairs(GRAVITY)).scheme(Nystrom::order8()).adaptive(tolerance);
+        run.record_every(1000).run_until(30.0).expect("resolved")
+    };
+    let exact = adaptive(1e-13);
+    let [coarse, fine] = [1e-6, 1e-9].map(|tolerance| (adaptive(tolerance), tolerance));
+    let error = |run: &Run<SceneState<2>>| apart(run.last(), exact.last());
+    let equal = Simulation::scene(comet().pairs(GRAVITY)).scheme(Nystrom::order8()).dt(2e-3).record_every(1000);
+    let equal = equal.run_until(30.0).expect("resolved");
+    for (run, tolerance) in [&coarse, &fine] {
+        println!("tolerance {tolerance:e}: error {:.1e}, {} forces", error(run), run.report().evaluations());
+        // A revolution takes 2π.
+        assert!(error(run) < 300.0 * tolerance, "{:e} for {tolerance:e}", error(run));
+        let [shortest, longest] = run.report().dt_range().expect("more than one step");
+        assert!(longest > 50.0 * shortest, "{shortest} to {longest}: nothing to follow");
+    }
+    println!("equal steps: error {:.1e}, {} forces", error(&equal), equal.report().evaluations());
+    assert!(error(&fine.0) < error(&equal) && fine.0.report().evaluations() < equal.report().evaluations() / 4);
+}
+
+/// Whatever the steps, the energy-exact schemes keep the energy, through all of Burrau's encounters.
+#[test]
+fn the_pythagorean_problem_ends_with_its_energy() {
+    for tolerance in [1e-6, 1e-8] {
+        let scene = burrau().pairs(GRAVITY);
+        let run = Simulation::scene(scene).scheme(Composed::order6(DiscreteGradient)).adaptive(tolerance);
+        let run = run.record_every(50).run_until(70.0).expect("no collision");
+        let [shortest, longest] = run.report().dt_range().expect("more than one step");
+        for (invariant, most) in
+            [(Invariant::Energy, 1e-11), (Invariant::LinearMomentum, 1e-11), (Invariant::AngularMomentum, 1e-11)]
+        {
+            let drift = run.drift(invariant).expect("a closed system");
+            println!("{tolerance:e}: {invariant} {:.1e}, dt from {shortest:.1e} to {longest:.1e}", drift.max_abs());
+            let size = drift.start().abs().max(1.0);
+            assert!(drift.max_abs() < most * size, "{invariant}: {:e}", drift.max_abs());
+        }
+        assert!(longest > 500.0 * shortest);
+        // The lightest is thrown out, the others stay together (V. Szebehely and C. F. Peters, Astron. J. 72 (1967) 876).
+        let q = &run.last().q;
+        let r = |a: usize, b: usize| (q[a][0] - q[b][0]).hypot(q[a][1] - q[b][1]);
+        println!("distances {:.2} {:.2} {:.2}", r(0, 1), r(0, 2), r(1, 2));
+        assert!(r(1, 2) < 1.0 && r(0, 1) > 3.0 && r(0, 2) > 3.0);
+    }
+}
+
+/// A saved adaptive run of a scene goes on bit for bit, from within a row of equal steps as well.
+#[test]
+fn saved_steps_go_on() {
+    fn check<S: Adaptable>(scheme: S)
+    where
+        dmech::Adaptive<S>: Scheme<System>,
+        <dmech::Adaptive<S> as Scheme<System>>::Memory: dmech::Carried,
+    {
+        let set_up = || Simulation::scene(comet().pairs(GRAVITY)).scheme(scheme).adaptive(1e-7);
+        for first in [0, 1, 7, 150] {
+            let mut whole = set_up().stepper().expect("a start");
+            whole.advance(first + 200).expect("resolved");
+            let mut part = set_up().stepper().expect("a start");
+            part.advance(first).expect("resolved");
+            let mut resumed = set_up().resume(&part.checkpoint()).expect("the same simulation");
+            resumed.advance(200).expect("resolved");
+            assert_eq!(resumed.state(), whole.state(), "{} saved after {first}", S::NAME);
+            assert_eq!(resumed.evaluations(), whole.evaluations());
+        }
+    }
+    type System = <Scene<2, (), ((), dmech::scene::Linked<Gravity, dmech::scene::Pairs>)> as dmech::Setup<()>>::System;
+    check(DiscreteGradient);
+    check(Implicit);
+    check(Composed::order4(DiscreteGradient));
+    check(Composed::order6(Implicit));
+    check(Composed::order6(Leapfrog));
+    check(Nystrom::order6());
+    check(ForceGradient::order4());
+}
+
+/// Bodies that nothing accelerates tell no time scale, as one law does not.
+#[test]
+fn free_bodies_need_a_longest_step() {
+    let scene = || Scene::new().body(1.0, [0.0; 2], [0.1, 0.0]).body(2.0, [1.0, 0.0], [0.0; 2]);
+    let free = || Simulation::scene(scene().pairs(Gravity { g: 0.0 })).scheme(Nystrom::order4());
+    let refused = free().adaptive(1e-6).run_until(1.0).expect_err("no step").cause();
+    assert!(matches!(refused, Error::NoTimeScale { step: 1, .. }), "{refused}");
+    assert_eq!(free().dt(0.3).adaptive(1e-6).run_until(1.0).expect("equal steps").last().t, 1.0);
+}

@@ -1,0 +1,6 @@
+//! Every scheme on every system: one law, a law with a mass for each coordinate, bodies in pairs, chains, bonds, fields.
+
+mod adaptive;
+mod matrix;
+mod same;
+mod setups;

@@ -5,7 +5,7 @@ use dmech::Kept;
 use dmech::prelude::*;
 use dmech::scene::{SceneScheme, Term};
 
-use crate::schemes::for_each_scene_scheme;
+use crate::schemes::*;
 
 /// Declares laws with named numbers.
 macro_rules! laws {

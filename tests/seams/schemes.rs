@@ -10,6 +10,15 @@ macro_rules! for_each_scheme {
 }
 pub(crate) use for_each_scheme;
 
+/// Runs a macro for every scheme of a law that may change its step.
+macro_rules! for_each_adaptable {
+    ($run:ident, $($rest:tt)*) => {
+        for_each_adaptable_of_scenes!($run, $($rest)*);
+        for_each_adaptable_of_laws!($run, $($rest)*);
+    };
+}
+pub(crate) use for_each_adaptable;
+
 /// Runs a macro for every scheme of a scene.
 macro_rules! for_each_scene_scheme {
     ($run:ident, $($rest:tt)*) => {

@@ -1,5 +1,8 @@
 //! What can go wrong, with numbers.
 
+#[cfg(test)]
+mod tests;
+
 use thiserror::Error;
 
 use crate::run::Run;

@@ -196,3 +196,55 @@ fn a_single_correction_is_trusted_up_to_a_sixty_fourth_of_rounding() {
         assert!((found.gradient[0] / (root * root) - 1.0).abs() < 8.0 * f64::EPSILON);
     }
 }
+
+/// Corrections of a force with bends, from a guess: the increment, how many, and G as it comes back.
+fn solved(guess: f64, (g, drift): (f64, f64), force: impl Fn(f64) -> [f64; 2]) -> Increment<1, f64> {
+    let e = Equation { guess: [guess], piecewise: true, ..Equation::new([0.0], [drift], g) };
+    let correct = |e: &Equation<1, f64>, [delta]: [f64; 1], [b]: [f64; 1]| {
+        let [slope, turn] = force(b);
+        let change = (e.increment([slope])[0] - delta) / (1.0 + e.g * turn);
+        Correction::in_parts([change], [slope], [turn * change])
+    };
+    drive(&e, correct).unwrap()
+}
+
+/// Past a bend the second correction may be as large as the first; it is made, and no more than that.
+#[test]
+fn a_bend_between_guess_and_root_costs_a_correction() {
+    let sizes = || (0..14).map(|k| 10f64.powi(-k - 1));
+    for (ahead, behind) in sizes().flat_map(|ahead| sizes().map(move |behind| (ahead, behind))) {
+        let bend = 1.0 - behind;
+        let force = |b: f64| if b > bend { [10.0 * (b - bend), 10.0] } else { [0.0, 0.0] };
+        let found = solved(bend - ahead, (0.5, 1.0), force);
+        let what = format!("guess {ahead:e} before the bend, root {behind:e}/6 behind: {found:?}");
+        let ([delta], [gradient]) = (found.delta, found.gradient);
+        assert!((delta + 0.5 * gradient - 1.0).abs() <= f64::EPSILON, "{what}");
+        assert!((gradient - force(delta)[0]).abs() <= 10.0 * f64::EPSILON, "{what}");
+        assert!(found.iterations <= 5 && found.evaluations == found.iterations, "{what}");
+    }
+}
+
+/// Over a row of bends, each twice as sharp as the one before, corrections go from bend to bend, none of them much
+/// shorter than the last; the step is not approached by shorter ones.
+#[test]
+fn a_row_of_bends_is_followed_to_its_end() {
+    let force = |b: f64| {
+        let bends = (0..60).map(f64::from).filter(|&bend| b > bend);
+        bends.fold([0.0; 2], |[slope, turn], bend| [slope + bend.exp2() * (b - bend), turn + bend.exp2()])
+    };
+    for guess in [3.4, 11.4, 27.4] {
+        let (mut b, mut corrections) = (guess, 0);
+        loop {
+            let [slope, turn] = force(b);
+            let change = (1.0 - slope - b) / (1.0 + turn);
+            (b, corrections) = (b + change, corrections + 1);
+            if change.abs() < 1e-12 {
+                break;
+            }
+        }
+        let found = solved(guess, (1.0, 1.0), force);
+        println!("from {guess}: {corrections} corrections, {found:?}");
+        assert!((found.delta[0] - 0.5).abs() <= f64::EPSILON, "{found:?}");
+        assert!(found.iterations.abs_diff(corrections) <= 1, "{corrections} corrections from {guess}: {found:?}");
+    }
+}

@@ -84,6 +84,9 @@ fn a_report_in_large_and_small_units_has_few_digits() {
         let column = text.lines().nth(1).unwrap().chars().count();
         assert!(text.lines().skip(2).take(3).all(|line| line.chars().count() <= column + 4), "{text}");
     }
+    // So short that nothing but the time moves.
+    let run = Simulation::new(SUN, greenspan_orbit()).scheme(Leapfrog).dt(2.5e-200).run(3).unwrap();
+    assert!(run.to_string().starts_with("Leapfrog, order 2, dt = 2.5e-200, 3 steps"), "{run}");
     let error = Error::NotFinite { step: 7, time: 3e300, dt: 1e-300 };
     assert!(error.to_string().starts_with("step 7 from t = 3e300 with dt = 1e-300 led"), "{error}");
     assert!(Error::TimeStep { dt: -1e300 }.to_string().ends_with("not dt = -1e300"));

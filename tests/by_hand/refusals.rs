@@ -192,44 +192,94 @@ fn a_number_of_steps_beyond_all_bounds_is_refused() {
     assert!(matches!(error, Error::StepVanished { .. }), "{error}");
 }
 
-/// x²/2, with a discrete gradient that is, if `broken`, not a number between b > 1/2 and any a.
+/// x²/2, of which some quantities are not a number beyond x = 1/2.
 #[derive(Clone, Copy, Debug)]
-struct Bowl {
-    broken: bool,
+pub(crate) struct Bowl {
+    pub(crate) broken: &'static [&'static str],
+}
+
+impl Bowl {
+    fn unless_broken(&self, quantity: &str, at: f64, value: f64) -> f64 {
+        if at > 0.5 && self.broken.contains(&quantity) { f64::NAN } else { value }
+    }
 }
 
 impl Conservative for Bowl {}
 impl Potential<1> for Bowl {
     fn potential(&self, [x]: [f64; 1]) -> f64 {
-        0.5 * x * x
+        self.unless_broken("potential", x, 0.5 * x * x)
     }
     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] {
-        [x]
+        [self.unless_broken("force", x, x)]
     }
-    fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] {
-        [[1.0]]
+    fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] {
+        [[self.unless_broken("second derivative", x, 1.0)]]
     }
     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
-        [if self.broken && b > 0.5 { f64::NAN } else { 0.5 * (a + b) }]
+        [self.unless_broken("discrete gradient", b, 0.5 * (a + b))]
     }
-    fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] {
-        [[0.5]]
+    fn discrete_gradient_jacobian(&self, _: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+        [[self.unless_broken("Jacobian of the discrete gradient", b, 0.5)]]
     }
 }
 
 /// A number that is none is named, with its place, and not called a lack of convergence.
 #[test]
 fn a_law_that_is_not_finite_in_a_step_is_named() {
-    let motion = |broken| Simulation::new(Bowl { broken }, State::new([0.0], [1.0])).scheme(DiscreteGradient).dt(0.1);
-    assert_eq!(motion(false).run(100).unwrap().steps(), 100);
-    let interrupted = motion(true).run(100).unwrap_err();
-    let Error::LawInStep { quantity, value, place, step, time, dt } = interrupted.cause() else {
-        panic!("{interrupted}")
-    };
-    assert!(quantity == "discrete gradient" && value.is_nan(), "{interrupted}");
-    assert_eq!((step, dt), (interrupted.run().steps() + 1, 0.1));
-    assert_eq!(time, interrupted.run().last().t);
-    let [x] = *place.first() else { panic!("{place:?}") };
-    assert!(x > 0.5 && x < 0.6, "{interrupted}");
-    assert!(interrupted.to_string().contains("the discrete gradient of the law is NaN at q = 0.5"), "{interrupted}");
+    fn check<S: Scheme<Bowl, 1>>(scheme: S, broken: &'static [&'static str]) {
+        let motion = |broken| Simulation::new(Bowl { broken }, State::new([0.0], [1.0])).scheme(scheme).dt(0.1);
+        assert_eq!(motion(&[]).run(100).unwrap().steps(), 100);
+        let interrupted = motion(broken).run(100).unwrap_err();
+        let Error::LawInStep { quantity, value, place, step, time, dt } = interrupted.cause() else {
+            panic!("{interrupted}")
+        };
+        assert!(quantity == broken[0] && value.is_nan(), "{interrupted}");
+        assert_eq!((step, dt), (interrupted.run().steps() + 1, 0.1));
+        assert_eq!(time, interrupted.run().last().t);
+        let [x] = *place.first() else { panic!("{place:?}") };
+        assert!(x > 0.5 && x < 0.6, "{interrupted}");
+        let told = format!("the {quantity} of the law is NaN at q = 0.5");
+        assert!(interrupted.to_string().contains(&told), "{interrupted}");
+    }
+    check(DiscreteGradient, &["discrete gradient"]);
+    check(DiscreteGradient, &["Jacobian of the discrete gradient"]);
+    check(DiscreteGradient, &["potential", "discrete gradient"]);
+    check(Implicit, &["force"]);
+    check(Implicit, &["second derivative"]);
+    check(Kanatani, &["discrete gradient"]);
+}
+
+/// Where the equation of a step is singular, its corrections are no numbers: then they are beyond all bounds.
+#[test]
+fn a_law_that_is_finite_is_not_blamed() {
+    /// −8 (x² + y²), for which 1 + h² ∂∇̄Φ/2 is 0 at h = 1/2.
+    #[derive(Clone, Copy, Debug)]
+    struct Hill;
+    impl Conservative for Hill {}
+    impl Potential<2> for Hill {
+        fn potential(&self, q: [f64; 2]) -> f64 {
+            -8.0 * (q[0] * q[0] + q[1] * q[1])
+        }
+        fn gradient(&self, q: [f64; 2]) -> [f64; 2] {
+            q.map(|x| -16.0 * x)
+        }
+        fn hessian(&self, _: [f64; 2]) -> [[f64; 2]; 2] {
+            [[-16.0, 0.0], [0.0, -16.0]]
+        }
+        fn discrete_gradient(&self, a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+            [-8.0 * (a[0] + b[0]), -8.0 * (a[1] + b[1])]
+        }
+        fn discrete_gradient_jacobian(&self, _: [f64; 2], _: [f64; 2]) -> [[f64; 2]; 2] {
+            [[-8.0, 0.0], [0.0, -8.0]]
+        }
+    }
+    let motion = |dt| Simulation::new(Hill, State::new([0.5, 0.0], [1.0, 0.0])).scheme(DiscreteGradient).dt(dt);
+    assert_eq!(motion(0.25).run(3).unwrap().steps(), 3);
+    let interrupted = motion(0.5).run(3).unwrap_err();
+    let Error::NotConverged { step, dt, residual, .. } = interrupted.cause() else { panic!("{interrupted}") };
+    assert_eq!((step, dt, residual), (1, 0.5, f64::INFINITY), "{interrupted}");
+    assert!(
+        interrupted.to_string().ends_with("the last correction was inf (0 steps done, 1 states recorded)"),
+        "{interrupted}"
+    );
 }

@@ -10,6 +10,7 @@ use dmech::system::Stride;
 use dmech::{Kept, Potential, VelocityIndependent};
 
 use crate::laws::*;
+use crate::measured::*;
 use crate::schemes::*;
 
 const SPAN: f64 = 24.0;
@@ -17,53 +18,9 @@ const STARTS: usize = 21;
 /// Steps to the end: each halves those before.
 const LADDER: [u64; 4] = [800, 1600, 3200, 6400];
 
-/// A law of the table: the power of its sharpest seam, and on which side of one a point is.
-#[derive(Clone, Copy, Debug)]
-struct Seam<L, const D: usize> {
-    law: L,
-    power: f64,
-    side: fn([f64; D]) -> bool,
-}
-
-/// Whether the run reached its end, or why it need not: the trapezoid takes its force at the end of the step, and where that
-/// jumps against the motion, the end that is asked for with the one force lies beyond the seam, and with the other before it.
-fn reached<S: Method, const D: usize>(
-    outcome: Result<Run<State<D>>, Interrupted<State<D>>>,
-    power: f64,
-) -> Option<Run<State<D>>> {
-    let interrupted = match outcome {
-        Ok(run) => {
-            assert!(run.states().iter().all(|s| s.q.iter().chain(&s.v).all(|x| x.is_finite())), "{}", S::NAME);
-            return Some(run);
-        }
-        Err(interrupted) => interrupted,
-    };
-    assert!(power == 1.0 && S::NAME.contains("Implicit"), "{}: {interrupted}", S::NAME);
-    let (next, told) = (interrupted.run().steps() + 1, interrupted.cause());
-    assert!(matches!(told, Error::NotConverged { step, .. } if step == next), "{}: {told}", S::NAME);
-    None
-}
-
-/// The slope of log error over log h, by least squares.
-fn order(errors: [f64; LADDER.len()]) -> f64 {
-    let x = LADDER.map(|steps| -(steps as f64).ln());
-    let mean = x.iter().sum::<f64>() / x.len() as f64;
-    let along: f64 = x.iter().zip(errors).map(|(x, error)| (x - mean) * error.ln()).sum();
-    along / x.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>()
-}
-
 impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     fn run<S: Scheme<Particle<L, D>>>(&self, scheme: S, start: State<D>, h: f64, steps: u64) -> Option<Run<State<D>>> {
         reached::<S, D>(Simulation::new(self.law, start).scheme(scheme).dt(h).run(steps), self.power)
-    }
-
-    fn crossed(&self, run: &Run<State<D>>) -> usize {
-        crossings(run.states(), |state| (self.side)(state.q))
-    }
-
-    /// Kinetic and potential energy of the start, as they may cancel.
-    fn scale(&self, start: &State<D>) -> f64 {
-        self.law.field(1.0, 0.0).potential(start.q).abs() + start.v.iter().map(|v| 0.5 * v * v).sum::<f64>()
     }
 
     /// What is exact is exact, and the energy is as good as order and seam permit.
@@ -76,20 +33,7 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
                     ended += 1;
                     continue;
                 };
-                for invariant in Invariant::ALL {
-                    let Some(drift) = run.drift(invariant) else { continue };
-                    let moved = drift.max_abs() / self.scale(&start);
-                    // An explicit orbit gains energy without end, and its rounding with it.
-                    if S::keeps(invariant) == Kept::Exact && S::ORDER > 1 {
-                        // The trapezoid adds up its velocity in plain sums, in each of up to 21 stages.
-                        let most = match invariant {
-                            Invariant::WorkEnergy if S::NAME.contains("Implicit") => 2e-12,
-                            Invariant::WorkEnergy => 1e-13,
-                            _ => 2e-14,
-                        };
-                        assert!(moved < most, "{}, {steps} steps from {start:?}: {invariant} {moved:e}", S::NAME);
-                    }
-                }
+                self.keeps::<S>(&run, &format!("{steps} steps from {start:?}"));
                 let energy = run.drift(Invariant::Energy).expect("the law is conservative").max_abs();
                 errors.push(energy / self.scale(&start));
                 crossed += self.crossed(&run);
@@ -105,7 +49,8 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
             assert_eq!(ended, 0, "{}", S::NAME);
             return;
         }
-        let (measured, allowed) = (order(errors), f64::from(S::ORDER).min(self.power));
+        let (measured, allowed) =
+            (order(LADDER.map(|steps| SPAN / steps as f64), errors), f64::from(S::ORDER).min(self.power));
         println!(
             "{:<44} s = {} energy {:8.1e} to {:8.1e}, order {measured:5.2}, {ended} ended",
             S::NAME,

@@ -8,11 +8,16 @@ struct Counting;
 thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
     static LIVE: Cell<isize> = const { Cell::new(0) };
+    static PEAK: Cell<isize> = const { Cell::new(0) };
 }
 
 fn note(allocations: usize, bytes: isize) {
     ALLOCATIONS.with(|n| n.set(n.get() + allocations));
-    LIVE.with(|n| n.set(n.get() + bytes));
+    let live = LIVE.with(|n| {
+        n.set(n.get() + bytes);
+        n.get()
+    });
+    PEAK.with(|n| n.set(n.get().max(live)));
 }
 
 // SAFETY: every request goes to the system's allocator unchanged.
@@ -42,6 +47,14 @@ pub fn bytes() -> isize {
     LIVE.with(Cell::get)
 }
 
+/// How many more bytes than before this thread has had at once while it did some work.
+pub fn peak(work: impl FnOnce()) -> isize {
+    let before = bytes();
+    PEAK.with(|n| n.set(before));
+    work();
+    PEAK.with(Cell::get) - before
+}
+
 #[test]
 fn the_counter_counts() {
     let (before, mut kept) = (bytes(), None);
@@ -49,4 +62,10 @@ fn the_counter_counts() {
     assert_eq!(bytes() - before, 8);
     drop(kept);
     assert_eq!(bytes(), before);
+    let some = || drop(std::hint::black_box(Vec::<u8>::with_capacity(1000)));
+    let twice = || {
+        some();
+        some();
+    };
+    assert_eq!([peak(some), peak(twice), peak(|| ())], [1000, 1000, 0]);
 }

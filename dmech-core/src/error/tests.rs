@@ -1,0 +1,83 @@
+//! What messages look like.
+
+use super::{Error, Place};
+
+/// Every error, with a number for each of its numbers.
+fn all(x: f64) -> Vec<Error> {
+    let (quantity, step, body, time, dt, end, value) = ("force", 7, 4, x, x, x, x);
+    let mut all = vec![
+        Error::MissingTimeStep,
+        Error::TimeStep { dt },
+        Error::Tolerance { tolerance: x },
+        Error::NoTimeScale { step, time },
+        Error::StepVanished { step, time, dt },
+        Error::Mass { mass: x },
+        Error::State { quantity, value },
+        Error::RecordEvery,
+        Error::EndTime { end, dt },
+        Error::TimeStandsStill { time, dt },
+        Error::Law { quantity, value, time },
+        Error::Underflow { coordinate: 1, slope: x, time },
+        Error::EmptyScene,
+        Error::BodyMass { body, mass: x },
+        Error::BodyState { body, quantity, value },
+        Error::Pin { body, bodies: 3 },
+        Error::PinnedMoves { body, speed: x },
+        Error::Bond { a: 1, b: 5, bodies: 3 },
+        Error::SelfBond { body },
+        Error::DuplicateBond { a: 1, b: 2 },
+        Error::Link { a: 1, b: 2, distance: x, step, time },
+        Error::NotFinite { step, time, dt },
+        Error::NotConverged { step, time, dt, iterations: 12, residual: x },
+        Error::NoSchemes,
+        Error::Span { start: x, end },
+        Error::Exact { value, time },
+    ];
+    #[cfg(feature = "serde")]
+    {
+        use crate::checkpoint::Difference;
+        let (checkpoint, here) = (x, x);
+        let differences = [
+            Difference::TimeStep { checkpoint, here },
+            Difference::Start { checkpoint, here },
+            Difference::Mass { body, checkpoint, here },
+        ];
+        all.extend(differences.map(Error::Checkpoint));
+    }
+    for place in [Place::new(&[x]), Place::new(&[x; 2]), Place::new(&[x; 5])] {
+        all.push(Error::Body { body, value, place, step, time });
+        all.push(Error::LawInStep { quantity, value, place, step, time, dt });
+    }
+    all
+}
+
+/// Whether the error is among them; a new one is asked for here.
+fn listed(error: &Error) -> bool {
+    use Error::*;
+    match error {
+        MissingTimeStep | TimeStep { .. } | Tolerance { .. } | NoTimeScale { .. } | StepVanished { .. } => true,
+        Mass { .. } | State { .. } | RecordEvery | EndTime { .. } | TimeStandsStill { .. } | Law { .. } => true,
+        Underflow { .. } | EmptyScene | BodyMass { .. } | BodyState { .. } | Pin { .. } | PinnedMoves { .. } => true,
+        Bond { .. } | SelfBond { .. } | DuplicateBond { .. } | Link { .. } | Body { .. } | NotFinite { .. } => true,
+        LawInStep { .. } | NotConverged { .. } | NoSchemes | Span { .. } | Exact { .. } => true,
+        #[cfg(feature = "serde")]
+        Checkpoint(_) => true,
+        // It tells in words of its own.
+        NotAsWritten(_) => false,
+    }
+}
+
+/// Nobody reads three hundred digits: a number that is large or small has an exponent.
+#[test]
+fn numbers_in_messages_have_few_digits() {
+    let longest = |text: &str| text.split(|c: char| !c.is_ascii_digit()).map(str::len).max().unwrap_or(0);
+    let mut numbers = 0;
+    for error in [2.5e300, -2.5e-300, 2.5].into_iter().flat_map(all) {
+        assert!(listed(&error));
+        let text = error.to_string();
+        // As many as it takes to tell two numbers apart.
+        assert!(longest(&text) <= 17, "{text}");
+        numbers += text.matches("2.5").count();
+    }
+    assert_eq!(numbers, 3 * (56 + if cfg!(feature = "serde") { 6 } else { 0 }));
+}

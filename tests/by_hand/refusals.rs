@@ -226,7 +226,7 @@ impl Potential<1> for Bowl {
 /// A number that is none is named, with its place, and not called a lack of convergence.
 #[test]
 fn a_law_that_is_not_finite_in_a_step_is_named() {
-    fn check<S: Scheme<Bowl, 1>>(scheme: S, broken: &'static [&'static str]) {
+    fn check<S: Scheme<Particle<Bowl, 1>>>(scheme: S, broken: &'static [&'static str]) {
         let motion = |broken| Simulation::new(Bowl { broken }, State::new([0.0], [1.0])).scheme(scheme).dt(0.1);
         assert_eq!(motion(&[]).run(100).unwrap().steps(), 100);
         let interrupted = motion(broken).run(100).unwrap_err();

@@ -38,7 +38,7 @@ enum Steps {
 impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     fn follow<S>(&self, scheme: S, start: State<D>, angle: f64) -> Option<Run<State<D>>>
     where
-        S: Adaptable + Scheme<L, D>,
+        S: Adaptable + Scheme<Particle<L, D>>,
     {
         let simulation = Simulation::new(self.law, start).scheme(scheme).dt(angle);
         reached::<S, D>(simulation.adaptive(tolerance(&scheme, angle)).run_until(SPAN), self.power)
@@ -68,7 +68,7 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     /// The run ends on its end; what is exact is exact, and the energy is as good as order and seam permit.
     fn adapts<S>(&self, scheme: S)
     where
-        S: Adaptable + Scheme<L, D>,
+        S: Adaptable + Scheme<Particle<L, D>>,
     {
         let (mut ended, mut equal, mut varied) = (0, 0, 0);
         let errors = LADDER.map(|angle| {
@@ -123,8 +123,8 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     /// Saved after any of its steps and resumed, a run is the one that never stopped, to the bit, and goes over the seam.
     fn resumes<S>(&self, scheme: S)
     where
-        S: Adaptable + Scheme<L, D>,
-        <Adaptive<S> as Scheme<L, D>>::Memory: Carried,
+        S: Adaptable + Scheme<Particle<L, D>>,
+        <Adaptive<S> as Scheme<Particle<L, D>>>::Memory: Carried,
     {
         const STEPS: usize = 240;
         let (mut saved, mut crossed) = (0, 0);
@@ -187,7 +187,7 @@ for_each_seam!(every_scheme);
 #[test]
 fn free_flight_needs_a_longest_step() {
     /// Not from there, from inside the wall up to where it ends, and with a longest step all the way.
-    fn check<L: Law<1> + Potential<1> + VelocityIndependent + Copy, S: Adaptable + Scheme<L, 1>>(
+    fn check<L: Law<1> + Potential<1> + VelocityIndependent + Copy, S: Adaptable + Scheme<Particle<L, 1>>>(
         law: L,
         scheme: S,
         [free, touching]: [f64; 2],

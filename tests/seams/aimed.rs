@@ -38,7 +38,7 @@ pub(crate) fn around(h: f64) -> impl Iterator<Item = f64> {
 
 impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     /// States so many steps before one over the seam.
-    fn ahead<S: Scheme<L, D>>(&self, scheme: S, start: State<D>, h: f64) -> Vec<State<D>> {
+    fn ahead<S: Scheme<Particle<L, D>>>(&self, scheme: S, start: State<D>, h: f64) -> Vec<State<D>> {
         let run = Simulation::new(self.law, start).scheme(scheme).dt(h).run((6.0 / h) as u64);
         let run = run.unwrap_or_else(Interrupted::into_run);
         let sides: Vec<bool> = run.states().iter().map(|state| (self.side)(state.q)).collect();
@@ -47,7 +47,7 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     }
 
     /// What is exact is exact, and the equation of the trapezoid is solved, however near to the seam a step ends.
-    fn beside<S: Scheme<L, D>>(&self, scheme: S) {
+    fn beside<S: Scheme<Particle<L, D>>>(&self, scheme: S) {
         let (mut aimed, mut runs, mut worst) = (0, 0, 0.0_f64);
         for start in starts::<D>(4) {
             for h in [0.05, 0.02, 0.01, 0.006, 0.0035, 0.002] {

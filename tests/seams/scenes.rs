@@ -197,7 +197,7 @@ impl<const D: usize, L: Term<D, ()>> Seams<D, L> {
     }
 
     /// What is exact is exact, however near to a seam a step ends.
-    fn beside<S: SceneScheme<D, L::Ready>>(&self, scheme: S) {
+    fn beside<S: Scheme<SceneSystem<D, L::Ready>>>(&self, scheme: S) {
         let exact =
             if S::keeps(Invariant::Energy) == Kept::Exact { Invariant::Energy } else { Invariant::DiscreteEnergy };
         let (mut aimed, mut runs, mut worst) = (0, 0, 0.0_f64);

@@ -68,7 +68,7 @@
 //! | [`.bonds(law, list)`](Scene::bonds) | between the bodies of each `(a, b)` in a list |
 //!
 //! [`.pin(i)`](Scene::pin) fixes body i. Well-known laws are in [`models`] and, between two bodies, in [`models::pairs`].
-//! Schemes, invariants and reports are those of one body:
+//! Schemes, adaptive steps, invariants, reports and checkpoints are those of one body:
 //!
 //! ```
 //! use dmech::prelude::*;
@@ -148,6 +148,8 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! Scenes take them too: their time scale is that of all links and fields together, and the step follows the closest encounter.
 //!
 //! # Which scheme for which error
 //!

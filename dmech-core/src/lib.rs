@@ -28,6 +28,8 @@ mod watch;
 #[doc(hidden)]
 pub mod written;
 
+pub mod extend;
+
 pub mod newton;
 #[cfg(feature = "scene")]
 pub mod scene;

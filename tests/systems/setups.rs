@@ -5,10 +5,10 @@ use dmech::prelude::*;
 
 /// x² + y² and the cubic term of Hénon and Heiles, with frequencies of their own.
 #[derive(Clone, Copy, Debug)]
-pub struct Well {
-    pub k: f64,
-    pub l: f64,
-    pub c: f64,
+pub(crate) struct Well {
+    pub(crate) k: f64,
+    pub(crate) l: f64,
+    pub(crate) c: f64,
 }
 
 #[dmech::law]
@@ -20,12 +20,12 @@ impl Well {
     }
 }
 
-pub const WELL: Well = Well { k: 1.3, l: 0.8, c: 0.3 };
-pub const START: State<2> = State { t: 0.0, q: [0.4, -0.3], v: [0.25, 0.35] };
-pub const MORSE: Morse = Morse { depth: 1.4, width: 0.9, length: 1.2 };
+pub(crate) const WELL: Well = Well { k: 1.3, l: 0.8, c: 0.3 };
+pub(crate) const START: State<2> = State { t: 0.0, q: [0.4, -0.3], v: [0.25, 0.35] };
+pub(crate) const MORSE: Morse = Morse { depth: 1.4, width: 0.9, length: 1.2 };
 
 /// Three bodies, any two linked, in the well.
-pub fn cluster() -> Scene<2> {
+pub(crate) fn cluster() -> Scene<2> {
     Scene::new().body(1.3, [0.9, 0.1], [0.1, 0.4]).body(0.7, [-0.8, 0.3], [0.2, -0.3]).body(
         2.1,
         [0.2, -1.1],
@@ -34,7 +34,7 @@ pub fn cluster() -> Scene<2> {
 }
 
 /// Nine masses on a line, the ends pinned, one of them struck: more than the eight that are treated at once.
-pub fn line() -> Scene<1> {
+pub(crate) fn line() -> Scene<1> {
     let at = |i: u32| 0.03 * f64::from(i * i % 7);
     (0..9)
         .fold(Scene::new(), |scene, i| {
@@ -45,10 +45,10 @@ pub fn line() -> Scene<1> {
         .pin(8)
 }
 
-pub const SPRING: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.2, alpha: 0.4, beta: 0.7 };
+pub(crate) const SPRING: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.2, alpha: 0.4, beta: 0.7 };
 
 /// Where everything is.
-pub trait Places {
+pub(crate) trait Places {
     fn places(&self) -> Vec<f64>;
 }
 
@@ -64,6 +64,6 @@ impl<const D: usize> Places for SceneState<D> {
     }
 }
 
-pub fn apart(a: &impl Places, b: &impl Places) -> f64 {
+pub(crate) fn apart(a: &impl Places, b: &impl Places) -> f64 {
     a.places().iter().zip(b.places()).fold(0.0, |most, (a, b)| f64::max(most, (a - b).abs()))
 }

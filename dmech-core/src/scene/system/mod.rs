@@ -101,7 +101,6 @@ fn told(fault: Fault, step: u64, time: f64) -> Error {
     }
 }
 
-#[diagnostic::do_not_recommend]
 impl<const D: usize, A: WithoutVelocities> WithoutVelocities for SceneSystem<D, A> {}
 
 impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {

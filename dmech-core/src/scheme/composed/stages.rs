@@ -30,6 +30,10 @@ memory! {
 }
 
 /// A scheme that solves an equation in each stage.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be composed to a higher order",
+    label = "not a symmetric one-step scheme"
+)]
 pub trait Stage: Composable {
     /// Where in a stage its slope belongs.
     #[doc(hidden)]

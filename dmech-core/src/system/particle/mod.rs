@@ -87,7 +87,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
     }
 }
 
-#[diagnostic::do_not_recommend]
 impl<L: VelocityIndependent, const D: usize, R> WithoutVelocities for Particle<L, D, R> {}
 
 impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {

@@ -1,0 +1,114 @@
+//! For those who write a scheme, or a law by hand.
+//!
+//! # A scheme of your own
+//!
+//! A [`Scheme`] is a program over the instructions of a [`System`]: one law, or the bodies of a scene; it cannot tell which it
+//! has. This one drifts half a step, kicks, and drifts half a step:
+//!
+//! ```
+//! use dmech_core::extend::*;
+//! use dmech_core::prelude::*;
+//!
+//! #[derive(Clone, Copy, Debug)]
+//! struct DriftKickDrift;
+//!
+//! impl Method for DriftKickDrift {
+//!     const NAME: &'static str = "DriftKickDrift";
+//!     const ORDER: u32 = 2;
+//!     const SYMMETRIC: bool = true;
+//!
+//!     fn keeps(invariant: Invariant) -> Kept {
+//!         Leapfrog::keeps(invariant)
+//!     }
+//! }
+//!
+//! impl<Y: System + WithoutVelocities> Scheme<Y> for DriftKickDrift {
+//!     /// Position, velocity, and the velocity a step before.
+//!     type Memory = [Y::Vector; 3];
+//!     type Workspace = Y::Room;
+//!
+//!     fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Room {
+//!         system.room()
+//!     }
+//!
+//!     fn begin(
+//!         &self, _: &Y, _: &Y::Stride, start: &Beginning<'_, Y>, _: &mut Y::Room,
+//!     ) -> Result<Self::Memory, NotConverged> {
+//!         Ok([start.q, start.v, start.v].map(Clone::clone))
+//!     }
+//!
+//!     fn step(
+//!         &self, system: &Y, stride: &Y::Stride, t: Y::Scalar, [q, v, before]: &mut Self::Memory, room: &mut Y::Room,
+//!     ) -> Result<Effort, NotConverged> {
+//!         let half = Y::Scalar::from_f64(0.5) * Y::dt(stride);
+//!         core::mem::swap(v, before);
+//!         Y::drift(q, half, before);
+//!         system.kick(room, stride, Kick { t: t + half, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
+//!         Y::drift(q, half, v);
+//!         Ok(Effort { evaluations: 1, iterations: 0 })
+//!     }
+//!
+//!     fn position<'m>(&self, [q, _, _]: &'m Self::Memory) -> &'m Y::Vector {
+//!         q
+//!     }
+//!
+//!     fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, [_, v, _]: &Self::Memory) -> Y::Vector {
+//!         v.clone()
+//!     }
+//!
+//!     fn finite(&self, [q, v, _]: &Self::Memory) -> bool {
+//!         Y::is_finite(q) && Y::is_finite(v)
+//!     }
+//!
+//!     fn kinetic_energy(&self, system: &Y, [_, v, _]: &Self::Memory) -> Y::Scalar {
+//!         system.kinetic_energy(v)
+//!     }
+//!
+//!     fn work(&self, system: &Y, _: &Y::Stride, _: &Self::Memory, [_, v, before]: &Self::Memory) -> Y::Scalar {
+//!         let mut work = system.no_work();
+//!         system.add_work(&mut work, before, v);
+//!         system.total(&work)
+//!     }
+//! }
+//! # #[derive(Clone, Copy)]
+//! # struct Quartic { k: f64 }
+//! # impl Conservative for Quartic {}
+//! # impl Potential<1> for Quartic {
+//! #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
+//! #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
+//! #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
+//! #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.25 * self.k * (a + b) * (a * a + b * b)] }
+//! #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+//! #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
+//! #     }
+//! # }
+//!
+//! // It runs, is watched, and enters studies, like any other.
+//! let (law, start) = (Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+//! let run = Simulation::new(law, start).scheme(DriftKickDrift).dt(0.01).run_until(50.0)?;
+//! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-3);
+//! assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-13);
+//! let study = Study::new(law, start, 10.0).scheme(DriftKickDrift).scheme(Leapfrog).ladder([0.04, 0.02, 0.01]).run()?;
+//! println!("{study}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! An implicit scheme asks for [`System::solve_mean`], [`System::solve_exact`] or [`System::solve_across`] and settles what was
+//! found; its workspace is the solver of the system. A splitting needs no code: [`Nystrom::new`](crate::Nystrom::new) and
+//! [`ForceGradient::new`](crate::ForceGradient::new) take lengths of your own, [`Composed::new`](crate::Composed::new) stages.
+//!
+//! # A law by hand
+//!
+//! A [`Potential`](crate::Potential) with `impl Conservative for MyLaw {}` is a [`Law`](crate::Law); [`Field`] says what acts
+//! at one moment, and a [`PairLaw`] what acts between two bodies.
+
+#[cfg(feature = "serde")]
+pub use crate::checkpoint::{Carried, Saved};
+pub use crate::invariant::Kept;
+pub use crate::law::Field;
+pub use crate::newton::{Equation, Increment, NotConverged};
+pub use crate::pair::{Between, Numbers, PairLaw, Reads};
+pub use crate::scheme::{Effort, Method, Scheme, WithoutVelocities};
+pub use crate::setup::Setup;
+pub use crate::system::{Ahead, Kick, Particle, Start as Beginning, Step, System, TimeScale};
+pub use dmech_scalar::Real;

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | (a b) c = a b c, sorted; a^m a^n = a^(m+n) | a ≠ 0 where m or n is negative |
 //! | (a b)^n = a^n b^n; {a if c, else b}^n = {a^n if c, else b^n} | all, n integer |
+//! | min(√a, b)² = {a if √a ≤ b, else b²}, min(∛a, b)³ = min(a, b³), likewise max: no root is left with a slope that is infinite | all |
 //! | (√s)^2 = s, s^k √s^n = √s^(2k+n) | s ≥ 0, which √s demands; s > 0 where an exponent is negative |
 //! | (∛u)³ = u, u^k ∛uⁿ = ∛u^(3k+n) | all; u ≠ 0 where an exponent is negative |
 //! | \|u\|² = u², u^2k √\|u\|ⁿ = √\|u\|^(4k+n), u signum u = \|u\| | all; u ≠ 0 where an exponent is negative |
@@ -12,7 +13,7 @@
 //! | 0·a = 0 | a finite |
 
 use super::number::combined;
-use super::{Expr, Graph, Node, Number, Unary};
+use super::{Binary, Choice, Expr, Graph, Node, Number, Unary};
 
 impl Graph {
     /// The product of expressions; 1 if there are none.
@@ -97,7 +98,17 @@ impl Gathering {
                 }
                 self.raise(turned, n);
             }
-            Node::Select(condition, yes, no) if n != 1 => {
+            Node::Binary(extremum @ (Binary::Min | Binary::Max), u, w)
+                if n > 0 && n % 2 != 0 && graph.undoes_root(f, n) =>
+            {
+                let (u, w) = (graph.powi(u, n), graph.powi(w, n));
+                let power = graph.binary(extremum, u, w);
+                self.take(graph, power, 1);
+            }
+            Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..)
+                if n != 1 && (matches!(graph.node(f), Node::Select(..)) || graph.undoes_root(f, n)) =>
+            {
+                let Choice { condition, yes, no } = graph.choice(f).expect("the factor is a choice");
                 let (yes, no) = (graph.powi(yes, n), graph.powi(no, n));
                 let power = graph.select(condition, yes, no);
                 self.take(graph, power, 1);

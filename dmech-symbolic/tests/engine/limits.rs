@@ -20,3 +20,16 @@ fn powers_undo_roots_within_choices() {
     assert_eq!(gradient(&mut capped, &[0.3, 0.0]), [2.0 * 1.9 * 0.3, 0.0]);
     assert_eq!(gradient(&mut capped, &[3.0, 4.0]), [0.0, 0.0]);
 }
+
+/// (x y) ∛(x y) is (x y)^{4/3}, (x y) √(x y) is (x y)^{3/2}: between ends at which one factor or the other is nearly 0 its discrete gradient is as large as
+/// its slopes are on the way, and not the steep slope of the root times the means of the factors.
+#[test]
+fn roots_of_products_are_joined_with_their_factors() {
+    for root in [Unary::Cbrt, Unary::Sqrt] {
+        let mut law = Law::build(2, |q, _| (q[0] * q[1]).of(root) * (q[0] * q[1]));
+        let kernels = law.kernels();
+        let (a, b) = ([0.25, 1e-9], [1e-9, 0.5]);
+        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        assert!(g.iter().all(|g| g.abs() < 1e-2), "{root:?}: {g:?}");
+    }
+}

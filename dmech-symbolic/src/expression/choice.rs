@@ -37,6 +37,15 @@ impl Graph {
         }
     }
 
+    /// For every expression that has been stored since, whether it is made with a choice.
+    pub(crate) fn extend_choosing(&self, chosen: &mut Vec<bool>) {
+        for i in chosen.len()..self.len() {
+            let e = Expr(i as u32);
+            let is_choice = matches!(self.node(e), Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..));
+            chosen.push(is_choice || self.children(e).iter().any(|c| chosen[c.index()]));
+        }
+    }
+
     /// The parts of an expression that choose by the values of the symbols: their gradients may jump.
     pub fn choices(&self, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
         let moves = self.dependence(symbols);

@@ -33,3 +33,22 @@ fn roots_of_products_are_joined_with_their_factors() {
         assert!(g.iter().all(|g| g.abs() < 1e-2), "{root:?}: {g:?}");
     }
 }
+
+/// A root that vanishes on the seam of its branch: the step passes there, and the Newton matrix is finite.
+#[test]
+fn roots_may_vanish_on_a_seam() {
+    let mut smooth = Law::build(2, |q, _| choose(q[1].less(0.0), 0.0, norm(q).of(Unary::Sinh) * q[1].powi(2)));
+    let jacobian = smooth.kernels().discrete_gradient_jacobian.run(smooth.at(&[0.0, 0.25], &[0.0, -1.0]));
+    assert!(jacobian.iter().all(|x| x.is_finite()), "through the centre {jacobian:?}");
+    let mut law = Law::build(2, |q, _| choose(q[1].at_most(0.0), (q[0] * q[1]).hypot(q[1]), 0.0));
+    let kernels = law.kernels();
+    let mut vanished = 0;
+    for k in 1..200 {
+        let (a, b) = ([-1.7, 0.37 * f64::from(k)], [0.23, -0.86]);
+        let jacobian = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+        assert!(jacobian.iter().all(|x| x.is_finite()), "{a:?} to {b:?}: {jacobian:?}");
+        let share = a[1] / (a[1] - b[1]);
+        vanished += u32::from((1.0 - share) * a[1] + share * b[1] == 0.0);
+    }
+    assert!(vanished > 3, "in {vanished} steps the seam was met exactly");
+}

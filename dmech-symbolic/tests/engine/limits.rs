@@ -52,3 +52,15 @@ fn roots_may_vanish_on_a_seam() {
     }
     assert!(vanished > 3, "in {vanished} steps the seam was met exactly");
 }
+
+/// A well that is infinite at its centre and capped there: the value that the choice is made by is infinite, not no number,
+/// whatever the slopes of the law have in common with it.
+#[test]
+fn what_is_capped_may_be_infinite() {
+    for power in [1, 3] {
+        let mut law = Law::build(2, |q, _| E::from(10.0).min(norm(q).powi(-power)));
+        assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "1/r^{power}");
+        let slope = gradient(&mut law, &[2.0, 0.0]);
+        assert_eq!(slope, [-f64::from(power) * 0.5_f64.powi(power + 1), -0.0], "1/r^{power}");
+    }
+}

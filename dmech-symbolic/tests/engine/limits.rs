@@ -21,8 +21,9 @@ fn powers_undo_roots_within_choices() {
     assert_eq!(gradient(&mut capped, &[3.0, 4.0]), [0.0, 0.0]);
 }
 
-/// (x y) ∛(x y) is (x y)^{4/3}, (x y) √(x y) is (x y)^{3/2}: between ends at which one factor or the other is nearly 0 its discrete gradient is as large as
-/// its slopes are on the way, and not the steep slope of the root times the means of the factors.
+/// (x y) ∛(x y) is (x y)^{4/3}, (x y) √(x y) is (x y)^{3/2}: between ends at which one factor or the other is nearly 0 the
+/// discrete gradient is as large as the slopes are on the way, and not the steep slope of the root times the means of the
+/// factors.
 #[test]
 fn roots_of_products_are_joined_with_their_factors() {
     for root in [Unary::Cbrt, Unary::Sqrt] {

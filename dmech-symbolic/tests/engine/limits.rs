@@ -65,3 +65,19 @@ fn what_is_capped_may_be_infinite() {
         assert_eq!(slope, [-f64::from(power) * 0.5_f64.powi(power + 1), -0.0], "1/r^{power}");
     }
 }
+
+/// A power that went into a choice loses no digits: an odd one compares the powers themselves, and an even one stays outside
+/// where the root that the choice is made by would remain.
+#[test]
+fn powers_within_choices_keep_their_digits() {
+    let mut odd = Law::build(2, |q, _| q[1].min(q[0].cbrt()).clamp(0.0, 0.5).powi(3));
+    let mut even = Law::build(2, |q, _| ((q[1].powi(2) + q[0]).sqrt() / q[1].powi(2)).clamp(-1.0, 1.0).powi(2));
+    let far = [[246.42340084359557, -1510.9167798084866], [-1.6005803964763388, -1.3592586450085888]];
+    for (law, [a, b], allowed) in [(&mut odd, [[1e-9, 0.25], [-1.0, 0.25]], 1e-24), (&mut even, far, 1e-11)] {
+        let kernels = law.kernels();
+        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+        let work: f64 = (0..2).map(|i| g[i] * (b[i] - a[i])).sum();
+        assert!((work - (end - start)).abs() < allowed, "{g:?} makes {work:e} of {:e}", end - start);
+    }
+}

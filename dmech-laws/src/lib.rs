@@ -5,13 +5,17 @@
 //! | `tree`, `text` | a law as it was written: its value in any scalar, its words in Rust |
 //! | `grow` | random laws, beginning with the edges |
 //! | `points` | pairs of points, generic and special |
-//! | `scale`, `jet` | how far rounding may move what is computed of a law |
-//! | `engine`, `trial` | the engine's programs, and every promise at a pair of points |
+//! | `scale`, `analysis`, `branches`, `forms`, `jet` | how far rounding may move what is computed of a law, in the forms that it may take |
+//! | `engine`, `trial`, `differences` | the engine's programs, and every promise at a pair of points |
 //! | `campaign`, `shrink` | many laws; the smallest that fails |
 #![forbid(unsafe_code)]
 
+mod analysis;
+mod branches;
 mod campaign;
+mod differences;
 mod engine;
+mod forms;
 mod grow;
 mod jet;
 mod points;

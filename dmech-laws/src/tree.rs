@@ -247,6 +247,20 @@ impl Tree {
         });
         sides
     }
+
+    /// The signs of what stands squared below a root: √(x²) is |x|, and bends as a choice does.
+    pub(crate) fn signs_below_roots(&self, q: &[f64]) -> Vec<i8> {
+        let mut signs = vec![];
+        self.visit(&mut |t| {
+            if let Self::Unary(Unary::Sqrt, square) = t
+                && let Self::Powi(u, n) = &**square
+                && n % 2 == 0
+            {
+                signs.push(sign(u.value(q)));
+            }
+        });
+        signs
+    }
 }
 
 fn sign(x: f64) -> i8 {

@@ -25,16 +25,19 @@ struct Walk<'a> {
     choices: HashMap<Expr, [Vec<Expr>; 2]>,
     /// Which expressions contain a symbol, as far as they have been looked at.
     depends: Vec<bool>,
+    /// Which are made with a choice: the place where a step crosses a seam is.
+    chosen: Vec<bool>,
 }
 
 impl<'a> Walk<'a> {
     fn new(symbols: &'a [Symbol], of_slope: bool) -> Self {
-        Self { symbols, of_slope, choices: HashMap::new(), depends: vec![] }
+        Self { symbols, of_slope, choices: HashMap::new(), depends: vec![], chosen: vec![] }
     }
 
     fn gradient(&mut self, graph: &mut Graph, e: Expr) -> Vec<Expr> {
         let symbols = self.symbols;
         graph.extend_dependence(&mut self.depends, symbols);
+        graph.extend_choosing(&mut self.chosen);
         let order = graph.reachable(&[e]);
         // What arrives at a node: the derivative of e with respect to its value, as a list of summands. Nested choices have
         // many small walks in one large store.
@@ -135,7 +138,8 @@ impl<'a> Walk<'a> {
                     let slope = graph.unary(even.cardinal, even.root);
                     vec![(even.below, graph.scale(even.half, slope))]
                 }
-                (_, Some(root)) if self.of_slope && is_whole => {
+                // A root alone vanishes where the ends do; on a seam, where a step only passes.
+                (_, Some(root)) if self.of_slope && (is_whole || self.chosen[root.below.index()]) => {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
                 }
                 _ => vec![(u, slope(graph, f, u))],

@@ -9,7 +9,8 @@
 //!   ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger: max = (u + w)/2 + |u − w|/2;
 //! - for `if` the step is cut where the seam is crossed, at p = a + λ (b − a) with λ = cₐ/(cₐ − c_b), where c is 0 on
 //!   the seam: λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b) if the condition holds at a. Where the seam is curved, the rest of the
-//!   rise goes along b − a, as in Gonzalez' correction (J. Nonlinear Sci. 6 (1996) 449).
+//!   rise goes along b − a, as in Gonzalez' correction (J. Nonlinear Sci. 6 (1996) 449). Terms that both branches have are
+//!   no choice: they have their own form, and need not be finite where the seam is crossed.
 
 use std::rc::Rc;
 
@@ -57,6 +58,8 @@ pub(super) fn shares(graph: &mut Graph, e: Expr, adjoint: Expr, ends: &mut TwoPo
 impl Placed {
     fn new(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Self {
         let choice = graph.choice(e).expect("the expression is a choice");
+        let (shared, e) = graph.shared_terms(e);
+        let choice = if shared.is_some() { graph.choice(e).expect("branches that differ still do") } else { choice };
         let mut gateways = Gateways::of(graph, e, &choice, &ends.coordinates);
         let forms = Inside::new(graph, e, choice, &mut gateways).forms(graph);
         let mut pairs = vec![];
@@ -67,8 +70,14 @@ impl Placed {
         let mut place = Substitution::new(graph, pairs);
         let [at_a, at_b] = [&forms.at_a, &forms.at_b].map(|c| c.map(&mut |e| place.apply(graph, e)));
         let all = [forms.yes, forms.no, forms.across];
-        let forms = (0..gateways.inner.len()).map(|k| [0, 1, 2].map(|i| place.apply(graph, all[i][k]))).collect();
-        let toward = gateways.inner.iter().map(|&u| discrete_gradient(graph, u, ends)).collect();
+        let mut forms: Vec<_> =
+            (0..gateways.inner.len()).map(|k| [0, 1, 2].map(|i| place.apply(graph, all[i][k]))).collect();
+        let mut inner = gateways.inner;
+        if let Some(shared) = shared {
+            forms.push([graph.one(); 3]);
+            inner.push(shared);
+        }
+        let toward = inner.iter().map(|&u| discrete_gradient(graph, u, ends)).collect();
         Self { at_a, at_b, forms, toward }
     }
 }

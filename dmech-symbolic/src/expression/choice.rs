@@ -1,6 +1,6 @@
 //! Choices: expressions that are one thing here and another there.
 
-use super::{Binary, Condition, Expr, Graph, Node, Symbol, Unary};
+use super::{Binary, Condition, Expr, Graph, Node, Number, Symbol, Unary};
 
 /// `yes` where the condition holds, `no` elsewhere: `if`, `min` or `max`.
 #[derive(Clone, Debug)]
@@ -34,6 +34,44 @@ impl Graph {
                 Some(Choice { condition: Condition::less_or_equal(*w, *u), yes: *u, no: *w })
             }
             _ => None,
+        }
+    }
+
+    /// For every expression that has been stored since, whether it is made with a choice.
+    pub(crate) fn extend_choosing(&self, chosen: &mut Vec<bool>) {
+        for i in chosen.len()..self.len() {
+            let e = Expr(i as u32);
+            let is_choice = matches!(self.node(e), Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..));
+            chosen.push(is_choice || self.children(e).iter().any(|c| chosen[c.index()]));
+        }
+    }
+
+    /// The terms that both branches of an `if` have, if there are any, and the choice between what is left of the branches.
+    pub(crate) fn shared_terms(&mut self, e: Expr) -> (Option<Expr>, Expr) {
+        let Node::Select(condition, yes, no) = self.node(e).clone() else { return (None, e) };
+        let [of_yes, of_no] = [yes, no].map(|branch| self.terms(branch));
+        let (shared, own): (Vec<_>, Vec<_>) = of_yes.into_iter().partition(|term| of_no.contains(term));
+        if shared.is_empty() {
+            return (None, e);
+        }
+        let others: Vec<_> = of_no.into_iter().filter(|term| !shared.contains(term)).collect();
+        let [shared, yes, no] = [shared, own, others].map(|terms| self.linear_combination(&terms));
+        (Some(shared), self.select(condition, yes, no))
+    }
+
+    /// The expression as Σ cᵢ tᵢ; the term of a constant is 1.
+    fn terms(&mut self, e: Expr) -> Vec<(Number, Expr)> {
+        let one = self.one();
+        match self.node(e).clone() {
+            Node::Number(c) => vec![(c, one)],
+            Node::Sum { constant, terms } => {
+                let constant = (constant != Number::ZERO).then_some((constant, one));
+                terms.iter().copied().chain(constant).collect()
+            }
+            Node::Product { coefficient, factors } => {
+                vec![(coefficient, self.product_of(Number::ONE, factors.to_vec()))]
+            }
+            _ => vec![(Number::ONE, e)],
         }
     }
 

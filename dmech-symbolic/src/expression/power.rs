@@ -25,6 +25,21 @@ impl Graph {
         }
     }
 
+    /// Whether a root in an expression, or in a branch of it, is none in its nth power. For an even n beside no other factor: the
+    /// choice is still made by the root, and the two would no longer be functions of one variable.
+    pub(crate) fn undoes_root(&self, e: Expr, n: i32) -> bool {
+        match self.node(e) {
+            Node::Unary(Unary::Sqrt, _) => n % 2 == 0,
+            Node::Unary(Unary::Cbrt, _) => n % 3 == 0,
+            Node::Product { factors, .. } if n % 2 == 0 && factors.len() > 1 => false,
+            Node::Product { factors, .. } => factors.iter().any(|&(f, m)| self.undoes_root(f, m.wrapping_mul(n))),
+            _ => self.choice(e).is_some_and(|choice| {
+                let mut branches = [choice.yes, choice.no].into_iter();
+                branches.any(|branch| self.undoes_root(branch, n))
+            }),
+        }
+    }
+
     /// cos √s and cosh √s, which are smooth in s where √s is not: with sinc and sinhc the derivative is ∓sinc(√s)/2.
     pub(crate) fn even_of_root(&self, e: Expr) -> Option<EvenOfRoot> {
         let Node::Unary(f, root) = *self.node(e) else { return None };

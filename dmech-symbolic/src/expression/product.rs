@@ -4,15 +4,16 @@
 //! |---|---|
 //! | (a b) c = a b c, sorted; a^m a^n = a^(m+n) | a ≠ 0 where m or n is negative |
 //! | (a b)^n = a^n b^n; {a if c, else b}^n = {a^n if c, else b^n} | all, n integer |
+//! | min(√a, b)² = {a if √a ≤ b, else b²}, min(∛a, b)³ = min(a, b³), likewise max: no root is left with a slope that is infinite | all |
 //! | (√s)^2 = s, s^k √s^n = √s^(2k+n) | s ≥ 0, which √s demands; s > 0 where an exponent is negative |
-//! | (∛u)³ = u, u^k ∛uⁿ = ∛u^(3k+n) | all; u ≠ 0 where an exponent is negative |
+//! | (∛u)³ = u, u^k ∛uⁿ = ∛u^(3k+n) | all; u ≠ 0 where an exponent is negative; u may be a product, as below a square root |
 //! | \|u\|² = u², u^2k √\|u\|ⁿ = √\|u\|^(4k+n), u signum u = \|u\| | all; u ≠ 0 where an exponent is negative |
 //! | (−a − b)^n = (−1)^n (a + b)^n, so that b − a and a − b share a node | all |
 //! | (c/d) a = e a where e = c/d is exact | all |
 //! | 0·a = 0 | a finite |
 
 use super::number::combined;
-use super::{Expr, Graph, Node, Number, Unary};
+use super::{Binary, Choice, Expr, Graph, Node, Number, Unary};
 
 impl Graph {
     /// The product of expressions; 1 if there are none.
@@ -97,7 +98,17 @@ impl Gathering {
                 }
                 self.raise(turned, n);
             }
-            Node::Select(condition, yes, no) if n != 1 => {
+            Node::Binary(extremum @ (Binary::Min | Binary::Max), u, w)
+                if n > 0 && n % 2 != 0 && graph.undoes_root(f, n) =>
+            {
+                let (u, w) = (graph.powi(u, n), graph.powi(w, n));
+                let power = graph.binary(extremum, u, w);
+                self.take(graph, power, 1);
+            }
+            Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..)
+                if n != 1 && (matches!(graph.node(f), Node::Select(..)) || graph.undoes_root(f, n)) =>
+            {
+                let Choice { condition, yes, no } = graph.choice(f).expect("the factor is a choice");
                 let (yes, no) = (graph.powi(yes, n), graph.powi(no, n));
                 let power = graph.select(condition, yes, no);
                 self.take(graph, power, 1);
@@ -211,7 +222,7 @@ impl Gathering {
                     if n % 2 == 0 {
                         return Some((i, s, n / 2, 0));
                     }
-                    if let Some(m) = self.give_up(s, |_| true) {
+                    if let Some(m) = self.give_up(s, |_| true).or_else(|| self.give_up_product(graph, s)) {
                         return Some((i, f, n + 2 * m, 0));
                     }
                     if let Node::Unary(Unary::Abs, u) = *graph.node(s)
@@ -224,7 +235,7 @@ impl Gathering {
                     if n % 3 == 0 {
                         return Some((i, u, n / 3, 0));
                     }
-                    if let Some(m) = self.give_up(u, |_| true) {
+                    if let Some(m) = self.give_up(u, |_| true).or_else(|| self.give_up_product(graph, u)) {
                         return Some((i, f, n + 3 * m, 0));
                     }
                 }
@@ -245,5 +256,23 @@ impl Gathering {
     fn give_up(&mut self, base: Expr, may: impl Fn(i32) -> bool) -> Option<i32> {
         let factor = self.factors.iter_mut().find(|(f, m)| *f == base && *m != 0 && may(*m))?;
         Some(std::mem::take(&mut factor.1))
+    }
+
+    /// The same of a base that is a product, whose factors stand by themselves: the highest power that all of them hold.
+    fn give_up_product(&mut self, graph: &Graph, base: Expr) -> Option<i32> {
+        let Node::Product { coefficient: Number::ONE, factors } = graph.node(base) else { return None };
+        let held = |&(f, n): &(Expr, i32)| self.factors.iter().find(|own| own.0 == f).map_or(0, |own| own.1 / n);
+        let powers: Vec<i32> = factors.iter().map(held).collect();
+        let (least, most) = (*powers.iter().min()?, *powers.iter().max()?);
+        let power = if least > 0 { least } else { most.min(0) };
+        if power == 0 {
+            return None;
+        }
+        for own in &mut self.factors {
+            if let Some(&(_, n)) = factors.iter().find(|(f, _)| *f == own.0) {
+                own.1 -= power * n;
+            }
+        }
+        Some(power)
     }
 }

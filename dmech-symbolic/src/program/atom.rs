@@ -130,12 +130,13 @@ impl Atoms {
         &self.kinds[atom.0 as usize]
     }
 
-    /// The atoms of a product, repeated as often as they stand in it.
+    /// The atoms of a product, repeated as often as they stand in it. Without a view of the other denominators it is divided by
+    /// its own: r·(1/r²) would be 0·∞ at r = 0.
     pub(super) fn of_product(
         &mut self,
         graph: &Graph,
         (coefficient, factors): &ProductKey,
-        denominators: &Denominators,
+        denominators: Option<&Denominators>,
         ready: &[u32],
     ) -> Vec<Atom> {
         let mut atoms = vec![];
@@ -152,14 +153,14 @@ impl Atoms {
             }
         }
         let below = below(factors);
-        if below.len() > 1 && denominators.stands_alone(graph, &below) {
+        if below.len() > 1 && denominators.is_none_or(|d| d.stands_alone(graph, &below)) {
             atoms.push(self.intern(AtomKind::Denominator(below), ready));
             return atoms;
         }
         for (f, n) in below {
             match graph.node(f) {
                 // A lone 1/√s stays a division by the root, unless 1/s is there anyway.
-                Node::Unary(Unary::Sqrt, s) if n > 1 || denominators.exponents.contains_key(s) => {
+                Node::Unary(Unary::Sqrt, s) if denominators.is_some_and(|d| n > 1 || d.exponents.contains_key(s)) => {
                     atoms.push(self.intern(AtomKind::Base(f), ready));
                     atoms.push(self.intern(AtomKind::Inverse(*s, (n + 1) / 2), ready));
                 }

@@ -1,8 +1,8 @@
 //! From expressions to operations.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use crate::expression::{Expr, Graph, Node, Number, Substitution};
+use crate::expression::{Binary, Expr, Graph, Node, Number, Substitution};
 
 use super::atom::{Atom, AtomKind, Atoms, Denominators, ProductKey};
 use super::sharing::{self, Exchange};
@@ -145,6 +145,7 @@ impl Lowering<'_> {
         outputs.iter().for_each(|&e| count(self, Number::ONE, e));
         self.uses = uses;
         let denominators = Denominators::of(self.graph, self.uses.keys());
+        let compared = self.compared(order);
         let mut lists: Vec<Vec<Atom>> = vec![];
         for key in self.uses.keys() {
             for &(f, _) in &key.1 {
@@ -156,7 +157,8 @@ impl Lowering<'_> {
                     self.single_inverse.insert(base, denominators.single_exponent(base));
                 }
             }
-            lists.push(self.atoms.of_product(self.graph, key, &denominators, &self.ready));
+            let denominators = if compared.contains(key) { None } else { Some(&denominators) };
+            lists.push(self.atoms.of_product(self.graph, key, denominators, &self.ready));
         }
         let mut exchange = MirrorWithReady { mirror: &mut self.mirror, ready: &self.ready };
         for list in &mut lists {
@@ -178,6 +180,26 @@ impl Lowering<'_> {
                 }
             }
         }
+    }
+
+    /// The products that choices are made by, alone or in a sum: their values must be right even where they are infinite.
+    fn compared(&self, order: &[Expr]) -> BTreeSet<ProductKey> {
+        let mut found = BTreeSet::new();
+        for &e in order {
+            let sides = match self.graph.node(e) {
+                Node::Select(condition, ..) => condition.operands(),
+                Node::Binary(Binary::Min | Binary::Max, u, w) => vec![*u, *w],
+                _ => continue,
+            };
+            for side in sides {
+                let terms = match self.graph.node(side) {
+                    Node::Sum { terms, .. } => terms.to_vec(),
+                    _ => vec![(Number::ONE, side)],
+                };
+                found.extend(terms.iter().filter_map(|&(c, t)| Some(self.product_key(c, t)?.1)));
+            }
+        }
+        found
     }
 
     fn push(&mut self, operation: Operation) -> Value {

@@ -7,6 +7,7 @@ mod discrete_gradient;
 mod divided_difference;
 mod forced;
 mod jacobian;
+mod limits;
 mod linear;
 mod normal_form;
 mod pairs;

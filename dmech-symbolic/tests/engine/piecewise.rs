@@ -215,6 +215,26 @@ fn what_both_branches_have_is_not_cut() {
     }
 }
 
+/// The same with a capped well, which is a choice itself: by b = −a the way between the ends passes through its centre, and what
+/// both branches have has no part in the crossing.
+#[test]
+fn what_both_branches_have_may_be_singular_on_the_seam() {
+    let mut law = Law::build(2, |q, p| {
+        let capped = E::from(1.0).min(4.0 * (q[0].powi(-12) - q[0].powi(-6)));
+        choose(q[1].at_most(0.0), capped, capped + p[2] * q[1].powi(3) * q[0].cos())
+    });
+    let kernels = law.kernels();
+    for a in [[1.4, 1.2], [-0.9, 0.3], [2.0, -1.1]] {
+        let b = a.map(|x: f64| -x);
+        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        let rise = value(&law, &kernels, &b) - value(&law, &kernels, &a);
+        let work: f64 = (0..2).map(|i| g[i] * (b[i] - a[i])).sum();
+        assert!((work - rise).abs() < 16.0 * U * 10.0, "from {a:?} to its opposite {g:?} makes {work} of {rise}");
+        let jacobian = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+        assert!(jacobian.iter().all(|x| x.is_finite()), "from {a:?} to its opposite {jacobian:?}");
+    }
+}
+
 /// A contact whose overlap is a sum: at two places where it is 0 but for rounding the sums at the ends differ by less than
 /// their rounding, and the sum that is their difference may be 0 where they are not.
 #[test]

@@ -1,0 +1,83 @@
+//! Where something is 0 or infinite and the law is not: choices and products of roots have the limits that they should.
+
+use dmech_symbolic::expression::Unary;
+
+use crate::common::laws::Law;
+use crate::common::notation::{E, choose, norm};
+
+fn gradient(law: &mut Law, q: &[f64]) -> Vec<f64> {
+    law.kernels().gradient.run(law.at(q, q))
+}
+
+/// A power that undoes a root goes into the branches: (cosh x ∛x)³ is x cosh³ x, also where it is clamped; a spring on a
+/// distance that is capped has no root at all.
+#[test]
+fn powers_undo_roots_within_choices() {
+    let mut cubed = Law::build(1, |q, _| (q[0].of(Unary::Cosh) * q[0].cbrt()).clamp(-0.5, 2.0).powi(3));
+    assert_eq!(gradient(&mut cubed, &[0.0]), [1.0]);
+    let mut capped = Law::build(2, |q, p| p[1] * norm(q).min(p[0]).powi(2));
+    assert_eq!(gradient(&mut capped, &[0.0, 0.0]), [0.0, 0.0]);
+    assert_eq!(gradient(&mut capped, &[0.3, 0.0]), [2.0 * 1.9 * 0.3, 0.0]);
+    assert_eq!(gradient(&mut capped, &[3.0, 4.0]), [0.0, 0.0]);
+}
+
+/// (x y) ∛(x y) is (x y)^{4/3}, (x y) √(x y) is (x y)^{3/2}: between ends at which one factor or the other is nearly 0 the
+/// discrete gradient is as large as the slopes are on the way, and not the steep slope of the root times the means of the
+/// factors.
+#[test]
+fn roots_of_products_are_joined_with_their_factors() {
+    for root in [Unary::Cbrt, Unary::Sqrt] {
+        let mut law = Law::build(2, |q, _| (q[0] * q[1]).of(root) * (q[0] * q[1]));
+        let kernels = law.kernels();
+        let (a, b) = ([0.25, 1e-9], [1e-9, 0.5]);
+        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        assert!(g.iter().all(|g| g.abs() < 1e-2), "{root:?}: {g:?}");
+    }
+}
+
+/// A root that vanishes on the seam of its branch: the step passes there, and the Newton matrix is finite.
+#[test]
+fn roots_may_vanish_on_a_seam() {
+    let mut smooth = Law::build(2, |q, _| choose(q[1].less(0.0), 0.0, norm(q).of(Unary::Sinh) * q[1].powi(2)));
+    let jacobian = smooth.kernels().discrete_gradient_jacobian.run(smooth.at(&[0.0, 0.25], &[0.0, -1.0]));
+    assert!(jacobian.iter().all(|x| x.is_finite()), "through the centre {jacobian:?}");
+    let mut law = Law::build(2, |q, _| choose(q[1].at_most(0.0), (q[0] * q[1]).hypot(q[1]), 0.0));
+    let kernels = law.kernels();
+    let mut vanished = 0;
+    for k in 1..200 {
+        let (a, b) = ([-1.7, 0.37 * f64::from(k)], [0.23, -0.86]);
+        let jacobian = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+        assert!(jacobian.iter().all(|x| x.is_finite()), "{a:?} to {b:?}: {jacobian:?}");
+        let share = a[1] / (a[1] - b[1]);
+        vanished += u32::from((1.0 - share) * a[1] + share * b[1] == 0.0);
+    }
+    assert!(vanished > 3, "in {vanished} steps the seam was met exactly");
+}
+
+/// A well that is infinite at its centre and capped there: the value that the choice is made by is infinite, not no number,
+/// whatever the slopes of the law have in common with it.
+#[test]
+fn what_is_capped_may_be_infinite() {
+    for power in [1, 3] {
+        let mut law = Law::build(2, |q, _| E::from(10.0).min(norm(q).powi(-power)));
+        assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "1/r^{power}");
+        let slope = gradient(&mut law, &[2.0, 0.0]);
+        assert_eq!(slope, [-f64::from(power) * 0.5_f64.powi(power + 1), -0.0], "1/r^{power}");
+    }
+}
+
+/// A power that went into a choice loses no digits: an odd one compares the powers themselves, and an even one stays outside
+/// where the root that the choice is made by would remain.
+#[test]
+fn powers_within_choices_keep_their_digits() {
+    let mut odd = Law::build(2, |q, _| q[1].min(q[0].cbrt()).clamp(0.0, 0.5).powi(3));
+    let mut even = Law::build(2, |q, _| ((q[1].powi(2) + q[0]).sqrt() / q[1].powi(2)).clamp(-1.0, 1.0).powi(2));
+    let far = [[246.42340084359557, -1510.9167798084866], [-1.6005803964763388, -1.3592586450085888]];
+    for (law, [a, b], allowed) in [(&mut odd, [[1e-9, 0.25], [-1.0, 0.25]], 1e-24), (&mut even, far, 1e-11)] {
+        let kernels = law.kernels();
+        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+        let work: f64 = (0..2).map(|i| g[i] * (b[i] - a[i])).sum();
+        assert!((work - (end - start)).abs() < allowed, "{g:?} makes {work:e} of {:e}", end - start);
+    }
+}

@@ -34,7 +34,7 @@ fn a_comet_is_followed_through_its_pericentre() {
     let exact = adaptive(1e-13);
     let [coarse, fine] = [1e-6, 1e-9].map(|tolerance| (adaptive(tolerance), tolerance));
     let error = |run: &Run<SceneState<2>>| apart(run.last(), exact.last());
-    let equal = Simulation::scene(comet().pairs(GRAVITY)).scheme(Nystrom::order8()).dt(2e-3).record_every(1000);
+    let equal = Simulation::scene(comet().pairs(GRAVITY)).scheme(Nystrom::order8()).dt(0.01).record_every(1000);
     let equal = equal.run_until(30.0).expect("resolved");
     for (run, tolerance) in [&coarse, &fine] {
         println!("tolerance {tolerance:e}: error {:.1e}, {} forces", error(run), run.report().evaluations());
@@ -72,22 +72,28 @@ fn the_pythagorean_problem_ends_with_its_energy() {
     for tolerance in [1e-6, 1e-8] {
         let scene = burrau().pairs(GRAVITY);
         let run = Simulation::scene(scene).scheme(Composed::order6(DiscreteGradient)).adaptive(tolerance);
-        let run = run.record_every(50).run_until(70.0).expect("no collision");
+        let run = run.run_until(70.0).expect("no collision");
+        let r = |q: &[[f64; 2]], a: usize, b: usize| (q[a][0] - q[b][0]).hypot(q[a][1] - q[b][1]);
+        let closest = |s: &SceneState<2>| r(&s.q, 0, 1).min(r(&s.q, 0, 2)).min(r(&s.q, 1, 2));
+        let closest = run.states().iter().map(closest).fold(f64::INFINITY, f64::min);
         let [shortest, longest] = run.report().dt_range().expect("more than one step");
         for invariant in [Invariant::Energy, Invariant::LinearMomentum, Invariant::AngularMomentum] {
             let drift = run.drift(invariant).expect("a closed system");
             let off = (drift.last() - drift.start()).abs();
             println!("{tolerance:e}: {invariant} {off:.1e}, dt from {shortest:.1e} to {longest:.1e}");
-            // In an encounter the rounding of two near positions is more.
-            assert!(off < 1e-11 * drift.start().abs().max(1.0), "{invariant}: {off:e}");
+            // Rounding is that of the energies in the closest encounter, of masses 4 and 5.
+            assert!(closest < 1e-2 && off < 1e-13 * 20.0 / closest, "{invariant}: {off:e}, {closest:e}");
         }
         assert!(longest > 500.0 * shortest);
-        // The lightest is thrown out, the others stay together (V. Szebehely and C. F. Peters, Astron. J. 72 (1967) 876).
-        let q = &run.last().q;
-        let r = |a: usize, b: usize| (q[a][0] - q[b][0]).hypot(q[a][1] - q[b][1]);
-        println!("distances {:.2} {:.2} {:.2}", r(0, 1), r(0, 2), r(1, 2));
-        assert!(r(1, 2) < 1.0 && r(0, 1) > 3.0 && r(0, 2) > 3.0);
+        println!("closest {closest:.1e}");
     }
+    // The lightest is thrown out, the others stay together (V. Szebehely and C. F. Peters, Astron. J. 72 (1967) 876).
+    let scene = Simulation::scene(burrau().pairs(GRAVITY)).scheme(Nystrom::order8()).adaptive(1e-12);
+    let run = scene.record_every(100_000).run_until(70.0).expect("no collision");
+    let q = &run.last().q;
+    let r = |a: usize, b: usize| (q[a][0] - q[b][0]).hypot(q[a][1] - q[b][1]);
+    println!("at the end {:.2} {:.2} {:.2}, {} forces", r(0, 1), r(0, 2), r(1, 2), run.report().evaluations());
+    assert!(r(1, 2) < 1.0 && r(0, 1) > 3.0 && r(0, 2) > 3.0);
 }
 
 /// A saved adaptive run of a scene goes on bit for bit, from within a row of equal steps as well.

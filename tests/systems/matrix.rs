@@ -29,7 +29,8 @@ macro_rules! schemes {
             measure(&$setup, ForceGradient::order6()),
         ] {
             println!("{name:<44} {order} {measured:.3}");
-            assert!((measured - f64::from(order)).abs() < 0.25, "{name}: order {measured}");
+            // A high order has few steps between too long ones and rounding.
+            assert!((measured - f64::from(order)).abs() < 0.07 * f64::from(order), "{name}: order {measured}");
             cells += 1;
         }
         assert_eq!(cells, 16);
@@ -48,9 +49,9 @@ where
         let run = setup().scheme(scheme).dt(h).record_every(1_000_000).run_until(2.0);
         run.map(|run| run.last().clone()).map_err(|e| e.to_string()).expect(S::NAME)
     };
-    let (mut h, mut powers, mut coarse) = (0.25, Vec::new(), f64::NAN);
+    let (mut h, mut powers, mut coarse) = (0.5, Vec::new(), f64::NAN);
     let mut last = end(h);
-    while powers.len() < 12 {
+    while powers.len() < 14 {
         h *= 0.5;
         let now = end(h);
         let fine = apart(&last, &now);
@@ -60,7 +61,7 @@ where
         powers.push((coarse / fine).log2());
         if let [.., before, newest] = *powers
             && (before - newest).abs() < 0.1
-            && (newest - f64::from(S::ORDER)).abs() < 0.5
+            && (newest - f64::from(S::ORDER)).abs() < 0.03 * f64::from(S::ORDER)
         {
             break;
         }

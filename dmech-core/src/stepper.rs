@@ -146,20 +146,15 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             }
             return self.one_by_one(steps);
         }
-        let (Some(mut before), mut memory) = (self.before.take(), self.memory.clone()) else { return Ok(()) };
-        before.clone_from(&memory);
+        let Some(mut memory) = self.before.take() else { return Ok(()) };
+        memory.clone_from(&self.memory);
         let counts = self.run_to(end, &mut memory);
-        if counts.is_none() {
-            memory.clone_from(&before);
+        if let Some([evaluations, iterations]) = counts {
+            core::mem::swap(&mut self.memory, &mut memory);
+            (self.steps, self.evaluations, self.iterations) = (end, evaluations, iterations);
         }
-        (self.memory, self.before) = (memory, Some(before));
-        match counts {
-            Some([evaluations, iterations]) => {
-                (self.steps, self.evaluations, self.iterations) = (end, evaluations, iterations);
-                Ok(())
-            }
-            None => self.one_by_one(steps),
-        }
+        self.before = Some(memory);
+        if counts.is_some() { Ok(()) } else { self.one_by_one(steps) }
     }
 
     /// Steps until there are `end`; the evaluations and corrections then, or nothing if a step failed.

@@ -23,6 +23,8 @@ memory! {
     uncarried {
         /// Work of the kicks that belong wholly to the last step.
         work: Y::Work,
+        /// In it is already by how much that of the shared kick has changed with the length of the step to come.
+        begun: bool,
     }
 }
 
@@ -53,7 +55,7 @@ impl<Y: System> SplittingMemory<Y> {
         kick: Kick<Y::Scalar>,
         a: Y::Scalar,
     ) {
-        let SplittingMemory { q, v_before, v_after, work } = self;
+        let SplittingMemory { q, v_before, v_after, work, .. } = self;
         core::mem::swap(v_before, v_after);
         system.kick_and_drift(room, stride, kick, a, q, v_before, v_after, work);
     }
@@ -82,13 +84,13 @@ macro_rules! stepped_by_drifts_and_kicks {
                 start: &Start<'_, Y>,
                 room: &mut Y::Room,
             ) -> Result<Self::Memory, NotConverged> {
-                let (q, work) = (start.q.clone(), system.no_work());
+                let (q, work, begun) = (start.q.clone(), system.no_work(), false);
                 if matches!(Self::FIRST, First::Drift) {
-                    return Ok(SplittingMemory { q, v_before: start.v.clone(), v_after: start.v.clone(), work });
+                    return Ok(SplittingMemory { q, v_before: start.v.clone(), v_after: start.v.clone(), work, begun });
                 }
                 let half = half_kick::<Self, { $n }, Y::Scalar>(start.t);
                 let [v_before, v_after] = system.kick_both_ways(room, stride, half, start);
-                Ok(SplittingMemory { q, v_before, v_after, work })
+                Ok(SplittingMemory { q, v_before, v_after, work, begun })
             }
 
             #[inline(always)]
@@ -102,7 +104,9 @@ macro_rules! stepped_by_drifts_and_kicks {
             ) -> Result<Effort, NotConverged> {
                 let h = Y::dt(stride);
                 // Leap-frog has no kick within a step.
-                if $n > 1 || matches!(Self::FIRST, First::Drift) {
+                if memory.begun {
+                    memory.begun = false;
+                } else if $n > 1 || matches!(Self::FIRST, First::Drift) {
                     Y::clear(&mut memory.work);
                 }
                 Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
@@ -138,7 +142,12 @@ macro_rules! stepped_by_drifts_and_kicks {
                     return 0;
                 }
                 let v = memory.velocity();
-                system.kick(room, stride, half_kick::<Self, { $n }, _>(t), &memory.q, &v, &mut memory.v_after);
+                let SplittingMemory { q, v_before, v_after, work, begun } = memory;
+                Y::clear(work);
+                system.add_work(work, v_after, v_before);
+                system.kick(room, stride, half_kick::<Self, { $n }, _>(t), q, &v, v_after);
+                system.add_work(work, v_before, v_after);
+                *begun = true;
                 1
             }
 

@@ -81,8 +81,11 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
         let field = self.law.field(1.0, 0.0);
         // Where rounding decides on which side a place is, so it does on its force.
         let told = |q: [f64; D]| {
-            let [less, more] = [-4.0, 4.0].map(|ulp| (self.side)(q.map(|x| x + ulp * f64::EPSILON * x.abs().max(h))));
-            less == more
+            let corner = |signs: u32| {
+                let sign = |i: usize| if signs >> i & 1 == 0 { -4.0 } else { 4.0 };
+                (self.side)(std::array::from_fn(|i| q[i] + sign(i) * f64::EPSILON * q[i].abs().max(h)))
+            };
+            (1..1 << D).all(|signs| corner(signs) == corner(0))
         };
         let steps = run.states().windows(2).filter(|pair| told(pair[0].q) && told(pair[1].q));
         let left = |pair: &[State<D>]| {

@@ -375,7 +375,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn found<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
-        solver.slope()
+        solver.gradient()
     }
 
     fn moved<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
@@ -383,7 +383,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn keep(solver: &mut SceneSolver<D>, _: &Effort, place: &mut Vectors<D>) {
-        core::mem::swap(solver.slope_mut(), place);
+        core::mem::swap(solver.gradient_mut(), place);
     }
 
     fn effort(found: &Effort) -> Effort {

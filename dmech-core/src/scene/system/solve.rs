@@ -229,11 +229,11 @@ impl<const D: usize> SceneSolver<D> {
         CompensatedVectors::kick_and_drift(q, v, stride.dt, 0.5, change);
     }
 
-    pub(super) fn slope(&self) -> &Vectors<D> {
+    pub(super) fn gradient(&self) -> &Vectors<D> {
         &self.newton.gradient
     }
 
-    pub(super) fn slope_mut(&mut self) -> &mut Vectors<D> {
+    pub(super) fn gradient_mut(&mut self) -> &mut Vectors<D> {
         &mut self.newton.gradient
     }
 

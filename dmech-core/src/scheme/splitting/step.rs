@@ -110,9 +110,9 @@ macro_rules! stepped_by_drifts_and_kicks {
                     Y::clear(&mut memory.work);
                 }
                 Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
-                for k in 0..$n - 1 {
-                    let a = drift::<Self, { $n }, _>(k + 1, h);
-                    memory.kick_and_drift((system, room, stride), kick::<Self, { $n }, _>(k, h, t), a);
+                for k in 1..<Self as Splitting<{ $n }>>::DRIFTS.len() {
+                    let a = drift::<Self, { $n }, _>(k, h);
+                    memory.kick_and_drift((system, room, stride), kick::<Self, { $n }, _>(k - 1, h, t), a);
                 }
                 let last = kick::<Self, { $n }, _>($n - 1, h, t);
                 if matches!(Self::FIRST, First::Drift) {

@@ -119,14 +119,23 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     const DIMENSION: usize = D;
 
     fn stride(&self, dt: f64, share: f64) -> SceneStride<D> {
-        let mut kick = self.zeros();
+        let g = Vectors::zeros(if share == 0.0 { 0 } else { self.masses.len() });
+        let mut stride = SceneStride { dt, kick: self.zeros(), g };
+        self.set_stride(&mut stride, dt, share);
+        stride
+    }
+
+    fn set_stride(&self, stride: &mut SceneStride<D>, dt: f64, share: f64) {
+        stride.dt = dt;
         for (i, &mass) in self.masses.iter().enumerate() {
-            kick.set(i, [dt / mass; D]);
+            stride.kick.set(i, [dt / mass; D]);
         }
         for &i in &self.pins {
-            kick.set(i, [0.0; D]);
+            stride.kick.set(i, [0.0; D]);
         }
-        SceneStride::new(dt, kick, share)
+        for (g, kick) in stride.g.flat_mut().iter_mut().zip(stride.kick.flat()) {
+            *g = kick * (share * dt);
+        }
     }
 
     fn stage(&self, stride: &SceneStride<D>, gamma: f64, share: f64) -> SceneStride<D> {

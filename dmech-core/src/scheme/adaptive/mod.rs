@@ -58,7 +58,7 @@ pub struct Adaptive<S> {
 }
 
 /// What [`Adaptive`] carries.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Copy, Debug, PartialEq)]
 pub struct AdaptiveMemory<M> {
     /// What the scheme itself carries.
     pub inner: M,
@@ -75,6 +75,21 @@ pub struct AdaptiveMemory<M> {
     time: Compensated<f64>,
     /// The shortest and the longest step so far, but for the one that was shortened to land.
     range: [f64; 2],
+}
+
+impl<M: Clone> Clone for AdaptiveMemory<M> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        AdaptiveMemory { inner: self.inner.clone(), ..*self }
+    }
+
+    /// Without a new allocation.
+    fn clone_from(&mut self, other: &Self) {
+        let AdaptiveMemory { ref inner, density, last, dt, left, landing, time, range } = *other;
+        self.inner.clone_from(inner);
+        (self.density, self.last, self.dt, self.left) = (density, last, dt, left);
+        (self.landing, self.time, self.range) = (landing, time, range);
+    }
 }
 
 #[cfg(feature = "serde")]

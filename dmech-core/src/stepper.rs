@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::law::Law;
 use crate::motion::steps_from;
 use crate::newton::NotConverged;
-use crate::scheme::{Effort, Scheme};
+use crate::scheme::Scheme;
 use crate::system::{Particle, Start, System};
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
@@ -21,8 +21,8 @@ pub struct Stepper<Y: System, S: Scheme<Y>> {
     pub(crate) dt: f64,
     pub(crate) start: Y::State,
     pub(crate) memory: S::Memory,
-    /// The memory before the last step, where a copy of it is not free.
-    before: Option<S::Memory>,
+    /// Room for the next memory, where a new one is not free.
+    spare: Option<S::Memory>,
     pub(crate) steps: u64,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
@@ -37,7 +37,7 @@ impl<Y: System + Clone, S: Scheme<Y>> Clone for Stepper<Y, S> {
             workspace: self.workspace.clone(),
             start: self.start.clone(),
             memory: self.memory.clone(),
-            before: self.before.clone(),
+            spare: self.spare.clone(),
             ..*self
         }
     }
@@ -71,9 +71,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         // A start that solves an equation makes a step backward.
         let memory = memory.map_err(|cause| system.unsolved(0, [&q, &v], t, -dt, cause))?;
         scheme.ready(1, &memory)?;
-        let before = (!Y::IN_REGISTERS).then(|| memory.clone());
+        let spare = (!Y::IN_REGISTERS).then(|| memory.clone());
         let (steps, evaluations, iterations) = (0, 0, 0);
-        Ok(Stepper { system, scheme, stride, workspace, dt, start, memory, before, steps, evaluations, iterations })
+        Ok(Stepper { system, scheme, stride, workspace, dt, start, memory, spare, steps, evaluations, iterations })
     }
 
     /// Advances by one time step.
@@ -91,41 +91,39 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     pub(crate) fn step_and(&mut self, see: impl FnOnce(&Self, &S::Memory, &S::Memory)) -> Result<(), Error> {
         self.scheme.ready(self.steps + 1, &self.memory)?;
         let t = Y::Scalar::from_f64(self.t());
-        if Y::IN_REGISTERS {
-            let mut memory = self.memory.clone();
-            let taken = self.scheme.step(&self.system, &self.stride, t, &mut memory, &mut self.workspace);
-            match taken {
-                Ok(effort) if self.scheme.finite(&memory) => self.count(effort),
-                other => return Err(self.failure(other.err(), &self.memory, &memory)),
-            }
-            see(self, &self.memory, &memory);
-            self.memory = memory;
-            return Ok(());
-        }
-        let Some(mut before) = self.before.take() else { return Ok(()) };
-        before.clone_from(&self.memory);
-        let taken = self.scheme.step(&self.system, &self.stride, t, &mut self.memory, &mut self.workspace);
-        let made = match taken {
-            Ok(effort) if self.scheme.finite(&self.memory) => {
-                self.count(effort);
-                see(self, &before, &self.memory);
+        let mut next = self.copy();
+        let made = match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
+            Ok(effort) if self.scheme.finite(&next) => {
+                self.steps += 1;
+                self.evaluations += u64::from(effort.evaluations);
+                self.iterations += u64::from(effort.iterations);
+                see(self, &self.memory, &next);
+                core::mem::swap(&mut self.memory, &mut next);
                 Ok(())
             }
-            other => {
-                let error = self.failure(other.err(), &before, &self.memory);
-                self.memory.clone_from(&before);
-                Err(error)
-            }
+            other => Err(self.failure(other.err(), &next)),
         };
-        self.before = Some(before);
+        self.lay_aside(next);
         made
     }
 
+    /// The memory once more, for steps that may fail.
     #[inline(always)]
-    fn count(&mut self, effort: Effort) {
-        self.steps += 1;
-        self.evaluations += u64::from(effort.evaluations);
-        self.iterations += u64::from(effort.iterations);
+    fn copy(&mut self) -> S::Memory {
+        match self.spare.take() {
+            Some(mut spare) => {
+                spare.clone_from(&self.memory);
+                spare
+            }
+            None => self.memory.clone(),
+        }
+    }
+
+    #[inline(always)]
+    fn lay_aside(&mut self, spare: S::Memory) {
+        if !Y::IN_REGISTERS {
+            self.spare = Some(spare);
+        }
     }
 
     /// Advances by several steps, with nothing in the loop but the scheme: whether the motion is finite is looked at
@@ -137,23 +135,13 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     #[inline]
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.steps.saturating_add(self.possible(steps)?);
-        if Y::IN_REGISTERS {
-            let mut memory = self.memory.clone();
-            if let Some(counts) = self.run_to(end, &mut memory) {
-                self.memory = memory;
-                (self.steps, self.evaluations, self.iterations) = (end, counts[0], counts[1]);
-                return Ok(());
-            }
-            return self.one_by_one(steps);
-        }
-        let Some(mut memory) = self.before.take() else { return Ok(()) };
-        memory.clone_from(&self.memory);
-        let counts = self.run_to(end, &mut memory);
+        let mut last = self.copy();
+        let counts = self.run_to(end, &mut last);
         if let Some([evaluations, iterations]) = counts {
-            core::mem::swap(&mut self.memory, &mut memory);
+            core::mem::swap(&mut self.memory, &mut last);
             (self.steps, self.evaluations, self.iterations) = (end, evaluations, iterations);
         }
-        self.before = Some(memory);
+        self.lay_aside(last);
         if counts.is_some() { Ok(()) } else { self.one_by_one(steps) }
     }
 
@@ -190,11 +178,11 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             return self.start.clone();
         }
         let t = self.t();
-        self.system.state(t, self.position(), &self.velocity(t, &self.memory))
+        self.system.state(t, self.position(), &self.velocity(t))
     }
 
-    fn velocity(&self, t: f64, memory: &S::Memory) -> Y::Vector {
-        self.scheme.velocity(&self.system, &self.stride, Y::Scalar::from_f64(t), memory)
+    fn velocity(&self, t: f64) -> Y::Vector {
+        self.scheme.velocity(&self.system, &self.stride, Y::Scalar::from_f64(t), &self.memory)
     }
 
     /// Time now: t₀ + k h, or the compensated sum of the steps where those follow the motion.
@@ -251,20 +239,14 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         [self.steps, self.evaluations, self.iterations] = counts;
     }
 
-    /// Why a step failed.
+    /// Why the next step failed, which left `after` behind.
     #[cold]
-    fn failure(&self, cause: Option<NotConverged>, before: &S::Memory, after: &S::Memory) -> Error {
-        let (step, t) = (self.steps + 1, self.scheme.time(Y::time(&self.start), self.steps, self.dt, before));
-        let dt = self.scheme.next_dt(self.dt, before);
+    fn failure(&self, cause: Option<NotConverged>, after: &S::Memory) -> Error {
+        let (step, t) = (self.steps + 1, self.t());
+        let (dt, v) = (self.scheme.next_dt(self.dt, &self.memory), self.velocity(t));
         match cause {
-            Some(cause) => {
-                let v = self.velocity(t, before);
-                self.system.unsolved(step, [self.scheme.position(before), &v], t, dt, cause)
-            }
-            None => {
-                let v = self.velocity(t, before);
-                self.system.not_finite(step, [self.scheme.position(after), &v], t, dt)
-            }
+            Some(cause) => self.system.unsolved(step, [self.position(), &v], t, dt, cause),
+            None => self.system.not_finite(step, [self.scheme.position(after), &v], t, dt),
         }
     }
 }

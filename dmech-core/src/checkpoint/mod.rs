@@ -22,7 +22,8 @@ use crate::scheme::Method;
 
 /// Where a simulation stands: everything that the next step needs, and what shows that it is the same simulation.
 ///
-/// [`Stepper::checkpoint`](crate::Stepper::checkpoint) makes one, [`Simulation::resume`](crate::Simulation::resume) goes on from it. The motion is then that of a simulation which never stopped, equal to the bit, as long as the program does
+/// [`Stepper::checkpoint`](crate::Stepper::checkpoint) makes one, [`Simulation::resume`](crate::Simulation::resume) goes on from
+/// it. The motion is then that of a simulation which never stopped, equal to the bit, as long as the program does
 /// the same arithmetic: another build may round otherwise, and is then refused as if the laws differed. What was changed in a
 /// checkpoint after it was written is noticed by fingerprints of its parts.
 ///

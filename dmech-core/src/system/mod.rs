@@ -247,16 +247,13 @@ pub trait System: Sized {
     /// Why a step of length dt from time t, backward if that is negative, has no solution.
     fn unsolved(&self, step: u64, from: [&Self::Vector; 2], t: f64, dt: f64, cause: NotConverged) -> Error;
     /// Why a step led to what is not finite.
-    fn not_finite(&self, step: u64, to: [&Self::Vector; 2], t: f64, dt: f64) -> Error {
-        let _ = to;
+    fn not_finite(&self, step: u64, _to: [&Self::Vector; 2], t: f64, dt: f64) -> Error {
         Error::NotFinite { step, time: t, dt }
     }
     /// Whether the system keeps an invariant at all.
     fn conserves(&self, invariant: Invariant) -> bool;
     /// A momentum of a state, and how far it is from that of the start.
     fn momentum(&self, invariant: Invariant, state: &Self::State, start: &Self::State) -> (f64, f64);
-    /// The mass, or that of all bodies.
-    fn mass(&self) -> f64;
 }
 
 /// A system that tells how fast it moves, for steps that follow the motion.

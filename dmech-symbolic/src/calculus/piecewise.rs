@@ -57,9 +57,8 @@ pub(super) fn shares(graph: &mut Graph, e: Expr, adjoint: Expr, ends: &mut TwoPo
 
 impl Placed {
     fn new(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Self {
-        let choice = graph.choice(e).expect("the expression is a choice");
         let (shared, e) = graph.shared_terms(e);
-        let choice = if shared.is_some() { graph.choice(e).expect("branches that differ still do") } else { choice };
+        let choice = graph.choice(e).expect("a choice, and without what its branches share still one");
         let mut gateways = Gateways::of(graph, e, &choice, &ends.coordinates);
         let forms = Inside::new(graph, e, choice, &mut gateways).forms(graph);
         let mut pairs = vec![];

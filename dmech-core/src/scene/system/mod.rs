@@ -82,17 +82,6 @@ impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
     }
 }
 
-impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
-    fn zeros(&self) -> Vectors<D> {
-        Vectors::zeros(self.masses.len())
-    }
-
-    /// The first link or body on which what acts is not finite.
-    fn fault(&self, from: Option<&Vectors<D>>, [q, v]: [&Vectors<D>; 2], t: f64) -> Option<Fault> {
-        self.acts.fault(from, q, v, t)
-    }
-}
-
 /// A fault in words.
 fn told(fault: Fault, step: u64, time: f64) -> Error {
     match fault {
@@ -120,7 +109,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     fn stride(&self, dt: f64, share: f64) -> SceneStride<D> {
         let g = Vectors::zeros(if share == 0.0 { 0 } else { self.masses.len() });
-        let mut stride = SceneStride { dt, kick: self.zeros(), g };
+        let mut stride = SceneStride { dt, kick: self.zero(), g };
         self.set_stride(&mut stride, dt, share);
         stride
     }
@@ -162,7 +151,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn zero(&self) -> Vectors<D> {
-        self.zeros()
+        Vectors::zeros(self.masses.len())
     }
 
     fn sum(x: &Vectors<D>) -> CompensatedVectors<D> {
@@ -206,7 +195,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn room(&self) -> SceneRoom<D> {
-        SceneRoom { slope: self.zeros(), fall: Vectors::zeros(0), turned: Vectors::zeros(0) }
+        SceneRoom { slope: self.zero(), fall: Vectors::zeros(0), turned: Vectors::zeros(0) }
     }
 
     fn potential(&self, t: f64, q: &Vectors<D>) -> f64 {
@@ -276,7 +265,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         room.slope.clone_from(start.slope);
         let b = self.length(room, stride, kick, start.q);
         [-1.0, 1.0].map(|sign| {
-            let mut to = self.zeros();
+            let mut to = self.zero();
             passes::kick(sign * b, stride.kick.flat(), room.slope.flat(), start.v.flat(), to.flat_mut());
             to
         })
@@ -302,7 +291,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn no_work(&self) -> Vectors<D> {
-        self.zeros()
+        self.zero()
     }
 
     #[inline]
@@ -403,7 +392,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     fn prepare(&self, start: &SceneState<D>, slope: &mut Vectors<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
         System::slope(self, start.t, &q, &v, slope);
-        let fault = if slope.is_finite() { None } else { self.fault(None, [&q, &v], start.t) };
+        let fault = if slope.is_finite() { None } else { self.acts.fault(None, &q, &v, start.t) };
         fault.map_or(Ok(()), |fault| Err(told(fault, 0, start.t)))
     }
 
@@ -412,13 +401,13 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         if self.acts.potential(&q, start.t).is_finite() {
             return Ok(());
         }
-        self.fault(None, [&q, &v], start.t).map_or(Ok(()), |fault| Err(told(fault, 0, start.t)))
+        self.acts.fault(None, &q, &v, start.t).map_or(Ok(()), |fault| Err(told(fault, 0, start.t)))
     }
 
     /// The first link or body, on the way of freely falling bodies, on which what acts is not finite.
     #[cold]
     fn unsolved(&self, step: u64, [q, v]: [&Vectors<D>; 2], t: f64, dt: f64, cause: NotConverged) -> Error {
-        let mut slope = self.zeros();
+        let mut slope = self.zero();
         System::slope(self, t, q, v, &mut slope);
         let kick = self.stride(dt.abs(), 0.0).kick;
         let fault = |part: &f64| {
@@ -428,7 +417,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
                 let fall = 0.5 * part * passed * dt.signum() * kick.flat()[i] * slope.flat()[i];
                 *b += passed * v.flat()[i] - fall;
             }
-            if b.is_finite() { self.fault(Some(q), [&b, v], t + passed) } else { None }
+            if b.is_finite() { self.acts.fault(Some(q), &b, v, t + passed) } else { None }
         };
         match PARTS.iter().find_map(fault) {
             Some(fault) => told(fault, step, t),
@@ -438,7 +427,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     #[cold]
     fn not_finite(&self, step: u64, [q, v]: [&Vectors<D>; 2], t: f64, dt: f64) -> Error {
-        let fault = if q.is_finite() { self.fault(None, [q, v], t + dt) } else { None };
+        let fault = if q.is_finite() { self.acts.fault(None, q, v, t + dt) } else { None };
         fault.map_or(Error::NotFinite { step, time: t, dt }, |fault| told(fault, step, t))
     }
 
@@ -462,10 +451,6 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         }
         let norm = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
         (norm(&mut now.iter().copied()), norm(&mut now.iter().zip(&first).map(|(x, y)| x - y)))
-    }
-
-    fn mass(&self) -> f64 {
-        self.masses.iter().sum()
     }
 }
 

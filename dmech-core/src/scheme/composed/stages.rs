@@ -41,25 +41,25 @@ pub trait Stage: Composable {
     /// The share of h²/m at the unknown force.
     const SHARE: f64;
 
-    /// One stage: q and v move, the slope that was found comes to `slope`; its cost and its work come back.
+    /// Stage k: q and v move, and its slope is replaced by the one that was found; its cost and its work come back.
     ///
     /// # Errors
     /// [`NotConverged`]
-    fn advance<Y: System>(
+    fn advance<Y: System, const N: usize>(
         &self,
         system: &Y,
         stage: InStage<'_, Y>,
         moves: [&mut Y::Sum; 2],
-        slope: &mut Y::Vector,
+        slopes: &mut [Y::Vector; N],
     ) -> Result<(Effort, Y::Scalar), NotConverged>;
 }
 
-/// What a stage is given: its length, the time, the slope that is expected and that at its start, where to work.
+/// What a stage is given: its number, its length, the time, the slope that is expected, where to work.
 pub struct InStage<'a, Y: System> {
+    k: usize,
     stride: &'a Y::Stride,
     t: Y::Scalar,
     ahead: Ahead<'a, Y::Vector>,
-    known: &'a mut Y::Vector,
     solver: &'a mut Y::Solver,
 }
 
@@ -69,17 +69,17 @@ impl Stage for DiscreteGradient {
     const SHARE: f64 = Self::SHARE;
 
     #[inline(always)]
-    fn advance<Y: System>(
+    fn advance<Y: System, const N: usize>(
         &self,
         system: &Y,
-        InStage { stride, t, ahead, solver, .. }: InStage<'_, Y>,
+        InStage { k, stride, t, ahead, solver }: InStage<'_, Y>,
         [q, v]: [&mut Y::Sum; 2],
-        slope: &mut Y::Vector,
+        slopes: &mut [Y::Vector; N],
     ) -> Result<(Effort, Y::Scalar), NotConverged> {
         let mut found = system.solve_exact(solver, &Step { stride, t, q, v, ahead, newton: &self.newton })?;
         system.settle(solver, stride, 0.5, &mut found, [q, v]);
         let work = system.work_along(Y::found(solver, &found), Y::moved(solver, &found));
-        Y::keep(solver, &found, slope);
+        Y::keep(solver, &found, &mut slopes[k]);
         Ok((Y::effort(&found), work))
     }
 }
@@ -90,19 +90,20 @@ impl Stage for Implicit {
     const SHARE: f64 = Self::SHARE;
 
     #[inline(always)]
-    fn advance<Y: System>(
+    fn advance<Y: System, const N: usize>(
         &self,
         system: &Y,
-        InStage { stride, t, ahead, known, solver }: InStage<'_, Y>,
+        InStage { k, stride, t, ahead, solver }: InStage<'_, Y>,
         [q, v]: [&mut Y::Sum; 2],
-        slope: &mut Y::Vector,
+        slopes: &mut [Y::Vector; N],
     ) -> Result<(Effort, Y::Scalar), NotConverged> {
+        // The slope at the end of the stage before, which may be the last of the step before.
+        let known = &slopes[(k + N - 1) % N];
         let mut found = system.solve_mean(solver, &Step { stride, t, q, v, ahead, newton: &self.newton }, known)?;
         system.settle_mean(solver, stride, known, &mut found, [q, v]);
         let of = |slope| system.work_along(slope, Y::moved(solver, &found));
         let work = Y::Scalar::from_f64(0.5) * (of(known) + of(Y::found(solver, &found)));
-        known.clone_from(Y::found(solver, &found));
-        Y::keep(solver, &found, slope);
+        Y::keep(solver, &found, &mut slopes[k]);
         Ok((Y::effort(&found), work))
     }
 }
@@ -110,17 +111,15 @@ impl Stage for Implicit {
 /// What a step works in.
 pub struct Stages<Y: System, const N: usize> {
     solver: Y::Solver,
-    /// γ_k h and what follows from it: a palindrome, of which the first half is used.
+    /// γ_k h and what follows from it.
     strides: [Y::Stride; N],
     expected: Y::Vector,
-    /// The slope at the start of a stage.
-    known: Y::Vector,
 }
 
 impl<Y: System, const N: usize> Clone for Stages<Y, N> {
     fn clone(&self) -> Self {
-        let Stages { solver, strides, expected, known } = self;
-        Stages { solver: solver.clone(), strides: strides.clone(), expected: expected.clone(), known: known.clone() }
+        let Stages { solver, strides, expected } = self;
+        Stages { solver: solver.clone(), strides: strides.clone(), expected: expected.clone() }
     }
 }
 
@@ -145,7 +144,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
 
     fn workspace(&self, system: &Y, stride: &Y::Stride) -> Stages<Y, N> {
         let strides = Self::strides(system, stride);
-        Stages { solver: system.solver(), strides, expected: system.zero(), known: system.zero() }
+        Stages { solver: system.solver(), strides, expected: system.zero() }
     }
 
     fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut Stages<Y, N>) {
@@ -170,17 +169,16 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         stride: &Y::Stride,
         t: Y::Scalar,
         memory: &mut Self::Memory,
-        Stages { solver, strides, expected, known }: &mut Stages<Y, N>,
+        Stages { solver, strides, expected }: &mut Stages<Y, N>,
     ) -> Result<Effort, NotConverged> {
         let StagesMemory { q, v, slopes, work } = memory;
         let mut effort = Effort::default();
         *work = Y::Scalar::ZERO;
-        known.clone_from(&slopes[N - 1]);
         for k in 0..N {
             Y::weigh(&Self::WEIGHTS[k], slopes, expected);
             let t = Y::Scalar::from_f64(Self::begins(k)).mul_add(Y::dt(stride), t);
-            let stage = InStage { stride: &strides[k], t, ahead: Ahead::Expected(expected), known, solver };
-            let (cost, done) = self.scheme.advance(system, stage, [q, v], &mut slopes[k])?;
+            let stage = InStage { k, stride: &strides[k], t, ahead: Ahead::Expected(expected), solver };
+            let (cost, done) = self.scheme.advance(system, stage, [q, v], slopes)?;
             *work += done;
             effort.evaluations += cost.evaluations;
             effort.iterations += cost.iterations;

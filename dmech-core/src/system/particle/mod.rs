@@ -363,10 +363,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         }
         (squares.sqrt().to_f64(), turned.sqrt().to_f64())
     }
-
-    fn mass(&self) -> f64 {
-        self.mass.to_f64()
-    }
 }
 
 impl<L: Law<D>, const D: usize> TimeScale for Particle<L, D> {

@@ -39,6 +39,24 @@ fn expected<const D: usize, R: Real>(ahead: Ahead<'_, [R; D]>) -> [R; D] {
     }
 }
 
+/// Δ + g (G + …) = drift − frozen from the position now, with the guess h v − frozen − g S that the expected slope S makes.
+#[inline(always)]
+pub(super) fn equation<L: Law<D, R>, const D: usize, R: Real>(
+    step: &Step<'_, Particle<L, D, R>>,
+    drift: [R; D],
+    g: R,
+    frozen: [R; D],
+) -> Equation<D, R> {
+    let Step { stride, q, v, newton, .. } = *step;
+    Equation {
+        frozen,
+        guess: newton.guess((stride.dt, v.hi), frozen, g, expected(step.ahead)),
+        max_iterations: newton.limit(),
+        piecewise: <L::Field<'_> as Potential<D, R>>::PIECEWISE,
+        ..Equation::new(q.hi, drift, g)
+    }
+}
+
 /// Δ + (h²/4m)(S(q + Δ) + S) = h v.
 #[inline(always)]
 pub(super) fn mean<L: Law<D, R>, const D: usize, R: Real>(
@@ -46,17 +64,10 @@ pub(super) fn mean<L: Law<D, R>, const D: usize, R: Real>(
     step: &Step<'_, Particle<L, D, R>>,
     known: [R; D],
 ) -> Result<ParticleFound<D, R>, NotConverged> {
-    let Step { stride, q, v, newton, .. } = *step;
+    let Step { stride, v, .. } = *step;
     let g = R::from_f64(0.25) * stride.fall;
-    let frozen = scaled(g, known);
     let t_end = step.t + stride.dt;
-    let mut equation = Equation {
-        frozen,
-        guess: newton.guess((stride.dt, v.hi), frozen, g, expected(step.ahead)),
-        max_iterations: newton.limit(),
-        piecewise: <L::Field<'_> as Potential<D, R>>::PIECEWISE,
-        ..Equation::new(q.hi, stride.drift(v), g)
-    };
+    let mut equation = equation(step, stride.drift(v), g, scaled(g, known));
     if <L::Field<'_> as Field<D, R>>::FORCED {
         equation = Equation { v: v.hi, rate: stride.rate, t_end, ..equation };
     }
@@ -69,19 +80,14 @@ pub(super) fn exact<L: Law<D, R>, const D: usize, R: Real>(
     particle: &Particle<L, D, R>,
     step: &Step<'_, Particle<L, D, R>>,
 ) -> Result<ParticleFound<D, R>, NotConverged> {
-    let Step { stride, t, q, v, newton, .. } = *step;
+    let Step { stride, t, q, v, .. } = *step;
     let half = R::from_f64(0.5);
     let field = particle.field(half.mul_add(stride.dt, t));
     if const { workless::<L, D, R>() } {
-        return workless::solve(&field, (stride, t), q, v, expected(step.ahead), newton);
+        return workless::solve(&field, step);
     }
     let g = half * stride.fall;
-    let equation = Equation {
-        guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, expected(step.ahead)),
-        max_iterations: newton.limit(),
-        piecewise: <L::Field<'_> as Potential<D, R>>::PIECEWISE,
-        ..Equation::new(q.hi, stride.drift(v), g)
-    };
+    let equation = equation(step, stride.drift(v), g, [R::ZERO; D]);
     if !<L::Field<'_> as Field<D, R>>::FORCED {
         return Ok(field.discrete_increment(&equation)?.into());
     }
@@ -99,15 +105,9 @@ pub(super) fn across<L: Law<D, R>, const D: usize, R: Real>(
     step: &Step<'_, Particle<L, D, R>>,
     before: [R; D],
 ) -> Result<ParticleFound<D, R>, NotConverged> {
-    let Step { stride, t, q, v: z, newton, .. } = *step;
+    let Step { stride, t, q, v: z, .. } = *step;
     let g = stride.fall;
-    let equation = Equation {
-        a: before,
-        guess: newton.guess((stride.dt, z.hi), [R::ZERO; D], g, expected(step.ahead)),
-        max_iterations: newton.limit(),
-        piecewise: <L::Field<'_> as Potential<D, R>>::PIECEWISE,
-        ..Equation::new(q.hi, stride.drift(z), g)
-    };
+    let equation = Equation { a: before, ..equation(step, stride.drift(z), g, [R::ZERO; D]) };
     let field = particle.field(t);
     if !<L::Field<'_> as Field<D, R>>::FORCED {
         return Ok(field.discrete_increment(&equation)?.into());

@@ -5,21 +5,19 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
-use super::{ParticleFound, Stride, exact_product};
-use crate::law::Field;
+use super::solve::equation;
+use super::{Particle, ParticleFound, Stride, exact_product};
+use crate::law::{Field, Law};
 use crate::newton::{Equation, NotConverged};
-use crate::scheme::Newton;
+use crate::system::Step;
 
-/// The increment of one step from time t, with the field of the mid-time.
+/// The increment of one step, with the field of the mid-time.
 #[inline(always)]
-pub(super) fn solve<F: Field<D, R>, const D: usize, R: Real>(
-    field: &F,
-    (stride, t): (&Stride<R>, R),
-    q: &CompensatedVector<D, R>,
-    v: &CompensatedVector<D, R>,
-    expected: [R; D],
-    newton: &Newton,
+pub(super) fn solve<L: Law<D, R>, const D: usize, R: Real>(
+    field: &L::Field<'_>,
+    step: &Step<'_, Particle<L, D, R>>,
 ) -> Result<ParticleFound<D, R>, NotConverged> {
+    let Step { stride, t, v, .. } = *step;
     let g = R::from_f64(0.5) * stride.fall;
     let (drift, left) = stride.drift_and_rest(v);
     let equation = Equation {
@@ -27,10 +25,7 @@ pub(super) fn solve<F: Field<D, R>, const D: usize, R: Real>(
         v: v.hi,
         rate: stride.rate,
         t_end: t + stride.dt,
-        guess: newton.guess((stride.dt, v.hi), [R::ZERO; D], g, expected),
-        max_iterations: newton.limit(),
-        piecewise: F::PIECEWISE,
-        ..Equation::new(q.hi, drift, g)
+        ..equation(step, drift, g, [R::ZERO; D])
     };
     let (increment, rest) = field.workless_increment(&equation)?;
     let left = equation.residual(increment.delta, increment.gradient);

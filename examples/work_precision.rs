@@ -26,16 +26,16 @@ use std::path::PathBuf;
 
 use std::time::Duration;
 
-use dmech::StudyReport;
 use dmech::models::{Anharmonic, HenonHeiles, Kepler, Morse, Pendulum};
 use dmech::prelude::*;
+use dmech::{StudyError, StudyReport};
 use indicatif::{ProgressBar, ProgressStyle};
 use page::Section;
 use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
 use plotters::style::RGBColor;
 
 /// What a motion is called, what is to be seen in it, and its study.
-type Motion = (&'static str, &'static str, &'static str, fn() -> Result<StudyReport, Error>);
+type Motion = (&'static str, &'static str, &'static str, fn() -> Result<StudyReport, StudyError>);
 
 const MOTIONS: [Motion; 6] = [
     (
@@ -87,7 +87,7 @@ fn main() -> Drawn {
     Ok(())
 }
 
-fn orbit() -> Result<StudyReport, Error> {
+fn orbit() -> Result<StudyReport, StudyError> {
     let law = Kepler { gm: 1.0 };
     let half_axis = 1.0 / (2.0 / 0.5 - 1.63 * 1.63);
     let eccentricity = 1.0 - 0.5 / half_axis;
@@ -95,7 +95,7 @@ fn orbit() -> Result<StudyReport, Error> {
     all_schemes(study).exact(|t| law.exact(half_axis, eccentricity, t)).run()
 }
 
-fn eccentric() -> Result<StudyReport, Error> {
+fn eccentric() -> Result<StudyReport, StudyError> {
     let law = Kepler { gm: 1.0 };
     let period = law.period(1.0);
     // From the apocentre, half a period after the pericentre that `exact` starts from.
@@ -103,30 +103,30 @@ fn eccentric() -> Result<StudyReport, Error> {
     all_schemes(study).exact(|t| law.exact(1.0, 0.9, t + 0.5 * period)).run()
 }
 
-fn pendulum() -> Result<StudyReport, Error> {
+fn pendulum() -> Result<StudyReport, StudyError> {
     let law = Pendulum { k: 1.0 };
     let study = Study::new(law, State::new([FRAC_PI_4], [0.0]), 100.0);
     all_schemes(study).exact(|t| [law.exact(FRAC_PI_4, t)]).run()
 }
 
-fn henon_heiles() -> Result<StudyReport, Error> {
+fn henon_heiles() -> Result<StudyReport, StudyError> {
     let law = HenonHeiles { lambda: 1.0 };
     all_schemes(Study::new(law, State::new([0.0, 0.1], [0.39, 0.08]), 100.0)).precise().run()
 }
 
-fn morse() -> Result<StudyReport, Error> {
+fn morse() -> Result<StudyReport, StudyError> {
     let (law, energy) = (Morse::default(), 0.5);
     let study = Study::new(law, State::new([law.exact(energy, 0.0)], [0.0]), 100.0);
     all_schemes(study).exact(|t| [law.exact(energy, t)]).run()
 }
 
-fn anharmonic() -> Result<StudyReport, Error> {
+fn anharmonic() -> Result<StudyReport, StudyError> {
     let start = State::new([0.8, -0.5, 0.3], [0.2, 0.4, -0.6]);
     all_schemes(Study::new(Anharmonic::default(), start, 100.0)).precise().run()
 }
 
 /// In the order of [`LINES`].
-fn all_schemes<'a, L, const D: usize>(study: Study<'a, L, D>) -> Study<'a, L, D>
+fn all_schemes<'a, L, const D: usize>(study: Study<'a, L, State<D>>) -> Study<'a, L, State<D>>
 where
     L: Law<D> + VelocityIndependent + Clone + 'a,
 {

@@ -153,12 +153,13 @@
 //!
 //! # Which scheme for which error
 //!
-//! A [`Study`] runs schemes on a law over a ladder of steps, and tells what each needs for an error, in time and in forces:
+//! A [`Study`] runs schemes on a law, or on a scene, over a ladder of steps, and tells what each needs for an error, in time
+//! and in forces:
 //!
 //! ```
-//! use dmech::{models::Pendulum, prelude::*};
+//! use dmech::{StudyError, models::Pendulum, prelude::*};
 //!
-//! # fn main() -> Result<(), Error> {
+//! # fn main() -> Result<(), StudyError> {
 //! let law = Pendulum { k: 1.0 };
 //! let report = Study::new(law, State::new([1.2], [0.0]), 30.0)
 //!     .scheme(Leapfrog)
@@ -205,24 +206,56 @@
 //! | `progress` | no | `Simulation::with_progress`: a bar on the terminal during long runs, through indicatif |
 #![forbid(unsafe_code)]
 
-pub use dmech_core::*;
 pub use dmech_macros::{Law, law};
 
 pub mod models;
 
+// What a program declares, sets up and gets back.
+#[cfg(feature = "serde")]
+#[doc(inline)]
+pub use dmech_core::Checkpoint;
+#[doc(inline)]
+pub use dmech_core::{
+    Conservative, Derivation, DoubleDouble, Drift, Error, Force, Interrupted, Invariant, Kept, Law, Potential, Report,
+    Run, Simulation, State, Stepper,
+};
+#[cfg(feature = "scene")]
+#[doc(inline)]
+pub use dmech_core::{Scene, SceneError, SceneState};
+#[doc(inline)]
+pub use dmech_study::{Study, StudyError, StudyReport, verify, verify_scheme};
+
+// The schemes.
+#[doc(inline)]
+pub use dmech_core::{
+    CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Implicit, Kanatani, Leapfrog, Nystrom,
+    coefficients,
+};
+
+// For those who look closer.
+#[cfg(feature = "scene")]
+#[doc(inline)]
+pub use dmech_core::scene;
+#[doc(inline)]
+pub use dmech_core::{extend, scheme};
+#[doc(inline)]
+pub use dmech_study::study;
+
 /// What `use dmech::prelude::*;` brings: traits, schemes, simulations and what they return.
 pub mod prelude {
     pub use dmech_core::prelude::*;
+    pub use dmech_study::{Study, verify, verify_scheme};
 }
 
 /// What generated code refers to; not for use by hand.
 #[doc(hidden)]
 pub mod __private {
     pub mod v1 {
-        pub use dmech_core::{
+        pub use dmech_core::extend::{
             Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads,
-            Real, Symmetric, VelocityIndependent, newton, radial, written,
+            Real, Symmetric, VelocityIndependent, newton, radial,
         };
+        pub use dmech_core::written;
     }
 }
 

@@ -88,8 +88,6 @@
 //! let run = Simulation::new(law, start).scheme(DriftKickDrift).dt(0.01).run_until(50.0)?;
 //! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-3);
 //! assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-13);
-//! let study = Study::new(law, start, 10.0).scheme(DriftKickDrift).scheme(Leapfrog).ladder([0.04, 0.02, 0.01]).run()?;
-//! println!("{study}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -103,12 +101,23 @@
 //! at one moment, and a [`PairLaw`] what acts between two bodies.
 
 #[cfg(feature = "serde")]
-pub use crate::checkpoint::{Carried, Saved};
+pub use crate::checkpoint::{Carried, Difference, Saved};
+pub use crate::csv::Columns;
+pub use crate::error::{Disagreement, Place};
 pub use crate::invariant::Kept;
-pub use crate::law::Field;
-pub use crate::newton::{Equation, Increment, NotConverged};
-pub use crate::pair::{Between, Numbers, PairLaw, Reads};
-pub use crate::scheme::{Effort, Method, Scheme, WithoutVelocities};
+pub use crate::law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
+pub use crate::masses::Masses;
+pub use crate::motion::steps_until;
+pub use crate::name::Name;
+pub use crate::newton::{self, Equation, Increment, NotConverged};
+#[cfg(feature = "scene")]
+pub use crate::pair::LinkLaw;
+pub use crate::pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
+pub use crate::scheme::{Adaptable, Adaptive, Effort, Method, Scheme, WithoutVelocities};
 pub use crate::setup::Setup;
-pub use crate::system::{Ahead, Kick, Particle, Start as Beginning, Step, System, TimeScale};
-pub use dmech_scalar::Real;
+pub use crate::simulation::NoScheme;
+pub use crate::system::{Ahead, Kick, Particle, Start as Beginning, Step, Stride, System, TimeScale, vector};
+pub use crate::watch::{Drifts, Watch};
+#[cfg(feature = "scene")]
+pub use dmech_scalar::Lanes;
+pub use dmech_scalar::{DoubleDouble, Mask, Real};

@@ -9,10 +9,12 @@
 mod checkpoint;
 mod csv;
 mod error;
+mod interrupted;
 mod invariant;
 mod law;
 mod masses;
 mod motion;
+mod name;
 mod pair;
 mod progress;
 mod report;
@@ -34,16 +36,16 @@ pub mod newton;
 #[cfg(feature = "scene")]
 pub mod scene;
 pub mod scheme;
-pub mod study;
 pub mod system;
-pub mod verify;
 
 #[cfg(feature = "serde")]
 pub use checkpoint::{Carried, Checkpoint, Difference, Saved};
 pub use csv::Columns;
-pub use dmech_scalar as scalar;
 pub use dmech_scalar::{DoubleDouble, Mask, Real};
-pub use error::{Error, Interrupted, Place};
+#[cfg(feature = "scene")]
+pub use error::SceneError;
+pub use error::{Disagreement, Error, Place};
+pub use interrupted::Interrupted;
 pub use invariant::{Drift, Invariant, Kept};
 pub use law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
 pub use masses::Masses;
@@ -62,10 +64,7 @@ pub use setup::Setup;
 pub use simulation::{NoScheme, Simulation};
 pub use state::State;
 pub use stepper::Stepper;
-pub use study::{Study, StudyReport};
 pub use system::{Particle, System};
-pub use verify::verify;
-pub use written::Disagreement;
 
 /// Everything that a program needs: `use dmech::prelude::*;`.
 pub mod prelude {
@@ -78,7 +77,6 @@ pub mod prelude {
         Adaptable, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit, Kanatani,
         Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
-    pub use crate::verify::verify;
-    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Particle, Run, Simulation, State, Stepper, Study};
+    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Particle, Run, Simulation, State, Stepper};
     pub use dmech_scalar::{DoubleDouble, Real as _};
 }

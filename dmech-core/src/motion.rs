@@ -2,7 +2,8 @@
 
 use std::time::Instant;
 
-use crate::error::{Error, Interrupted};
+use crate::error::Error;
+use crate::interrupted::Interrupted;
 #[cfg(feature = "progress")]
 use crate::progress::Bar;
 use crate::progress::{Follow, Shown, Unseen};
@@ -78,7 +79,10 @@ pub(crate) const UNCOUNTED: u64 = u64::MAX;
 
 /// The steps from `start` to `end`: ⌈n⌉ with n = (end − start)/dt, and the whole number itself where n is that but for
 /// rounding, or for the digits that a user has left out of dt: up to 10⁻⁹ n and a thousandth of a step.
-pub(crate) fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
+///
+/// # Errors
+/// [`Error::EndTime`], [`Error::Span`] and [`Error::TimeStandsStill`], as [`Simulation::run_until`](crate::Simulation::run_until).
+pub fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
     let n = (end - start) / dt;
     // Beyond 2⁵³ the time t₀ + k h no longer distinguishes steps.
     if !n.is_finite() || n > 9_007_199_254_740_992.0 {

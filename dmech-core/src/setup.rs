@@ -18,6 +18,8 @@ pub trait Setup<L> {
 
     /// The state at the start.
     fn start(&self) -> Self::State;
+    /// The same from another state.
+    fn starting_from(self, state: &Self::State) -> Self;
     /// The mass that a report shows, of a simulation with the mass `mass`.
     fn mass(&self, mass: f64) -> f64;
     /// The system, for steps of about the length dt.
@@ -33,6 +35,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> Setup<L> for State<D, R> {
 
     fn start(&self) -> Self {
         *self
+    }
+
+    fn starting_from(self, state: &Self) -> Self {
+        *state
     }
 
     fn mass(&self, mass: f64) -> f64 {

@@ -2,7 +2,8 @@
 
 use dmech_scalar::Real;
 
-use crate::error::{Error, Interrupted};
+use crate::error::Error;
+use crate::interrupted::Interrupted;
 use crate::law::{Law, MassIndependent};
 use crate::masses::Masses;
 use crate::motion::{UNCOUNTED, record, steps_until};
@@ -70,6 +71,27 @@ impl<L, X> Simulation<L, X> {
 }
 
 impl<L, X, S> Simulation<L, X, S> {
+    /// Where it starts.
+    pub fn start(&self) -> X::State
+    where
+        X: Setup<L>,
+    {
+        self.start.start()
+    }
+
+    /// The same from another state, as the last one of a run: the law or the bodies stay.
+    pub fn starting_from(self, state: &X::State) -> Self
+    where
+        X: Setup<L>,
+    {
+        Simulation { start: self.start.starting_from(state), ..self }
+    }
+
+    /// Law, start and mass alone, for another scheme.
+    pub fn without_scheme(self) -> Simulation<L, X> {
+        Simulation { mass: self.mass, ..Simulation::of(self.law, self.start) }
+    }
+
     /// The scheme: [`Leapfrog`](crate::Leapfrog), [`Nystrom`](crate::Nystrom), [`DiscreteGradient`](struct@crate::DiscreteGradient) or any
     /// other of [`scheme`](crate::scheme).
     pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T> {

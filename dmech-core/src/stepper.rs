@@ -136,7 +136,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.steps.saturating_add(self.possible(steps)?);
         let mut last = self.copy();
+        self.scheme.watch(false, &mut self.workspace);
         let counts = self.run_to(end, &mut last);
+        self.scheme.watch(true, &mut self.workspace);
         if let Some([evaluations, iterations]) = counts {
             core::mem::swap(&mut self.memory, &mut last);
             (self.steps, self.evaluations, self.iterations) = (end, evaluations, iterations);
@@ -222,13 +224,14 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         &self.system
     }
 
-    pub(crate) fn dt(&self) -> f64 {
+    /// The time step; infinite where steps follow the motion without a longest.
+    pub fn dt(&self) -> f64 {
         self.dt
     }
 
-    /// Whether the end is reached, where the scheme knows it.
+    /// Whether the end is reached, where the scheme knows it: an [`Adaptive`](crate::Adaptive) one with an end.
     #[inline(always)]
-    pub(crate) fn arrived(&self) -> bool {
+    pub fn arrived(&self) -> bool {
         self.scheme.arrived(&self.memory)
     }
 

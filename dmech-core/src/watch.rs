@@ -9,11 +9,37 @@ use crate::stepper::Stepper;
 use crate::system::System;
 
 /// The drift of each invariant, by `Invariant as usize`.
-pub(crate) type Drifts = [Option<Drift>; Invariant::ALL.len()];
+pub type Drifts = [Option<Drift>; Invariant::ALL.len()];
 
-/// The invariants that this system and this scheme have, and how they moved so far.
+/// The invariants that a system and a scheme have, and how they moved so far: for a loop of one's own.
+///
+/// ```
+/// use dmech_core::extend::Watch;
+/// use dmech_core::prelude::*;
+/// # struct Quartic { k: f64 }
+/// # impl Conservative for Quartic {}
+/// # impl Potential<1> for Quartic {
+/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
+/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
+/// #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
+/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.25 * self.k * (a + b) * (a * a + b * b)] }
+/// #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+/// #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
+/// #     }
+/// # }
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// let mut stepper = quartic.scheme(DiscreteGradient).dt(0.01).stepper()?;
+/// let mut watch = Watch::begin(&stepper);
+/// while stepper.t() < 20.0 {
+///     watch.step(&mut stepper)?;
+///     watch.observe(&stepper, &stepper.state());
+/// }
+/// let [energy, ..] = watch.drifts();
+/// assert!(energy.unwrap().max_relative() < 1e-14);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Debug)]
-pub(crate) struct Watch<Y: System> {
+pub struct Watch<Y: System> {
     /// Energies at the start, by `Invariant as usize`; 0 where there is none.
     energies: [Y::Scalar; Invariant::ALL.len()],
     work: Compensated<Y::Scalar>,
@@ -22,7 +48,7 @@ pub(crate) struct Watch<Y: System> {
 
 impl<Y: System> Watch<Y> {
     /// Starts from the first state.
-    pub(crate) fn begin<S: Scheme<Y>>(stepper: &Stepper<Y, S>) -> Self {
+    pub fn begin<S: Scheme<Y>>(stepper: &Stepper<Y, S>) -> Self {
         let energies = [Y::Scalar::ZERO; Invariant::ALL.len()];
         let work = Compensated::new(Y::Scalar::ZERO);
         let mut watch = Watch { energies, work, drifts: [None; Invariant::ALL.len()] };
@@ -39,14 +65,14 @@ impl<Y: System> Watch<Y> {
 
     /// Makes one step and adds its work.
     #[inline(always)]
-    pub(crate) fn step<S: Scheme<Y>>(&mut self, stepper: &mut Stepper<Y, S>) -> Result<(), Error> {
+    pub fn step<S: Scheme<Y>>(&mut self, stepper: &mut Stepper<Y, S>) -> Result<(), Error> {
         stepper.step_and(|Stepper { system, scheme, stride, .. }, before, after| {
             self.work.add(scheme.work(system, stride, before, after));
         })
     }
 
     /// Looks at a recorded state.
-    pub(crate) fn observe<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
+    pub fn observe<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
         for invariant in Invariant::ALL {
             // Before it is rounded to `f64`, which may have fewer digits.
             let energy = self.energy(invariant, stepper, state);
@@ -59,7 +85,7 @@ impl<Y: System> Watch<Y> {
     }
 
     /// How they moved.
-    pub(crate) fn drifts(&self) -> Drifts {
+    pub fn drifts(&self) -> Drifts {
         self.drifts
     }
 

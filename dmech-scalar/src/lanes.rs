@@ -119,6 +119,12 @@ impl Lanes {
         Self::from_array([first, x0, x1, x2, x3, x4, x5, x6])
     }
 
+    /// The same with the last lane of `before` in the first: registers in a row need no number between them.
+    #[inline(always)]
+    pub fn following(self, before: Self) -> Self {
+        self.after(before.last())
+    }
+
     /// The sum of the lanes, halves folded onto each other, on every target in this order:
     /// ((x₀ + x₄) + (x₂ + x₆)) + ((x₁ + x₅) + (x₃ + x₇)).
     ///

@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use crate::common::{DrivenSpring, Kepler, Pendulum, SUN, Spring, greenspan_orbit, kepler_position};
-use dmech_core::StudyReport;
 use dmech_core::prelude::*;
-use dmech_core::study::StudyRow;
+use dmech_study::study::StudyRow;
+use dmech_study::{Study, StudyError, StudyReport};
 
 /// Where the errors of a row and of the one with half its step are, and the order that they show.
 fn orders(report: &StudyReport, scheme: usize) -> Vec<f64> {
@@ -197,7 +197,7 @@ fn a_run_that_fails_is_a_row() {
     assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
     // Nor is there a reference for such a motion.
     let error = Study::new(Well { g: 1.0 }, State::new([0.0], [0.0]), 5.0).scheme(Leapfrog).run().unwrap_err();
-    assert!(matches!(error, Error::NotConverged { .. } | Error::NotFinite { .. }), "{error}");
+    assert!(matches!(error, StudyError::Motion(Error::NotConverged { .. } | Error::NotFinite { .. })), "{error}");
 }
 
 /// The same motion, q = −(2/5) ln cos(5 √(g/2) t), until just before: a step too large has no solution there and fails
@@ -255,22 +255,25 @@ fn refusals() {
     let spring = Spring { k: 2.0 };
     let start = State::new([0.7], [0.0]);
     let study = |start: State<1>, end| Study::new(spring, start, end).scheme(Leapfrog).exact(|_| [0.0]);
-    assert_eq!(Study::new(spring, start, 1.0).run().unwrap_err(), Error::NoSchemes);
+    assert_eq!(Study::new(spring, start, 1.0).run().unwrap_err(), StudyError::NoSchemes);
     for end in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(study(start, end).run().unwrap_err(), Error::Span { start: 0.0, end });
+        assert_eq!(study(start, end).run().unwrap_err(), StudyError::Motion(Error::Span { start: 0.0, end }));
     }
-    assert!(matches!(study(start, f64::NAN).run(), Err(Error::Span { .. })));
-    assert_eq!(study(start, 1.0).ladder([]).run().unwrap_err(), Error::MissingTimeStep);
-    assert_eq!(study(start, 1.0).ladder([0.1, -0.1]).run().unwrap_err(), Error::TimeStep { dt: -0.1 });
-    assert_eq!(study(start, 1.0).mass(0.0).run().unwrap_err(), Error::Mass { mass: 0.0 });
-    assert!(matches!(study(State::new([f64::NAN], [0.0]), 1.0).run(), Err(Error::State { .. })));
-    assert!(matches!(study(start.at_time(f64::INFINITY), 1.0).run(), Err(Error::State { .. })));
+    assert!(matches!(study(start, f64::NAN).run(), Err(StudyError::Motion(Error::Span { .. }))));
+    assert_eq!(study(start, 1.0).ladder([]).run().unwrap_err(), StudyError::Motion(Error::MissingTimeStep));
+    assert_eq!(
+        study(start, 1.0).ladder([0.1, -0.1]).run().unwrap_err(),
+        StudyError::Motion(Error::TimeStep { dt: -0.1 })
+    );
+    assert_eq!(study(start, 1.0).mass(0.0).run().unwrap_err(), StudyError::Motion(Error::Mass { mass: 0.0 }));
+    assert!(matches!(study(State::new([f64::NAN], [0.0]), 1.0).run(), Err(StudyError::Motion(Error::State { .. }))));
+    assert!(matches!(study(start.at_time(f64::INFINITY), 1.0).run(), Err(StudyError::Motion(Error::State { .. }))));
     let infinite = study(start, 1.5).exact(|t| [t / 0.0]).run().unwrap_err();
-    assert_eq!(infinite, Error::Exact { value: f64::INFINITY, time: 1.5 });
+    assert_eq!(infinite, StudyError::Exact { value: f64::INFINITY, time: 1.5 });
     let row = &study(start, 1.0).ladder([1e-17]).run().unwrap().rows()[0].clone();
     assert_eq!(row.result().unwrap_err(), Error::EndTime { end: 1.0, dt: 1e-17 });
     let at_centre = Study::new(Kepler::<true> { k: 1.0 }, State::new([0.0, 0.0], [0.0, 0.0]), 1.0).scheme(Leapfrog);
-    assert!(matches!(at_centre.run(), Err(Error::Law { .. })));
+    assert!(matches!(at_centre.run(), Err(StudyError::Motion(Error::Law { .. }))));
 }
 
 /// Tolerances take the place of the ladder for schemes that follow the motion, and rows tell what came of them.

@@ -3,9 +3,9 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use dmech::extend::{Disagreement, NoScheme};
 use dmech::models::*;
 use dmech::prelude::*;
-use dmech::{Disagreement, NoScheme};
 
 /// Not those of `std`.
 mod consts {
@@ -281,7 +281,7 @@ fn a_law_by_hand_is_its_own() {
     }
     starts(Hand, State::new([0.3], [0.0]));
     let report = verify(Hand, State::new([0.3], [0.0]));
-    assert_eq!(report.checks()[0].outcome(), dmech::verify::Outcome::NotApplicable);
+    assert_eq!(report.checks()[0].outcome(), dmech_study::verify::Outcome::NotApplicable);
 }
 
 /// Roundings of all kinds, of which none is another law.

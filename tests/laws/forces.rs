@@ -1,7 +1,8 @@
 //! Forces that depend on velocity and time, alone and beside a potential.
 
+use dmech::Conservative;
+use dmech::extend::Field;
 use dmech::prelude::*;
-use dmech::{Conservative, Field};
 
 use dmech_tests::motion::*;
 

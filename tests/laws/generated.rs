@@ -1,7 +1,7 @@
 //! Generated code does what the engine says, bit for bit.
 
-use dmech::Real;
-use dmech::newton::Equation;
+use dmech::extend::Real;
+use dmech::extend::newton::Equation;
 use dmech::prelude::*;
 use dmech_codegen::{Derivation, Source};
 use dmech_symbolic::expression::Symbol;
@@ -101,10 +101,10 @@ fn solves<L: Potential<D>, const D: usize>(law: &L, q: [f64; D], v: [f64; D]) {
     for (g, frozen) in [(0.25 * h * h, law.gradient(q).map(|x| 0.25 * h * h * x)), (0.5 * h * h, zero)] {
         let equation = Equation { frozen, ..Equation::new(q, drift, g) };
         let (fast, slow) = if frozen != zero {
-            let dense = dmech::newton::dense(&equation, |b| (law.gradient(b), law.hessian(b)));
+            let dense = dmech::extend::newton::dense(&equation, |b| (law.gradient(b), law.hessian(b)));
             (law.implicit_increment(&equation).unwrap(), dense.unwrap())
         } else {
-            let dense = dmech::newton::dense_discrete(&equation, |a, b| {
+            let dense = dmech::extend::newton::dense_discrete(&equation, |a, b| {
                 (law.discrete_gradient(a, b), law.discrete_gradient_jacobian(a, b))
             });
             (law.discrete_increment(&equation).unwrap(), dense.unwrap())

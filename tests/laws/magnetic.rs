@@ -3,7 +3,7 @@
 #[path = "../../examples/shared/gyration.rs"]
 mod gyration;
 
-use dmech::MassIndependent;
+use dmech::extend::MassIndependent;
 use dmech::prelude::*;
 use dmech::scheme::Scheme;
 use gyration::{CROSSED, Circle, GRADED, IN_SPACE, IN_THE_PLANE, MASS, SPEED, UNIFORM};

@@ -171,7 +171,7 @@ const PAIRINGS: usize = 4 * 5 + 2 * 3;
 
 /// mᵢ qᵢ″ = −∂Φ/∂qᵢ + Fᵢ by the classical Runge–Kutta method of order 4, at t = 1: none of our code but the slope.
 fn reference<L: Law<D>, const D: usize>(law: &L, masses: [f64; D], start: State<D>) -> [f64; D] {
-    use dmech::Field;
+    use dmech::extend::Field;
     const STEPS: u32 = 4000;
     let h = 1.0 / f64::from(STEPS);
     let rates = |t: f64, (q, v): ([f64; D], [f64; D])| {

@@ -4,9 +4,9 @@
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use dmech::extend::{Field, Real};
 use dmech::models::*;
 use dmech::prelude::*;
-use dmech::{Field, Real};
 
 use dmech_tests::motion::*;
 

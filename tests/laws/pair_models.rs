@@ -1,9 +1,9 @@
 //! The library of laws between two bodies: every derivative against differences of the formula in the documentation, the secant
 //! identity in ulps, and the values that the documentation names. A new model is a new row of `every_model`.
 
+use dmech::extend::{PairLaw, Symmetric, VelocityIndependent};
 use dmech::models::pairs::*;
 use dmech::prelude::*;
-use dmech::{PairLaw, Symmetric, VelocityIndependent};
 
 use super::pairs::{is_a_potential, norm, numbers};
 

@@ -1,7 +1,7 @@
 //! Laws between two bodies: what the macro writes, against formulas by hand and against the method as its author wrote it.
 
+use dmech::extend::{Between, Numbers, PairLaw, Reads, Symmetric, VelocityIndependent};
 use dmech::prelude::*;
-use dmech::{Between, Numbers, PairLaw, Reads, Symmetric, VelocityIndependent};
 use nalgebra::Vector3;
 
 #[derive(Clone, Copy, Debug)]

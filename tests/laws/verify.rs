@@ -1,9 +1,10 @@
 //! `verify` passes right laws and catches wrong ones.
 
-use dmech::newton::{self, Equation, Increment, NotConverged};
+use dmech::Conservative;
+use dmech::extend::Field;
+use dmech::extend::newton::{self, Equation, Increment, NotConverged};
 use dmech::prelude::*;
-use dmech::verify::{Outcome, Verification, Verify};
-use dmech::{Conservative, Field};
+use dmech_study::verify::{Outcome, Verification, Verify};
 
 use dmech_tests::for_each_law;
 use dmech_tests::laws::*;
@@ -192,7 +193,7 @@ impl Field<1> for DragField<'_> {
 }
 
 /// Names of the checks with this outcome.
-fn with<L, const D: usize>(report: &Verification<L, D>, outcome: Outcome) -> Vec<&str> {
+fn with<Of>(report: &Verification<Of>, outcome: Outcome) -> Vec<&str> {
     report.checks().iter().filter(|check| check.outcome() == outcome).map(|check| check.name()).collect()
 }
 

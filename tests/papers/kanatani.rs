@@ -1,10 +1,10 @@
 //! The statements of K. Kanatani, "The Accuracy and the Preservation Property of the Discrete Mechanics", J. Comput.
 //! Phys. (1983–84), measured.
 
+use dmech::extend::Stride;
 use dmech::models::Kepler;
 use dmech::prelude::*;
 use dmech::scheme::KanataniMemory;
-use dmech::system::Stride;
 
 /// (3.16).
 #[derive(Clone, Copy, Debug)]

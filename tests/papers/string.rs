@@ -4,7 +4,7 @@
 #[path = "../../examples/shared/section_7.rs"]
 mod section_7;
 
-use dmech::PairLaw;
+use dmech::extend::PairLaw;
 use dmech::prelude::*;
 use section_7::{
     DT, Energies, PARTICLES, SPACING, SPRING, TENSION, WEIGHT, asymmetry, difference, force_form, potential_form, tent,

@@ -1,10 +1,10 @@
 //! Runs that are saved and resumed go on bit for bit; a checkpoint of another simulation is refused with what differs.
 
+use dmech::extend::{Carried, Difference};
 use dmech::models::pairs::{Charge, Coulomb, FermiPastaUlamTsingou};
 use dmech::models::{DrivenPendulum, Kepler, Wall};
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
-use dmech::{Carried, Difference};
 
 fn spring(alpha: f64) -> FermiPastaUlamTsingou {
     FermiPastaUlamTsingou { k: 1.0, alpha, beta: 0.0 }

@@ -4,11 +4,11 @@
 use std::cell::Cell;
 
 use dmech::coefficients::{Chin4A, Chin4C, McLachlan4S4, TripleJump4};
+use dmech::extend::{Adaptable, Carried};
 use dmech::models::pairs::FermiPastaUlamTsingou;
 use dmech::models::{DampedPendulum, Kepler, Pendulum};
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
-use dmech::{Adaptable, Carried};
 
 /// Saved after 0, 1, …, and followed to the end.
 const SAVED: usize = 40;
@@ -93,8 +93,8 @@ fn steps_that_follow_the_motion() {
     fn adaptive<S>(scheme: S, tolerance: f64, rows: &Cell<[usize; 2]>)
     where
         S: Adaptable + Scheme<Particle<Pendulum, 1>>,
-        dmech::Adaptive<S>: Scheme<Particle<Pendulum, 1>>,
-        <dmech::Adaptive<S> as Scheme<Particle<Pendulum, 1>>>::Memory: Carried,
+        dmech::extend::Adaptive<S>: Scheme<Particle<Pendulum, 1>>,
+        <dmech::extend::Adaptive<S> as Scheme<Particle<Pendulum, 1>>>::Memory: Carried,
     {
         let simulation = Simulation::new(Pendulum { k: 1.7 }, State::new([2.1], [0.3])).mass(1.3);
         let simulation = simulation.scheme(scheme).adaptive(tolerance);

@@ -179,7 +179,7 @@ fn orders_and_work() {
     assert!(
         matches!(
             Simulation::scene(still).scheme(Implicit).dt(0.1).run(1).unwrap_err().cause(),
-            Error::PinnedMoves { body: 0, .. }
+            Error::Scene(dmech::SceneError::PinnedMoves { body: 0, .. })
         ),
         "a pinned body cannot start with a velocity"
     );

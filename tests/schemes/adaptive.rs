@@ -3,9 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::hint::black_box;
 
+use dmech::Drift;
+use dmech::extend::Adaptable;
 use dmech::models::{DampedPendulum, DrivenPendulum, HenonHeiles, Kepler, Pendulum, Quartic, Wall};
 use dmech::prelude::*;
-use dmech::{Adaptable, Drift};
 
 use dmech_tests::memory::allocations;
 use dmech_tests::motion::{distance, does_not_drift};

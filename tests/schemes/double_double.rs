@@ -1,8 +1,9 @@
 //! Laws, schemes and studies with numbers of 31 digits.
 
+use dmech::extend::Real;
 use dmech::models::{Anharmonic, DampedPendulum, DrivenPendulum, HenonHeiles, Kepler, Morse, Pendulum, Wall};
 use dmech::prelude::*;
-use dmech::{Real, StudyReport};
+use dmech::{StudyError, StudyReport};
 
 type Wide = DoubleDouble;
 
@@ -138,7 +139,7 @@ fn errors_near_the_last_digit_are_told() {
 fn a_motion_that_cannot_be_followed_is_an_error() {
     let study = Study::new(Kepler { gm: 1.0 }, State::new([1.0, 0.0], [0.0, 0.0]), 5.0).scheme(Leapfrog);
     let error = study.precise().run().unwrap_err();
-    assert!(matches!(error, Error::StepVanished { .. } | Error::EndTime { .. }), "{error}");
+    assert!(matches!(error, StudyError::Motion(Error::StepVanished { .. } | Error::EndTime { .. })), "{error}");
 }
 
 /// Where steps of one length are far too long or too short for most of the motion, at walls, and in chaos.

@@ -113,7 +113,7 @@ fn orders_hold_for_masses_of_each_coordinate() {
 fn heavy<L, S>(law: L, scheme: S, start: State<2>, steps: u64) -> Option<Vec<State<2>>>
 where
     L: Law<2> + MassIndependent,
-    S: Scheme<Particle<dmech::Masses<L, 2>, 2>>,
+    S: Scheme<Particle<dmech::extend::Masses<L, 2>, 2>>,
 {
     let simulation = Simulation::new(law, start).masses([MASS, 0.7]).scheme(scheme).record_every(steps);
     simulation.dt(SPAN / (LOOKS * steps) as f64).run(LOOKS * steps).ok().map(|run| run.states().to_vec())

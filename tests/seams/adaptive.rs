@@ -4,8 +4,9 @@
 //! What is exact for any sequence of steps stays exact. What is not errs as with equal steps, by h^min(p, s), if the longest
 //! step shrinks with the others.
 
+use dmech::extend::{Adaptable, Adaptive, Carried, VelocityIndependent};
 use dmech::prelude::*;
-use dmech::{Adaptable, Adaptive, Carried, Kept, Potential, VelocityIndependent};
+use dmech::{Kept, Potential};
 
 use crate::laws::*;
 use crate::measured::*;

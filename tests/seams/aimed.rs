@@ -4,7 +4,7 @@
 //! its guess is before the seam and the root behind it, and what it knows of the force on the one side says nothing of the
 //! other. Here each run is aimed: the length of its steps is varied until one of them ends on the seam.
 
-use dmech::VelocityIndependent;
+use dmech::extend::VelocityIndependent;
 use dmech::prelude::*;
 
 use crate::laws::*;

@@ -4,10 +4,11 @@
 //! of O(h) that is O(hˢ), s = 1 for a kink, 2 where the slope is continuous. So the energy of a scheme of order p that does
 //! not keep it exactly errs by h^min(p, s), whatever is promised for smooth laws; what is kept exactly stays so.
 
+use dmech::extend::Stride;
+use dmech::extend::VelocityIndependent;
 use dmech::prelude::*;
 use dmech::scheme::KanataniMemory;
-use dmech::system::Stride;
-use dmech::{Kept, Potential, VelocityIndependent};
+use dmech::{Kept, Potential};
 
 use crate::laws::*;
 use crate::measured::*;

@@ -1,8 +1,9 @@
 //! Forces with seams and without a potential or a velocity: dry friction of a surface that is rough in places, a whirl that
 //! ends at a rim. No energy is claimed of them; what holds is the balance of work, by each scheme's own definition.
 
+use dmech::Kept;
+use dmech::extend::VelocityIndependent;
 use dmech::prelude::*;
-use dmech::{Kept, VelocityIndependent};
 
 use crate::laws::{crossings, starts};
 use crate::schemes::*;

@@ -1,7 +1,8 @@
 //! What is measured of a motion over a seam.
 
+use dmech::Kept;
+use dmech::extend::VelocityIndependent;
 use dmech::prelude::*;
-use dmech::{Kept, VelocityIndependent};
 
 use crate::laws::crossings;
 

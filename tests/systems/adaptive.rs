@@ -1,8 +1,8 @@
 //! Scenes whose steps follow the motion.
 
+use dmech::extend::{Carried, Saved, Setup};
 use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
-use dmech::{Carried, Saved, Setup};
 
 use super::setups::*;
 

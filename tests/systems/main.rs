@@ -4,3 +4,4 @@ mod adaptive;
 mod matrix;
 mod same;
 mod setups;
+mod verified;

@@ -1,8 +1,9 @@
 //! Schemes × systems: the order of each is the declared one, and what is exact is kept. A new scheme is a row of `schemes!`,
 //! a new system a test.
 
+use dmech::Kept;
+use dmech::extend::Setup;
 use dmech::prelude::*;
-use dmech::{Kept, Setup};
 
 use super::setups::*;
 

@@ -27,8 +27,10 @@ impl Three {
 
 fn both<S: Method>(scheme: S, most: f64)
 where
-    S: Scheme<Particle<dmech::Masses<Three, 6>, 6>>
-        + Scheme<<Scene<2, (), ((), dmech::scene::Linked<Morse, dmech::scene::Pairs>)> as dmech::Setup<()>>::System>,
+    S: Scheme<Particle<dmech::extend::Masses<Three, 6>, 6>>
+        + Scheme<
+            <Scene<2, (), ((), dmech::scene::Linked<Morse, dmech::scene::Pairs>)> as dmech::extend::Setup<()>>::System,
+        >,
 {
     let start = State::new([0.9, 0.1, -0.8, 0.3, 0.2, -1.1], [0.1, 0.4, 0.2, -0.3, -0.3, 0.1]);
     let law = Simulation::new(Three { pair: MORSE }, start).masses([1.3, 1.3, 0.7, 0.7, 2.1, 2.1]);

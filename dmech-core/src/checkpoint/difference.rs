@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::scheme::{DiscreteGradient, Explicit, Implicit, Kanatani, Leapfrog, Method};
+use crate::name::Name;
 use crate::text::Number;
 
 /// What differs between a checkpoint and the simulation that was to go on from it.
@@ -37,7 +37,7 @@ pub enum Difference {
     #[error("the checkpoint is of {checkpoint}, this simulation of {here}")]
     Scheme {
         /// In the checkpoint.
-        checkpoint: &'static str,
+        checkpoint: Name,
         /// In the simulation.
         here: &'static str,
     },
@@ -110,10 +110,4 @@ pub enum Difference {
 
 fn pin(pinned: bool) -> &'static str {
     if pinned { "pinned" } else { "free" }
-}
-
-/// The name of a scheme of this crate.
-pub(super) fn name(scheme: &str) -> &'static str {
-    let known = [Explicit::NAME, Leapfrog::NAME, Implicit::NAME, DiscreteGradient::NAME, Kanatani::NAME];
-    known.into_iter().find(|&name| name == scheme).unwrap_or("another scheme")
 }

@@ -18,6 +18,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
+use crate::name::Name;
 use crate::scheme::Method;
 
 /// Where a simulation stands: everything that the next step needs, and what shows that it is the same simulation.
@@ -134,7 +135,7 @@ impl Checkpoint {
             return Err(Difference::Bodies { checkpoint: self.bodies, here: here.bodies });
         }
         if self.scheme != here.scheme {
-            return Err(Difference::Scheme { checkpoint: difference::name(&self.scheme), here: S::NAME });
+            return Err(Difference::Scheme { checkpoint: Name::of(&[&self.scheme]), here: S::NAME });
         }
         if self.options != here.options {
             return Err(Difference::Options { scheme: S::NAME });

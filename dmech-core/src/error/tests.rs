@@ -1,5 +1,7 @@
 //! What messages look like.
 
+#[cfg(feature = "scene")]
+use super::SceneError;
 use super::{Error, Place};
 
 /// Every error, with a number for each of its numbers.
@@ -18,21 +20,26 @@ fn all(x: f64) -> Vec<Error> {
         Error::TimeStandsStill { time, dt },
         Error::Law { quantity, value, time },
         Error::Underflow { coordinate: 1, slope: x, time },
-        Error::EmptyScene,
-        Error::BodyMass { body, mass: x },
-        Error::BodyState { body, quantity, value },
-        Error::Pin { body, bodies: 3 },
-        Error::PinnedMoves { body, speed: x },
-        Error::Bond { a: 1, b: 5, bodies: 3 },
-        Error::SelfBond { body },
-        Error::DuplicateBond { a: 1, b: 2 },
         Error::Link { a: 1, b: 2, distance: x, step, time },
         Error::NotFinite { step, time, dt },
         Error::NotConverged { step, time, dt, iterations: 12, residual: x },
-        Error::NoSchemes,
         Error::Span { start: x, end },
-        Error::Exact { value, time },
     ];
+    #[cfg(feature = "scene")]
+    {
+        let scenes = [
+            SceneError::Empty,
+            SceneError::Mass { body, mass: x },
+            SceneError::State { body, quantity, value },
+            SceneError::Pin { body, bodies: 3 },
+            SceneError::PinnedMoves { body, speed: x },
+            SceneError::Bond { a: 1, b: 5, bodies: 3 },
+            SceneError::SelfBond { body },
+            SceneError::DuplicateBond { a: 1, b: 2 },
+            SceneError::Bodies { given: 2, bodies: 3 },
+        ];
+        all.extend(scenes.map(Error::Scene));
+    }
     #[cfg(feature = "serde")]
     {
         use crate::checkpoint::Difference;
@@ -57,9 +64,10 @@ fn listed(error: &Error) -> bool {
     match error {
         MissingTimeStep | TimeStep { .. } | Tolerance { .. } | NoTimeScale { .. } | StepVanished { .. } => true,
         Mass { .. } | State { .. } | RecordEvery | EndTime { .. } | TimeStandsStill { .. } | Law { .. } => true,
-        Underflow { .. } | EmptyScene | BodyMass { .. } | BodyState { .. } | Pin { .. } | PinnedMoves { .. } => true,
-        Bond { .. } | SelfBond { .. } | DuplicateBond { .. } | Link { .. } | Body { .. } | NotFinite { .. } => true,
-        LawInStep { .. } | NotConverged { .. } | NoSchemes | Span { .. } | Exact { .. } => true,
+        Underflow { .. } | Link { .. } | Body { .. } | NotFinite { .. } => true,
+        LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
+        #[cfg(feature = "scene")]
+        Scene(_) => true,
         #[cfg(feature = "serde")]
         Checkpoint(_) => true,
         // It tells in words of its own.
@@ -79,5 +87,6 @@ fn numbers_in_messages_have_few_digits() {
         assert!(longest(&text) <= 17, "{text}");
         numbers += text.matches("2.5").count();
     }
-    assert_eq!(numbers, 3 * (56 + if cfg!(feature = "serde") { 6 } else { 0 }));
+    let scene = if cfg!(feature = "scene") { 3 } else { 0 };
+    assert_eq!(numbers, 3 * (51 + scene + if cfg!(feature = "serde") { 6 } else { 0 }));
 }

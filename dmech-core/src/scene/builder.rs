@@ -1,7 +1,8 @@
 //! Setting up a scene.
 
+use super::state::SceneState;
 use super::terms::{Bonds, Chain, Each, Linked, Pairs};
-use crate::error::Error;
+use crate::error::{Error, SceneError};
 use crate::law::Law;
 use crate::pair::{LinkLaw, Symmetric};
 
@@ -93,6 +94,13 @@ impl<const D: usize, P, L> Scene<D, P, L> {
         self
     }
 
+    /// The same bodies where a state has them, as at the end of another run.
+    pub fn starting_from(mut self, state: &SceneState<D>) -> Self {
+        let Bodies { q, v, t, .. } = &mut self.bodies;
+        (*q, *v, *t) = (state.q.clone(), state.v.clone(), state.t);
+        self
+    }
+
     /// A law that acts on each body by itself.
     pub fn field<X: FieldLaw<D>>(self, law: X) -> Scene<D, P, (L, Each<X>)> {
         self.with(Each { law })
@@ -137,29 +145,33 @@ impl<const D: usize, P> Bodies<D, P> {
     pub(super) fn check(&self) -> Result<(), Error> {
         let n = self.masses.len();
         if n == 0 {
-            return Err(Error::EmptyScene);
+            return Err(SceneError::Empty.into());
+        }
+        let given = self.q.len();
+        if given != n || self.v.len() != n {
+            return Err(SceneError::Bodies { given, bodies: n }.into());
         }
         if !self.t.is_finite() {
             return Err(Error::State { quantity: "t", value: self.t });
         }
         for (body, &mass) in self.masses.iter().enumerate() {
             if !(mass > 0.0 && mass.is_finite()) {
-                return Err(Error::BodyMass { body, mass });
+                return Err(SceneError::Mass { body, mass }.into());
             }
         }
         for (quantity, list) in [("q", &self.q), ("v", &self.v)] {
             for (body, x) in list.iter().enumerate() {
                 if let Some(&value) = x.iter().find(|x| !x.is_finite()) {
-                    return Err(Error::BodyState { body, quantity, value });
+                    return Err(SceneError::State { body, quantity, value }.into());
                 }
             }
         }
         for &body in &self.pins {
             if body >= n {
-                return Err(Error::Pin { body, bodies: n });
+                return Err(SceneError::Pin { body, bodies: n }.into());
             }
             if let Some(&speed) = self.v[body].iter().find(|&&v| v != 0.0) {
-                return Err(Error::PinnedMoves { body, speed });
+                return Err(SceneError::PinnedMoves { body, speed }.into());
             }
         }
         Ok(())

@@ -22,8 +22,45 @@ pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Moving, Pairs, Term, To
 pub use vectors::Vectors;
 
 use crate::scheme::Scheme;
+use crate::setup::Setup;
 use crate::simulation::Simulation;
 use crate::stepper::Stepper;
+
+/// A law on each body, as a type: [`Scene::field`] adds one.
+pub type OnEach<X> = Each<X>;
+/// A law between any two bodies, as a type: [`Scene::pairs`] adds one.
+pub type OnPairs<X> = Linked<X, Pairs>;
+/// A law along a chain, as a type: [`Scene::chain`] adds one.
+pub type OnChain<X> = Linked<X, Chain>;
+/// A law on listed bonds, as a type: [`Scene::bonds`] adds one.
+pub type OnBonds<X> = Linked<X, Bonds>;
+
+/// The stepper of a scene with the laws `L`, for a field of a struct: laws stand in the order in which they were added,
+/// `((), OnPairs<Gravity>)` or `(((), OnChain<Spring>), OnEach<Weight>)`.
+///
+/// ```
+/// use dmech_core::prelude::*;
+/// use dmech_core::scene::{OnEach, SceneStepper};
+/// # #[derive(Clone, Copy)]
+/// # struct Bowl { k: f64 }
+/// # impl Conservative for Bowl {}
+/// # impl Potential<1> for Bowl {
+/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
+/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
+/// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
+/// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+/// # }
+/// struct Game {
+///     bodies: SceneStepper<1, ((), OnEach<Bowl>), Leapfrog>,
+/// }
+///
+/// let scene = Scene::new().body(1.0, [0.3], [0.0]).field(Bowl { k: 2.0 });
+/// let mut game = Game { bodies: Simulation::scene(scene).scheme(Leapfrog).dt(0.01).stepper()? };
+/// game.bodies.advance(100)?;
+/// # Ok::<(), Error>(())
+/// ```
+pub type SceneStepper<const D: usize, L, S, P = ()> = Stepper<<Scene<D, P, L> as Setup<()>>::System, S>;
 
 impl<const D: usize, P, L> Simulation<(), Scene<D, P, L>> {
     /// The bodies of a scene under its laws.

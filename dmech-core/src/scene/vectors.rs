@@ -14,6 +14,8 @@ pub struct Vectors<const D: usize> {
 const APART: usize = 64;
 /// Numbers in a line of the cache: registers that begin with one are loaded at once.
 const LINE: usize = 8;
+/// A line of numbers.
+pub(super) type Line = [f64; LINE];
 
 impl<const D: usize> Vectors<D> {
     /// n vectors of zeros.
@@ -53,6 +55,19 @@ impl<const D: usize> Vectors<D> {
     #[inline]
     pub fn flat_mut(&mut self) -> &mut [f64] {
         &mut self.memory[self.offset..self.offset + D * self.bodies]
+    }
+
+    /// The same in blocks of a line; what fills up the last belongs to no body, and is not looked at. Loops over blocks have no
+    /// remainder, which for few bodies is most of them.
+    #[inline]
+    pub(super) fn blocks(&self) -> &[Line] {
+        self.memory[self.offset..].as_chunks().0.split_at((D * self.bodies).div_ceil(LINE)).0
+    }
+
+    /// The same, to be written to.
+    #[inline]
+    pub(super) fn blocks_mut(&mut self) -> &mut [Line] {
+        self.memory[self.offset..].as_chunks_mut().0.split_at_mut((D * self.bodies).div_ceil(LINE)).0
     }
 
     /// The columns.

@@ -12,7 +12,6 @@ mod kanatani;
 mod leapfrog;
 mod memory;
 mod missing;
-mod name;
 mod nystrom;
 mod splitting;
 
@@ -86,6 +85,10 @@ pub trait Scheme<Y: System>: Method {
     /// Prepares the workspace for steps of another length.
     #[inline(always)]
     fn pace(&self, _system: &Y, _stride: &Y::Stride, _workspace: &mut Self::Workspace) {}
+
+    /// Whether somebody asks for the [work](Scheme::work) of the steps to come: a run does, steps in a row do not.
+    #[inline(always)]
+    fn watch(&self, _watched: bool, _workspace: &mut Self::Workspace) {}
 
     /// Prepares the first step from a given state.
     ///

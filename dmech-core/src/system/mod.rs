@@ -9,10 +9,11 @@ mod particle;
 use core::fmt::Debug;
 
 pub use look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
+pub(crate) use particle::exact_product;
+pub use particle::vector;
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, not_converged};
 pub use particle::{Particle, ParticleFound, Stride};
-pub(crate) use particle::{exact_product, vector};
 
 use dmech_scalar::Real;
 
@@ -92,6 +93,9 @@ pub trait System: Sized {
 
     /// Room for explicit steps.
     fn room(&self) -> Self::Room;
+    /// Whether kicks in it must add up their work.
+    #[inline(always)]
+    fn watch(_watched: bool, _room: &mut Self::Room) {}
     /// Φ(q).
     fn potential(&self, t: Self::Scalar, q: &Self::Vector) -> Self::Scalar;
     /// Σ m v²/2.
@@ -117,7 +121,8 @@ pub trait System: Sized {
         v: &Self::Vector,
         to: &mut Self::Vector,
     );
-    /// A kick and, with the new velocity, a drift in the time a, in one pass over the coordinates; the work of the kick is added.
+    /// A kick and, with the new velocity, a drift in the time a, in one pass over the coordinates; the work of the kick is added,
+    /// if it is [watched](System::watch).
     #[expect(clippy::too_many_arguments, reason = "a whole stage in one pass")]
     fn kick_and_drift(
         &self,

@@ -1,11 +1,11 @@
 //! Whether what is stepped is what was written.
 
-use core::fmt;
 use core::panic::AssertUnwindSafe;
 use std::panic::catch_unwind;
 
 use super::tracked::{MARGIN, ROUNDING};
 use super::{Values, Written};
+use crate::error::{Culprit, Disagreement};
 
 /// Where a law is looked at; of a law between two bodies `q` is d = q_a − q_b, and there are two velocities and masses.
 #[derive(Clone, Copy, Debug)]
@@ -20,107 +20,9 @@ pub struct Place<const D: usize> {
     pub t: f64,
 }
 
-/// A law that does not step what its author wrote: both values, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disagreement {
-    quantity: &'static str,
-    written: f64,
-    derived: f64,
-    time: f64,
-    /// The first coordinates, and how many there are.
-    place: [f64; 3],
-    dimension: u32,
-    culprit: Culprit,
-}
-
-/// Which body or bodies of a scene it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Culprit {
-    /// There is only one.
-    Alone,
-    /// This one.
-    #[cfg(feature = "scene")]
-    Body(usize),
-    /// These two.
-    #[cfg(feature = "scene")]
-    Link(usize, usize),
-}
-
-impl Disagreement {
-    /// `potential` or `force`.
-    pub fn quantity(&self) -> &'static str {
-        self.quantity
-    }
-
-    /// What the author's method gives.
-    pub fn written(&self) -> f64 {
-        self.written
-    }
-
-    /// What was derived from its text.
-    pub fn derived(&self) -> f64 {
-        self.derived
-    }
-
-    /// The time.
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
-    /// The position, or the separation of two bodies: at most the first three coordinates.
-    pub fn place(&self) -> &[f64] {
-        &self.place[..self.place.len().min(self.dimension as usize)]
-    }
-
-    /// The same law, on these bodies of a scene.
-    #[cfg(feature = "scene")]
-    pub(crate) fn on(self, culprit: Culprit) -> Self {
-        Disagreement { culprit, ..self }
-    }
-}
-
-impl fmt::Display for Disagreement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Disagreement { quantity, written, derived, time, .. } = self;
-        let place = if matches!(self.culprit, Culprit::Alone) || self.is_on_one() { "q" } else { "d" };
-        write!(f, "the law is not stepped as it is written: at {place} = ")?;
-        let more = if self.place().len() < self.dimension as usize { ", …" } else { "" };
-        match self.place() {
-            [x] => write!(f, "{x:?}")?,
-            [x, y] => write!(f, "({x:?}, {y:?})")?,
-            [x, y, z, ..] => write!(f, "({x:?}, {y:?}, {z:?}{more})")?,
-            [] => {}
-        }
-        write!(f, ", t = {time:?}")?;
-        match self.culprit {
-            Culprit::Alone => {}
-            #[cfg(feature = "scene")]
-            Culprit::Body(body) => write!(f, ", body {body}")?,
-            #[cfg(feature = "scene")]
-            Culprit::Link(a, b) => write!(f, ", bodies {a} and {b}")?,
-        }
-        write!(
-            f,
-            " the method gives the {quantity} {written:?}, and what was derived from its text {derived:?}. A name in it stands \
-             for something else than the macro, which sees text only, takes it for: a constant, module or type of your own \
-             that is called like one of `std` or nalgebra, or two variables of a `macro_rules!` that are spelt alike; give it \
-             another name"
-        )
-    }
-}
-
-impl Disagreement {
-    fn is_on_one(&self) -> bool {
-        #[cfg(feature = "scene")]
-        return matches!(self.culprit, Culprit::Body(_));
-        #[cfg(not(feature = "scene"))]
-        true
-    }
-}
-
 /// How well both agree at one place.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Agreement {
+pub enum Agreement {
     /// The largest difference, over the one that rounding may make.
     Compared(f64, Disagreement),
     /// Only one of the two is a number there, as where a factor that is 0/0 has cancelled.
@@ -165,7 +67,7 @@ pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Place<D>, clos
 /// a rounding: that knows what cancels in it, and how steep it is. Normal forms may have lost a cancellation that the method
 /// still has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only
 /// where the first bound does not do.
-pub(crate) fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agreement {
+pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agreement {
     let (own, derived) = (own(law, place), law.derived(place));
     let mut tracked = None;
     let (mut worst, mut one_sided, mut compared) = (None::<(f64, usize)>, None, false);

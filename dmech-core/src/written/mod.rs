@@ -9,13 +9,12 @@ mod compare;
 mod pair;
 mod tracked;
 
-pub use compare::{Disagreement, Place};
+pub use compare::Place;
 pub use pair::{PairAuthor, WrittenPair};
 pub use tracked::Tracked;
 
-#[cfg(feature = "scene")]
-pub(crate) use compare::Culprit;
-pub(crate) use compare::{Agreement, agree, agreement};
+pub(crate) use compare::agree;
+pub use compare::{Agreement, agreement};
 #[cfg(feature = "scene")]
 pub(crate) use pair::Between;
 

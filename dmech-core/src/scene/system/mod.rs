@@ -10,7 +10,7 @@ pub use solve::SceneSolver;
 use super::builder::{Bodies, Scene};
 use super::compensated::CompensatedVectors;
 use super::state::SceneState;
-use super::terms::{Acts, Fault, Moving, Term};
+use super::terms::{Acts, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
@@ -53,6 +53,7 @@ impl<const D: usize> SceneStride<D> {
 #[derive(Clone, Debug)]
 pub struct SceneRoom<const D: usize> {
     slope: Vectors<D>,
+    watched: bool,
     /// (h/m) ∇Φ and H (h/m) ∇Φ, where a scheme asks for them.
     fall: Vectors<D>,
     turned: Vectors<D>,
@@ -65,6 +66,10 @@ impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
     fn start(&self) -> SceneState<D> {
         let Bodies { t, q, v, .. } = &self.bodies;
         SceneState { t: *t, q: q.clone(), v: v.clone() }
+    }
+
+    fn starting_from(self, state: &SceneState<D>) -> Self {
+        self.starting_from(state)
     }
 
     fn mass(&self, _: f64) -> f64 {
@@ -177,9 +182,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     #[inline]
     fn add_scaled(x: &mut Vectors<D>, c: f64, y: &Vectors<D>) {
-        for (x, y) in x.flat_mut().iter_mut().zip(y.flat()) {
-            *x += c * y;
-        }
+        passes::add_scaled(x.blocks_mut(), c, y.blocks());
     }
 
     fn weigh<const N: usize>(w: &[f64; N], x: &[Vectors<D>; N], out: &mut Vectors<D>) {
@@ -195,7 +198,12 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn room(&self) -> SceneRoom<D> {
-        SceneRoom { slope: self.zero(), fall: Vectors::zeros(0), turned: Vectors::zeros(0) }
+        SceneRoom { slope: self.zero(), watched: true, fall: Vectors::zeros(0), turned: Vectors::zeros(0) }
+    }
+
+    #[inline]
+    fn watch(watched: bool, room: &mut SceneRoom<D>) {
+        room.watched = watched;
     }
 
     fn potential(&self, t: f64, q: &Vectors<D>) -> f64 {
@@ -215,10 +223,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     #[inline]
     fn drift_by_mean(stride: &SceneStride<D>, q: &mut Vectors<D>, v: &Vectors<D>, next: &Vectors<D>) {
-        let half = 0.5 * stride.dt;
-        for (q, (v, next)) in q.flat_mut().iter_mut().zip(v.flat().iter().zip(next.flat())) {
-            *q += half * (v + next);
-        }
+        passes::add_sum(q.blocks_mut(), 0.5 * stride.dt, v.blocks(), next.blocks());
     }
 
     #[inline]
@@ -231,9 +236,12 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         v: &Vectors<D>,
         to: &mut Vectors<D>,
     ) {
+        if kick.e == 0.0 && self.kick_at_once(stride, kick, q, v, to) {
+            return;
+        }
         self.slope(kick.t, q, v, &mut room.slope);
         let b = self.length(room, stride, kick, q);
-        passes::kick(b, stride.kick.flat(), room.slope.flat(), v.flat(), to.flat_mut());
+        passes::kick(b, stride.kick.blocks(), room.slope.blocks(), v.blocks(), to.blocks_mut());
     }
 
     #[inline]
@@ -251,8 +259,13 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         self.slope(kick.t, q, v, &mut room.slope);
         let b = self.length(room, stride, kick, q);
         let lengths = [b, b * stride.dt, a];
-        let (kick, slope) = (stride.kick.flat(), room.slope.flat());
-        passes::kick_and_drift(lengths, kick, slope, q.flat_mut(), v.flat(), to.flat_mut(), work.flat_mut());
+        let (kick, slope) = (stride.kick.blocks(), room.slope.blocks());
+        let (q, v, to) = (q.blocks_mut(), v.blocks(), to.blocks_mut());
+        if room.watched {
+            passes::kick_and_drift_watched(lengths, kick, slope, q, v, to, work.blocks_mut());
+        } else {
+            passes::kick_and_drift(lengths, kick, slope, q, v, to);
+        }
     }
 
     fn kick_both_ways(
@@ -266,7 +279,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         let b = self.length(room, stride, kick, start.q);
         [-1.0, 1.0].map(|sign| {
             let mut to = self.zero();
-            passes::kick(sign * b, stride.kick.flat(), room.slope.flat(), start.v.flat(), to.flat_mut());
+            passes::kick(sign * b, stride.kick.blocks(), room.slope.blocks(), start.v.blocks(), to.blocks_mut());
             to
         })
     }
@@ -455,6 +468,20 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 }
 
 impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
+    /// The kick without a slope that is stored, where what acts can do that.
+    #[inline(always)]
+    fn kick_at_once(
+        &self,
+        stride: &SceneStride<D>,
+        Kick { t, b, .. }: Kick<f64>,
+        q: &Vectors<D>,
+        v: &Vectors<D>,
+        to: &mut Vectors<D>,
+    ) -> bool {
+        let (kick, v, to) = (stride.kick.columns(), v.columns(), to.columns_mut());
+        self.acts.kick(q, t, Kicked { b, kick, v, to })
+    }
+
     /// The length of a kick by the slope in the room.
     #[inline(always)]
     fn length(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
@@ -464,7 +491,7 @@ impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
     /// With a force gradient the slope becomes b ∇Φ − e h H (h/m) ∇Φ, and the
     /// length 1.
     fn turned(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
-        let SceneRoom { slope, fall, turned } = room;
+        let SceneRoom { slope, fall, turned, .. } = room;
         fall.clone_from(slope);
         for (fall, kick) in fall.flat_mut().iter_mut().zip(stride.kick.flat()) {
             *fall *= kick;

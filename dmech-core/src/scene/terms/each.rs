@@ -2,7 +2,7 @@
 
 use super::stencil::{Stencil, block};
 use super::{Acts, Fault, Moving, Term, Topology};
-use crate::error::{Error, Place};
+use crate::error::{Culprit, Error, Place};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::scene::builder::Bodies;
 use crate::scene::matrix::Matrix;
@@ -11,7 +11,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::WithoutVelocities;
 use crate::system::vector::{difference, scaled};
 use crate::system::{Frequency, Stiffness};
-use crate::written::{self, Culprit, agree};
+use crate::written::{self, agree};
 
 /// A law that acts on each body by itself.
 #[derive(Clone, Copy, Debug)]

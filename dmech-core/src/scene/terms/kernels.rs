@@ -16,6 +16,13 @@ pub(super) struct Slope<'a, X, P> {
     pub(super) data: PhantomData<fn() -> P>,
 }
 
+impl<X, P> Copy for Slope<'_, X, P> {}
+impl<X, P> Clone for Slope<'_, X, P> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
 impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers, R> for Slope<'_, X, P> {
     #[inline(always)]
     fn gradient(
@@ -40,6 +47,13 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers,
 
 /// (d, d′) ↦ ∇̄Φ(d, d′).
 pub(super) struct Secant<'a, X, P>(pub(super) Slope<'a, X, P>);
+
+impl<X, P> Copy for Secant<'_, X, P> {}
+impl<X, P> Clone for Secant<'_, X, P> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
 
 impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Secant<'_, X, P> {
     #[inline(always)]
@@ -67,6 +81,13 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers,
 pub(super) struct Turned<'a, X, P> {
     pub(super) slope: Slope<'a, X, P>,
     pub(super) c: f64,
+}
+
+impl<X, P> Copy for Turned<'_, X, P> {}
+impl<X, P> Clone for Turned<'_, X, P> {
+    fn clone(&self) -> Self {
+        *self
+    }
 }
 
 impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Turned<'_, X, P> {

@@ -6,9 +6,9 @@ use super::kernels::{Secant, Slope, Turned};
 use super::links::Links;
 use super::numbers::NumberColumns;
 use super::stencil::Stencil;
-use super::sweep;
+use super::sweep::{self, Kicked};
 use super::{Acts, Fault, Moving, Term, Topology};
-use crate::error::Error;
+use crate::error::{Culprit, Error};
 use crate::law::{Potential, VelocityIndependent};
 use crate::pair::{Between, LinkLaw, PairLaw, Reads};
 use crate::scene::builder::Bodies;
@@ -18,7 +18,7 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::WithoutVelocities;
 use crate::system::vector::{add_scaled, dot, scaled};
 use crate::system::{Course, Frequency, Stiffness};
-use crate::written::{self, Culprit, Place, agree};
+use crate::written::{self, Place, agree};
 
 /// A law that acts along links.
 #[derive(Clone, Debug)]
@@ -148,6 +148,12 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
         } else {
             out.clear();
         }
+    }
+
+    #[inline]
+    fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) -> bool {
+        let alone = <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
+        alone && self.links.kick(&self.slope(t), q, &self.numbers, kick)
     }
 
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {

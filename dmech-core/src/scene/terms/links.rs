@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use super::Topology;
 use super::numbers::NumberColumns;
-use super::sweep::{self, Kernels};
-use crate::error::Error;
+use super::sweep::{self, Kernels, Kicked};
+use crate::error::{Error, SceneError};
 use crate::pair::Numbers;
 use crate::scene::vectors::Vectors;
 
@@ -45,13 +45,24 @@ pub trait Links {
         out: &mut Vectors<D>,
     );
 
+    /// Kicks by the gradient as it is computed, in one pass; `false` where that cannot be, and nothing is done.
+    fn kick<const D: usize, N: Numbers>(
+        &self,
+        _kernel: &impl Kernels<D, 1, N>,
+        _q: &Vectors<D>,
+        _numbers: &NumberColumns<N>,
+        _kick: Kicked<'_, D>,
+    ) -> bool {
+        false
+    }
+
     /// What it means for the Jacobian.
     fn topology(&self) -> Topology;
 
     /// Whether every link is between two bodies of the scene.
     ///
     /// # Errors
-    /// [`Error::Bond`], [`Error::SelfBond`], [`Error::DuplicateBond`].
+    /// [`SceneError::Bond`], [`SceneError::SelfBond`], [`SceneError::DuplicateBond`].
     fn check(&self, _bodies: usize) -> Result<(), Error> {
         Ok(())
     }
@@ -76,7 +87,18 @@ impl Links for Chain {
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
     ) {
-        sweep::chain::<SET, D, S, N>(kernel, q, numbers, out);
+        sweep::chain(*kernel, q, numbers, sweep::Gradient::<D, SET>(out.columns_mut()));
+    }
+
+    fn kick<const D: usize, N: Numbers>(
+        &self,
+        kernel: &impl Kernels<D, 1, N>,
+        q: &Vectors<D>,
+        numbers: &NumberColumns<N>,
+        kick: Kicked<'_, D>,
+    ) -> bool {
+        sweep::chain(*kernel, [q], numbers, kick);
+        true
     }
 
     fn topology(&self) -> Topology {
@@ -135,13 +157,13 @@ impl Links for Bonds {
         let mut seen = HashSet::with_capacity(self.list.len());
         for &(a, b) in &self.list {
             if a >= bodies || b >= bodies {
-                return Err(Error::Bond { a, b, bodies });
+                return Err(SceneError::Bond { a, b, bodies }.into());
             }
             if a == b {
-                return Err(Error::SelfBond { body: a });
+                return Err(SceneError::SelfBond { body: a }.into());
             }
             if !seen.insert((a.min(b), a.max(b))) {
-                return Err(Error::DuplicateBond { a, b });
+                return Err(SceneError::DuplicateBond { a, b }.into());
             }
         }
         Ok(())

@@ -20,6 +20,7 @@ pub use linked::Linked;
 pub use links::{Bonds, Chain};
 pub use moving::Moving;
 pub use pairs::Pairs;
+pub use sweep::Kicked;
 
 use stencil::Stencil;
 
@@ -71,6 +72,11 @@ pub trait Acts<const D: usize> {
     fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         out.clear();
         self.add_gradient(q, t, out);
+    }
+    /// Kicks by all that acts as it is computed, in one pass over the bodies; `false` where that cannot be, and nothing is
+    /// done.
+    fn kick(&self, _q: &Vectors<D>, _t: f64, _kick: Kicked<'_, D>) -> bool {
+        false
     }
     /// −c F(q, v).
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);

@@ -9,6 +9,8 @@ pub trait Packed: Real {
 
     /// column[i..i + COUNT].
     fn load(column: &[f64], i: usize) -> Self;
+    /// column[i..i + COUNT] = self.
+    fn store(self, column: &mut [f64], i: usize);
     /// column[i..i + COUNT] += self.
     fn add_to(self, column: &mut [f64], i: usize);
 }
@@ -19,6 +21,11 @@ impl Packed for f64 {
     #[inline(always)]
     fn load(column: &[f64], i: usize) -> f64 {
         column[i]
+    }
+
+    #[inline(always)]
+    fn store(self, column: &mut [f64], i: usize) {
+        column[i] = self;
     }
 
     #[inline(always)]
@@ -33,6 +40,11 @@ impl Packed for Lanes {
     #[inline(always)]
     fn load(column: &[f64], i: usize) -> Lanes {
         Lanes::from_slice(&column[i..])
+    }
+
+    #[inline(always)]
+    fn store(self, column: &mut [f64], i: usize) {
+        Lanes::store(self, &mut column[i..]);
     }
 
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! Nothing, and several terms together.
 
 use super::stencil::Stencil;
+use super::sweep::Kicked;
 use super::{Acts, Fault, Moving, Term, Topology};
 use crate::error::Error;
 use crate::scene::builder::Bodies;
@@ -88,6 +89,9 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
             self.0.set_gradient(q, t, out);
             self.1.add_gradient(q, t, out);
         }
+    }
+    fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) -> bool {
+        A::NOTHING && self.1.kick(q, t, kick)
     }
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.subtract_force(c, q, v, t, out);

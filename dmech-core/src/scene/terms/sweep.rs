@@ -11,7 +11,7 @@ use crate::pair::Numbers;
 use crate::scene::vectors::Vectors;
 
 /// The gradient along a link at S moments: one for ∇Φ(d), two for ∇̄Φ(d, d′).
-pub trait Kernel<const D: usize, const S: usize, N: Numbers, R: Packed>: Sync {
+pub trait Kernel<const D: usize, const S: usize, N: Numbers, R: Packed>: Copy + Sync {
     /// With respect to d = q_a − q_b, for the numbers of a and b.
     fn gradient(&self, a: N::Of<R>, b: N::Of<R>, d: [[R; D]; S]) -> [R; D];
     /// Its derivative with respect to the last d.
@@ -104,41 +104,76 @@ pub(super) fn triangle<const D: usize, const S: usize, N: Numbers>(
     }
 }
 
-/// Consecutive bodies: G_j += g_j − g_{j−1}, with g_j of the link between j and j + 1. If `SET`, G_j is not read.
-pub(super) fn chain<const SET: bool, const D: usize, const S: usize, N: Numbers>(
-    kernel: &impl Kernels<D, S, N>,
+/// Consecutive bodies: G_j = g_j − g_{j−1}, with g_j of the link between j and j + 1, goes where `sink` puts it.
+///
+/// The kernel comes by value: of a reference in an argument it is known that nothing written here changes what it refers to, so
+/// that numbers of the law stay in registers.
+pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
+    kernel: impl Kernels<D, S, N>,
     q: [&Vectors<D>; S],
     numbers: &NumberColumns<N>,
-    out: &mut Vectors<D>,
+    mut sink: impl Sink,
 ) {
-    let links = out.bodies().saturating_sub(1);
+    let bodies = numbers.bodies();
+    let links = bodies.saturating_sub(1);
     let q = q.map(|q| q.columns());
-    let out = out.columns_mut();
     let blocks = links - links % Lanes::COUNT;
-    let mut last = [0.0; D];
+    // The register before: its last number is the gradient of the link before.
+    let mut before = [Lanes::splat(0.0); D];
     for j in (0..blocks).step_by(Lanes::COUNT) {
-        let gradient: [Lanes; D] = neighbours(kernel, &q, numbers, j);
+        let gradient: [Lanes; D] = neighbours(&kernel, &q, numbers, j);
         for k in 0..D {
-            let change = gradient[k] - gradient[k].after(last[k]);
-            if SET {
-                change.store(&mut out[k][j..])
-            } else {
-                change.add_to(out[k], j)
-            }
-            last[k] = gradient[k].last();
+            sink.put(k, j, gradient[k] - gradient[k].following(before[k]));
         }
+        before = gradient;
     }
+    let mut last = before.map(Lanes::last);
     for j in blocks..links {
-        let gradient: [f64; D] = neighbours(kernel, &q, numbers, j);
+        let gradient: [f64; D] = neighbours(&kernel, &q, numbers, j);
         for k in 0..D {
-            out[k][j] = gradient[k] - last[k] + if SET { 0.0 } else { out[k][j] };
+            sink.put(k, j, gradient[k] - last[k]);
         }
         last = gradient;
     }
-    for k in 0..D {
-        if let Some(end) = out[k].last_mut() {
-            *end = if SET { 0.0 } else { *end } - last[k];
-        }
+    for k in 0..if bodies > 0 { D } else { 0 } {
+        sink.put(k, links, 0.0 - last[k]);
+    }
+}
+
+/// Where the gradient of a chain goes.
+pub(super) trait Sink {
+    /// Component k of the gradient at body j, or at so many from j on.
+    fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R);
+}
+
+/// Into columns, in place of what is there or to be added to it.
+pub(super) struct Gradient<'a, const D: usize, const SET: bool>(pub(super) [&'a mut [f64]; D]);
+
+impl<const D: usize, const SET: bool> Sink for Gradient<'_, D, SET> {
+    #[inline(always)]
+    fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R) {
+        if SET { gradient.store(self.0[k], j) } else { gradient.add_to(self.0[k], j) }
+    }
+}
+
+/// At once into velocities: `to` ← v − b (h/m) G.
+#[derive(Debug)]
+pub struct Kicked<'a, const D: usize> {
+    /// b.
+    pub b: f64,
+    /// h/m for each coordinate.
+    pub kick: [&'a [f64]; D],
+    /// v.
+    pub v: [&'a [f64]; D],
+    /// Where it goes.
+    pub to: [&'a mut [f64]; D],
+}
+
+impl<const D: usize> Sink for Kicked<'_, D> {
+    #[inline(always)]
+    fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R) {
+        let next = R::load(self.v[k], j) - R::from_f64(self.b) * R::load(self.kick[k], j) * gradient;
+        next.store(self.to[k], j);
     }
 }
 

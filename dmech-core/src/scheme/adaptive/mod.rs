@@ -9,10 +9,10 @@ pub use adaptable::Adaptable;
 
 use dmech_scalar::Compensated;
 
-use super::name::Name;
 use super::{Effort, Method, Scheme};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
+use crate::name::Name;
 use crate::newton::NotConverged;
 use crate::system::{EVALUATIONS, Look, Start, System, TimeScale};
 
@@ -115,7 +115,8 @@ const MIDDLE: [f64; 2] = [0.25, 4.0];
 impl<S: Adaptable> Adaptive<S> {
     const JOINED: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
 
-    pub(crate) fn new(scheme: S, tolerance: f64) -> Self {
+    /// Steps of a scheme to a tolerance; [`Method::until`] says where they end.
+    pub fn new(scheme: S, tolerance: f64) -> Self {
         let angle = scheme.angle(tolerance);
         Adaptive { scheme, tolerance, angle, row: (ROW / angle).floor().max(1.0), end: f64::INFINITY }
     }
@@ -190,6 +191,11 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
 
     fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
         Pace { stride: stride.clone(), room: system.room(), inner: self.scheme.workspace(system, stride) }
+    }
+
+    #[inline(always)]
+    fn watch(&self, watched: bool, workspace: &mut Self::Workspace) {
+        self.scheme.watch(watched, &mut workspace.inner);
     }
 
     /// `stride` has the longest step, which may be infinite.

@@ -15,10 +15,10 @@ pub use stages::{Stage, StagesMemory};
 use dmech_scalar::Real;
 
 use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
-use super::name::Name;
 use super::splitting::digits;
 use super::{DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
+use crate::name::Name;
 
 /// A symmetric scheme composed of steps of different lengths, forward and backward, to order 4, 6 or 8.
 ///

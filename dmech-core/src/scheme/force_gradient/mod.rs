@@ -3,10 +3,10 @@
 pub(crate) mod coefficients;
 
 use self::coefficients::{ForceGradientCoefficients, Omelyan4S5, Omelyan6S5, Omelyan8S11};
-use super::name::Name;
 use super::splitting::{First, Splitting};
 use super::{Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
+use crate::name::Name;
 
 /// Drifts and kicks in turn, with kicks that know how the force changes: order 4 in as few as two forces.
 ///
@@ -73,7 +73,7 @@ impl<C: ForceGradientCoefficients<KICKS>, const KICKS: usize> ForceGradient<C, K
         ForceGradient { coefficients }
     }
 
-    const JOINED_NAME: Name = Name::of(&["ForceGradient(", C::NAME, ")"]);
+    const JOINED: Name = Name::of(&["ForceGradient(", C::NAME, ")"]);
 }
 
 impl ForceGradient<Omelyan4S5, 5> {
@@ -98,7 +98,7 @@ impl ForceGradient<Omelyan8S11, 11> {
 }
 
 impl<C: ForceGradientCoefficients<N>, const N: usize> Method for ForceGradient<C, N> {
-    const NAME: &'static str = Self::JOINED_NAME.text();
+    const NAME: &'static str = Self::JOINED.text();
     const ORDER: u32 = C::ORDER;
     const SYMMETRIC: bool = true;
 

@@ -3,10 +3,10 @@
 pub(crate) mod coefficients;
 
 use self::coefficients::{Blanes8S19, BlanesMoan4S6, BlanesMoan6S14, NystromCoefficients};
-use super::name::Name;
 use super::splitting::{First, Splitting};
 use super::{Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
+use crate::name::Name;
 
 /// A Runge–Kutta–Nyström splitting: drifts and kicks in turn, of order 4, 6 or 8.
 ///
@@ -74,7 +74,7 @@ impl<C: NystromCoefficients<KICKS>, const KICKS: usize> Nystrom<C, KICKS> {
         Nystrom { coefficients }
     }
 
-    const JOINED_NAME: Name = Name::of(&["Nystrom(", C::NAME, ")"]);
+    const JOINED: Name = Name::of(&["Nystrom(", C::NAME, ")"]);
 }
 
 impl Nystrom<BlanesMoan4S6, 6> {
@@ -99,7 +99,7 @@ impl Nystrom<Blanes8S19, 19> {
 }
 
 impl<C: NystromCoefficients<N>, const N: usize> Method for Nystrom<C, N> {
-    const NAME: &'static str = Self::JOINED_NAME.text();
+    const NAME: &'static str = Self::JOINED.text();
     const ORDER: u32 = C::ORDER;
     const SYMMETRIC: bool = true;
 

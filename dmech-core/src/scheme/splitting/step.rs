@@ -77,6 +77,11 @@ macro_rules! stepped_by_drifts_and_kicks {
                 system.room()
             }
 
+            #[inline(always)]
+            fn watch(&self, watched: bool, room: &mut Y::Room) {
+                Y::watch(watched, room);
+            }
+
             fn begin(
                 &self,
                 system: &Y,

@@ -4,7 +4,7 @@ mod fault;
 mod range;
 mod solve;
 mod stride;
-pub(crate) mod vector;
+pub mod vector;
 mod workless;
 
 use fault::Attempt;

@@ -1,4 +1,4 @@
-//! Arithmetic of arrays, for the schemes.
+//! Arithmetic of arrays, for schemes and for laws by hand.
 
 use core::array::from_fn;
 
@@ -6,31 +6,31 @@ use dmech_scalar::{Mask, Real};
 
 /// x + c y.
 #[inline(always)]
-pub(crate) fn add_scaled<const D: usize, R: Real>(x: [R; D], c: R, y: [R; D]) -> [R; D] {
+pub fn add_scaled<const D: usize, R: Real>(x: [R; D], c: R, y: [R; D]) -> [R; D] {
     from_fn(|i| c.mul_add(y[i], x[i]))
 }
 
 /// c x.
 #[inline(always)]
-pub(crate) fn scaled<const D: usize, R: Real>(c: R, x: [R; D]) -> [R; D] {
+pub fn scaled<const D: usize, R: Real>(c: R, x: [R; D]) -> [R; D] {
     x.map(|x| c * x)
 }
 
 /// x + y.
 #[inline(always)]
-pub(crate) fn sum<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
+pub fn sum<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
     from_fn(|i| x[i] + y[i])
 }
 
 /// x − y.
 #[inline(always)]
-pub(crate) fn difference<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
+pub fn difference<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
     from_fn(|i| x[i] - y[i])
 }
 
 /// x·y.
 #[inline(always)]
-pub(crate) fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {
+pub fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {
     if D == 0 {
         return R::ZERO;
     }
@@ -43,12 +43,12 @@ pub(crate) fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {
 
 /// Σ wᵢ xᵢ yᵢ; [`dot`] to the bit where the weights are 1.
 #[inline(always)]
-pub(crate) fn weighted<const D: usize, R: Real>(weights: [f64; D], x: [R; D], y: [R; D]) -> R {
+pub fn weighted<const D: usize, R: Real>(weights: [f64; D], x: [R; D], y: [R; D]) -> R {
     dot(from_fn(|i| R::from_f64(weights[i]) * x[i]), y)
 }
 
 /// Every component is finite in every lane.
 #[inline(always)]
-pub(crate) fn finite<const D: usize, R: Real>(x: [R; D]) -> bool {
+pub fn finite<const D: usize, R: Real>(x: [R; D]) -> bool {
     x.iter().all(|x| x.finite().all())
 }

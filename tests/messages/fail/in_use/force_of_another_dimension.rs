@@ -1,6 +1,6 @@
 //! Which of the two numbers of coordinates is meant is not known.
 use dmech::prelude::*;
-use dmech::verify::verify;
+use dmech::verify;
 
 #[derive(Clone, Copy)]
 struct Drag {

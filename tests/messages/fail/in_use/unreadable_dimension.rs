@@ -1,6 +1,6 @@
 //! A law whose number of coordinates cannot be read is still a law to all who use it.
 use dmech::prelude::*;
-use dmech::verify::verify;
+use dmech::verify;
 
 #[derive(Clone, Copy)]
 struct Kepler {

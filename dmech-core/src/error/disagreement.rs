@@ -1,0 +1,101 @@
+//! What is stepped is not what was written.
+
+use core::fmt;
+
+/// A law that does not step what its author wrote: both values, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disagreement {
+    pub(crate) quantity: &'static str,
+    pub(crate) written: f64,
+    pub(crate) derived: f64,
+    pub(crate) time: f64,
+    /// The first coordinates, and how many there are.
+    pub(crate) place: [f64; 3],
+    pub(crate) dimension: u32,
+    pub(crate) culprit: Culprit,
+}
+
+/// Which body or bodies of a scene it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Culprit {
+    /// There is only one.
+    Alone,
+    /// This one.
+    #[cfg(feature = "scene")]
+    Body(usize),
+    /// These two.
+    #[cfg(feature = "scene")]
+    Link(usize, usize),
+}
+
+impl Disagreement {
+    /// `potential` or `force`.
+    pub fn quantity(&self) -> &'static str {
+        self.quantity
+    }
+
+    /// What the author's method gives.
+    pub fn written(&self) -> f64 {
+        self.written
+    }
+
+    /// What was derived from its text.
+    pub fn derived(&self) -> f64 {
+        self.derived
+    }
+
+    /// The time.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The position, or the separation of two bodies: at most the first three coordinates.
+    pub fn place(&self) -> &[f64] {
+        &self.place[..self.place.len().min(self.dimension as usize)]
+    }
+
+    /// The same law, on these bodies of a scene.
+    #[cfg(feature = "scene")]
+    pub(crate) fn on(self, culprit: Culprit) -> Self {
+        Disagreement { culprit, ..self }
+    }
+}
+
+impl fmt::Display for Disagreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Disagreement { quantity, written, derived, time, .. } = self;
+        let place = if matches!(self.culprit, Culprit::Alone) || self.is_on_one() { "q" } else { "d" };
+        write!(f, "the law is not stepped as it is written: at {place} = ")?;
+        let more = if self.place().len() < self.dimension as usize { ", …" } else { "" };
+        match self.place() {
+            [x] => write!(f, "{x:?}")?,
+            [x, y] => write!(f, "({x:?}, {y:?})")?,
+            [x, y, z, ..] => write!(f, "({x:?}, {y:?}, {z:?}{more})")?,
+            [] => {}
+        }
+        write!(f, ", t = {time:?}")?;
+        match self.culprit {
+            Culprit::Alone => {}
+            #[cfg(feature = "scene")]
+            Culprit::Body(body) => write!(f, ", body {body}")?,
+            #[cfg(feature = "scene")]
+            Culprit::Link(a, b) => write!(f, ", bodies {a} and {b}")?,
+        }
+        write!(
+            f,
+            " the method gives the {quantity} {written:?}, and what was derived from its text {derived:?}. A name in it stands \
+             for something else than the macro, which sees text only, takes it for: a constant, module or type of your own \
+             that is called like one of `std` or nalgebra, or two variables of a `macro_rules!` that are spelt alike; give it \
+             another name"
+        )
+    }
+}
+
+impl Disagreement {
+    fn is_on_one(&self) -> bool {
+        #[cfg(feature = "scene")]
+        return matches!(self.culprit, Culprit::Body(_));
+        #[cfg(not(feature = "scene"))]
+        true
+    }
+}

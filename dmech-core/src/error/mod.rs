@@ -1,0 +1,234 @@
+//! What can go wrong, with numbers: of a run here, of setting up a scene in `SceneError`.
+
+mod disagreement;
+mod place;
+#[cfg(feature = "scene")]
+mod scene;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use disagreement::Culprit;
+pub use disagreement::Disagreement;
+pub use place::Place;
+#[cfg(feature = "scene")]
+pub use scene::SceneError;
+
+use thiserror::Error;
+
+use crate::text::Number;
+
+/// Why a simulation did not start or did not go on.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// No time step was given.
+    #[error("the time step is missing: call .dt(h)")]
+    MissingTimeStep,
+    /// The time step is zero, negative, infinite or NaN.
+    #[error("the time step must be positive and finite, not dt = {}", Number(*dt))]
+    TimeStep {
+        /// The refused time step.
+        dt: f64,
+    },
+    /// The tolerance of [`Simulation::adaptive`](crate::Simulation::adaptive) is zero, negative, infinite or NaN.
+    #[error("the tolerance must be positive and finite, not {}", Number(*tolerance))]
+    Tolerance {
+        /// The refused tolerance.
+        tolerance: f64,
+    },
+    /// Nothing tells how long a step may be: the force does not vary where the motion is, or the law names the time.
+    #[error(
+        "the law does not tell how long step {step} from t = {} may be (its force is uniform there, or it names the time): give the longest step with .dt(h)",
+        Number(*time)
+    )]
+    NoTimeScale {
+        /// The number of the step, counted from 1.
+        step: u64,
+        /// The time at which the step begins.
+        time: f64,
+    },
+    /// The step that the motion asks for is lost in the rounding of the time, as in a collision.
+    #[error("step {step} from t = {} would have to be as short as {}", Number(*time), Number(*dt))]
+    StepVanished {
+        /// The number of the step, counted from 1.
+        step: u64,
+        /// The time at which the step begins.
+        time: f64,
+        /// The time step.
+        dt: f64,
+    },
+    /// The mass is zero, negative, infinite or NaN.
+    #[error("the mass must be positive and finite, not {}", Number(*mass))]
+    Mass {
+        /// The refused mass.
+        mass: f64,
+    },
+    /// A component of the initial state is infinite or NaN.
+    #[error("the initial state must be finite: {quantity} = {}", Number(*value))]
+    State {
+        /// `t`, `q` or `v`.
+        quantity: &'static str,
+        /// The refused value.
+        value: f64,
+    },
+    /// `record_every(0)`.
+    #[error("record_every needs at least 1")]
+    RecordEvery,
+    /// The end of `run_until` is infinite or NaN, or too many steps away.
+    #[error("cannot run until t = {} in steps of {}: the end must be finite, and 2^53 steps away at most", Number(*end), Number(*dt))]
+    EndTime {
+        /// The refused end.
+        end: f64,
+        /// The time step.
+        dt: f64,
+    },
+    /// The time is so large that a step does not change it, or by its rounding only.
+    #[error(
+        "at t = {} time stands still in steps of {}: the next number is {} later; count time from a later origin or take longer steps",
+        Number(*time),
+        Number(*dt),
+        Number(time.abs().next_up() - time.abs())
+    )]
+    TimeStandsStill {
+        /// The time.
+        time: f64,
+        /// The time step.
+        dt: f64,
+    },
+    /// The law has no finite value where the motion starts.
+    #[error("the {quantity} of the law is {} at the start, t = {}", Number(*value), Number(*time))]
+    Law {
+        /// `potential` or `force`.
+        quantity: &'static str,
+        /// Its value, or that of its worst component.
+        value: f64,
+        /// The time of the start.
+        time: f64,
+    },
+    /// The force is zero where the potential has a slope: in these units it is lost below the smallest number of the
+    /// scalar, as 1/r³ is for r = 10¹⁵⁰ where 1/r is not.
+    #[error(
+        "the force along coordinate {coordinate} is 0 at the start, t = {}, where the potential rises by {} per length: \
+         a power of the position is too small for the scalar, take a larger unit of length",
+        Number(*time),
+        Number(*slope)
+    )]
+    Underflow {
+        /// The coordinate, counted from 0.
+        coordinate: usize,
+        /// The slope of the potential along it, as a difference shows it.
+        slope: f64,
+        /// The time of the start.
+        time: f64,
+    },
+    /// What a macro derived from the text of a law is not what the method gives: a name means something else than its text.
+    #[error("{0}")]
+    NotAsWritten(Disagreement),
+    /// A scene that cannot be set up.
+    #[cfg(feature = "scene")]
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A law between two bodies has no finite value where they are.
+    #[error("{}, step {step}, t = {}", link(*a, *b, *distance), Number(*time))]
+    Link {
+        /// The first body.
+        a: usize,
+        /// The second body.
+        b: usize,
+        /// Their distance.
+        distance: f64,
+        /// The step that led there; 0 at the start.
+        step: u64,
+        /// The time at which that step began.
+        time: f64,
+    },
+    /// A law on one body has no finite value where it is.
+    #[error("what acts on body {body} at q = {place} is {}, step {step}, t = {}", Number(*value), Number(*time))]
+    Body {
+        /// The body.
+        body: usize,
+        /// The potential, or a component of the force.
+        value: f64,
+        /// Where the body is.
+        place: Place,
+        /// The step that led there; 0 at the start.
+        step: u64,
+        /// The time at which that step began.
+        time: f64,
+    },
+    /// A step led to an infinite position or velocity.
+    #[error(
+        "step {step} from t = {} with dt = {} led to a position or velocity that is not finite",
+        Number(*time),
+        Number(*dt)
+    )]
+    NotFinite {
+        /// The number of the step, counted from 1.
+        step: u64,
+        /// The time at which the step began.
+        time: f64,
+        /// The time step.
+        dt: f64,
+    },
+    /// The law is not finite where the equation of an implicit step looks for its solution, and there is none before.
+    #[error(
+        "step {step} from t = {} with dt = {} has no end: the {quantity} of the law is {} at q = {place}",
+        Number(*time),
+        Number(*dt),
+        Number(*value)
+    )]
+    LawInStep {
+        /// `force`, `potential`, `discrete gradient`, or the derivative of one of them.
+        quantity: &'static str,
+        /// Its value, or that of its worst component.
+        value: f64,
+        /// Where on the way.
+        place: Place,
+        /// The number of the step, counted from 1; 0 for a scheme's own start.
+        step: u64,
+        /// The time at which the step began.
+        time: f64,
+        /// The time step.
+        dt: f64,
+    },
+    /// The equation of an implicit step has no solution that can be reached from a shorter step.
+    #[error(
+        "step {step} from t = {} with dt = {} did not converge: after {iterations} iterations the last correction was {}",
+        Number(*time),
+        Number(*dt),
+        Number(*residual)
+    )]
+    NotConverged {
+        /// The number of the step, counted from 1; 0 for a scheme's own start.
+        step: u64,
+        /// The time at which the step began.
+        time: f64,
+        /// The time step.
+        dt: f64,
+        /// Newton corrections made.
+        iterations: u32,
+        /// Largest component of the last correction (a length); infinite where that was no number.
+        residual: f64,
+    },
+    /// A study that does not end after it starts, or a run that is to end before.
+    #[error("the end must come after the start: from t = {} to t = {}", Number(*start), Number(*end))]
+    Span {
+        /// The time of the start.
+        start: f64,
+        /// The refused end.
+        end: f64,
+    },
+    /// A checkpoint of another simulation (feature `serde`).
+    #[cfg(feature = "serde")]
+    #[error("cannot resume: {0}")]
+    Checkpoint(crate::checkpoint::Difference),
+}
+
+/// What is wrong between two bodies.
+fn link(a: usize, b: usize, distance: f64) -> String {
+    if distance == 0.0 {
+        format!("bodies {a} and {b} coincide, where their law is not finite")
+    } else {
+        format!("what acts between bodies {a} and {b} at the distance {} is not finite", Number(distance))
+    }
+}

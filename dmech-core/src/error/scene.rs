@@ -1,0 +1,80 @@
+//! What can be wrong with a scene before it moves.
+
+use thiserror::Error;
+
+use crate::text::Number;
+
+/// Why a scene cannot be set up.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// A scene without bodies.
+    #[error("the scene has no bodies")]
+    Empty,
+    /// The mass of a body is zero, negative, infinite or NaN.
+    #[error("the mass of body {body} must be positive and finite, not {}", Number(*mass))]
+    Mass {
+        /// The body, counted from 0.
+        body: usize,
+        /// The refused mass.
+        mass: f64,
+    },
+    /// A component of the position or velocity of a body is infinite or NaN.
+    #[error("body {body} must start from a finite state: {quantity} = {}", Number(*value))]
+    State {
+        /// The body, counted from 0.
+        body: usize,
+        /// `q` or `v`.
+        quantity: &'static str,
+        /// The refused value.
+        value: f64,
+    },
+    /// A pin on a body that is not there.
+    #[error("body {body} cannot be pinned: the bodies are 0 to {}", bodies - 1)]
+    Pin {
+        /// The body.
+        body: usize,
+        /// The number of bodies.
+        bodies: usize,
+    },
+    /// A pinned body with a velocity.
+    #[error("body {body} is pinned and must start at rest: a component of its velocity is {}", Number(*speed))]
+    PinnedMoves {
+        /// The body.
+        body: usize,
+        /// A component of its velocity.
+        speed: f64,
+    },
+    /// A bond with a body that is not there.
+    #[error("no bond between {a} and {b}: the bodies are 0 to {}", bodies - 1)]
+    Bond {
+        /// The first body.
+        a: usize,
+        /// The second body.
+        b: usize,
+        /// The number of bodies.
+        bodies: usize,
+    },
+    /// A bond of a body with itself.
+    #[error("body {body} is bonded to itself")]
+    SelfBond {
+        /// The body.
+        body: usize,
+    },
+    /// A bond that is listed twice.
+    #[error("the bond between bodies {a} and {b} is listed twice")]
+    DuplicateBond {
+        /// The first body.
+        a: usize,
+        /// The second body.
+        b: usize,
+    },
+    /// A state with another number of bodies to start from.
+    #[error("the state has {given} bodies, the scene {bodies}")]
+    Bodies {
+        /// Those of the state.
+        given: usize,
+        /// Those of the scene.
+        bodies: usize,
+    },
+}

@@ -1,0 +1,49 @@
+//! Names of schemes, put together when the program is compiled or read from a checkpoint.
+
+use core::fmt;
+
+/// The name of a scheme: room for its letters, and how much of it is used.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Name {
+    bytes: [u8; 96],
+    length: usize,
+}
+
+impl Name {
+    /// The parts one after the other, as far as there is room.
+    pub const fn of(parts: &[&str]) -> Self {
+        let mut name = Name { bytes: [0; 96], length: 0 };
+        let mut p = 0;
+        while p < parts.len() {
+            let part = parts[p].as_bytes();
+            let mut i = 0;
+            while i < part.len() && name.length < name.bytes.len() {
+                name.bytes[name.length] = part[i];
+                name.length += 1;
+                i += 1;
+            }
+            p += 1;
+        }
+        name
+    }
+
+    /// The name.
+    pub const fn text(&self) -> &str {
+        match core::str::from_utf8(self.bytes.split_at(self.length).0) {
+            Ok(text) => text,
+            Err(_) => "another scheme",
+        }
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.text())
+    }
+}
+
+impl fmt::Debug for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(self.text(), f)
+    }
+}

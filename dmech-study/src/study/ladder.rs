@@ -1,0 +1,62 @@
+//! Which steps a study takes.
+
+use dmech_core::Error;
+
+use super::row::StudyRow;
+use crate::motion::Scales;
+
+/// No run of a default ladder is followed by another with twice its work once it needed this many forces.
+const MOST_FORCES: u64 = 1 << 21;
+
+/// Halvings in a default ladder: enough for any law whose start has a time of its own.
+const MOST_HALVINGS: i32 = 24;
+
+/// From the largest step to the smallest, each once.
+pub(super) fn checked(mut steps: Vec<f64>) -> Result<Vec<f64>, Error> {
+    if steps.is_empty() {
+        return Err(Error::MissingTimeStep);
+    }
+    if let Some(&dt) = steps.iter().find(|dt| !(**dt > 0.0 && dt.is_finite())) {
+        return Err(Error::TimeStep { dt });
+    }
+    steps.sort_by(|a, b| b.total_cmp(a));
+    steps.dedup();
+    Ok(steps)
+}
+
+/// h, h/2, h/4, …
+pub(super) fn halvings(first: f64) -> impl Iterator<Item = f64> {
+    (0..MOST_HALVINGS).map(move |k| first * f64::from(-k).exp2())
+}
+
+/// The rows of a scheme without a ladder: from a step that is too large to one that is small enough.
+pub(super) fn default(scales: &Scales, resolution: f64, measure: impl Fn(f64) -> StudyRow) -> Vec<StudyRow> {
+    let mut rows = Vec::new();
+    for dt in halvings(scales.time) {
+        rows.push(measure(dt));
+        if is_long_enough(&rows, scales.length, resolution) {
+            break;
+        }
+    }
+    let mut doubled = scales.time;
+    while rows[0].steps() > 1 && rows[0].result().is_ok_and(|figures| figures.error() < 1e-2 * scales.length) {
+        doubled *= 2.0;
+        rows.insert(0, measure(doubled));
+    }
+    rows
+}
+
+/// Whether a smaller step would tell nothing: the last one was costly, or halving it no longer lessens the error.
+///
+/// Errors count as no longer falling only where they are small against the length, or at the error of the reference:
+/// large ones often rise before they fall. A run that fails may succeed with a smaller step.
+fn is_long_enough(rows: &[StudyRow], length: f64, resolution: f64) -> bool {
+    let figures = |row: &StudyRow| row.result().ok().copied();
+    let Some(last) = rows.last().and_then(figures) else {
+        return rows.last().is_some_and(|row| row.steps() > MOST_FORCES);
+    };
+    let stalled = |before: f64| before < 1e-8 * length && last.error() > 0.5 * before;
+    last.evaluations() >= MOST_FORCES
+        || last.error() <= resolution
+        || rows.iter().rev().nth(1).and_then(figures).is_some_and(|before| stalled(before.error()))
+}

@@ -1,0 +1,89 @@
+//! What a scheme keeps in the motion.
+
+use dmech_core::extend::{Kept, Scheme, System};
+use dmech_core::{Invariant, Run};
+
+use super::report::Check;
+use super::trial::{Halvings, Trial};
+use crate::motion::{Repeatable, StateOf};
+
+/// Steps in one unit of time, and steps in all.
+pub(super) const PER_TIME: f64 = 50.0;
+const STEPS: u64 = 2000;
+/// The explicit formulas spiral outward, some orbits to infinity.
+const EXPLICIT_STEPS: u64 = 200;
+
+impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Trial<L, X, S> {
+    /// The largest deviation of an invariant, over the largest |Φ| + K of the run, or over what K allows the momentum.
+    fn deviation(&self, run: &Run<StateOf<L, X>>, invariant: Invariant) -> Option<f64> {
+        let drift = run.drift(invariant)?;
+        if drift.max_abs() == 0.0 {
+            return Some(0.0);
+        }
+        let stepper = self.stepper(run.report().dt()).ok()?;
+        let system = stepper.system();
+        let size = |state: &StateOf<L, X>| {
+            let [q, v] = system.vectors(state);
+            let kinetic = system.kinetic_energy(&v);
+            match invariant {
+                // Cauchy and Schwarz: |Σ m q v|² ≤ Σ m q² Σ m v², and |Σ m v|² ≤ Σ m Σ m v².
+                Invariant::AngularMomentum => 2.0 * (kinetic * system.kinetic_energy(&q)).sqrt(),
+                Invariant::LinearMomentum => (2.0 * kinetic * run.report().mass()).sqrt(),
+                _ => system.potential(<X::System as System>::time(state), &q).abs() + kinetic,
+            }
+        };
+        let size = run.states().iter().map(size).fold(0.0, f64::max);
+        Some(drift.max_abs() / size)
+    }
+
+    /// Exact invariants to round-off; bounded ones by their order: half the step must leave much less than half.
+    pub(super) fn invariants(&self, scheme: &str, checks: &mut Vec<Check>) {
+        let steps = if S::ORDER == 1 { EXPLICIT_STEPS } else { STEPS };
+        let first = match self.run(self.scales.time / PER_TIME, steps) {
+            Ok(run) => run,
+            Err(error) => {
+                checks.push(Check::failed(format!("{scheme}: invariants"), error));
+                return;
+            }
+        };
+        for invariant in Invariant::ALL {
+            let name = format!("{scheme}: {invariant}");
+            match (S::keeps(invariant), self.deviation(&first, invariant)) {
+                (Kept::No, _) => {}
+                (_, None) => {
+                    if invariant == Invariant::Energy {
+                        checks.push(Check::not_applicable(name, "the law does not conserve it"));
+                    }
+                }
+                (Kept::Exact, Some(measured)) => {
+                    // A random walk of one unit of rounding per step has √n of them; a few in each of the sums.
+                    let bound = 32.0 * f64::EPSILON * (steps as f64).sqrt();
+                    checks.push(Check::at_most(name, measured, bound, format!("exact over {steps} steps, relative")));
+                }
+                (Kept::Bounded, Some(measured)) => checks.push(self.bounded(measured, invariant, name)),
+            }
+        }
+    }
+
+    fn bounded(&self, measured: f64, invariant: Invariant, name: String) -> Check {
+        // The deviation is O(h²); 1.5 leaves room for a step that is not yet small, and first order does not reach it.
+        const POWER: f64 = 1.5;
+        const ROUNDING: f64 = 1e-12;
+        let deviation = |level| {
+            if level == 0 {
+                return Ok(Some(measured));
+            }
+            let run = self.run(self.scales.time / (PER_TIME * f64::from(1 << level)), STEPS << level)?;
+            Ok(self.deviation(&run, invariant))
+        };
+        let reached = |powers: &[f64]| powers.last().is_some_and(|&power| power >= POWER);
+        match Halvings::measure(5, ROUNDING, deviation, reached) {
+            Err(error) => Check::failed(name, error),
+            Ok(Halvings { error, .. }) if error < ROUNDING => Check::at_most(name, error, ROUNDING, "kept to rounding"),
+            Ok(Halvings { powers, error, .. }) => {
+                let power = powers.last().copied().unwrap_or(f64::NAN);
+                Check::at_least(name, power, POWER, format!("bounded: power of the step; deviates by {error:.0e}"))
+            }
+        }
+    }
+}

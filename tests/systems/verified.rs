@@ -1,0 +1,204 @@
+//! `verify_scheme` passes every scheme and catches those that promise too much; a study of a scene is one of its law.
+
+use core::marker::PhantomData;
+
+use dmech::extend::{Beginning, Effort, Kept, Method, NotConverged, Scheme, System, WithoutVelocities};
+use dmech::models::pairs::Spring;
+use dmech::prelude::*;
+use dmech::{StudyError, verify_scheme};
+
+/// Every scheme passes, on laws and on the scene, and each has something to show.
+#[test]
+fn every_scheme_passes() {
+    macro_rules! passes {
+        ($($scheme:expr),* $(,)?) => { $({
+            let report = verify_scheme($scheme);
+            report.assert();
+            let measured = report.checks().iter().filter(|check| check.measured().is_some()).count();
+            assert!(measured >= 6, "{report}");
+        })* };
+    }
+    passes![
+        Explicit,
+        Leapfrog,
+        CompensatedLeapfrog,
+        Implicit,
+        DiscreteGradient,
+        Kanatani,
+        Composed::order4(Leapfrog),
+        Composed::order4(Implicit),
+        Composed::order6(DiscreteGradient),
+        Nystrom::order6(),
+        ForceGradient::order4(),
+    ];
+}
+
+/// Leap-frog that promises what another says of itself.
+#[derive(Clone, Copy, Debug)]
+struct Promising<P>(PhantomData<P>);
+
+trait Promise: Copy + core::fmt::Debug {
+    const ORDER: u32 = 2;
+    const SYMMETRIC: bool = true;
+    fn keeps(invariant: Invariant) -> Kept {
+        Leapfrog::keeps(invariant)
+    }
+}
+
+impl<P: Promise> Method for Promising<P> {
+    const NAME: &'static str = "Promising";
+    const ORDER: u32 = P::ORDER;
+    const SYMMETRIC: bool = P::SYMMETRIC;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        P::keeps(invariant)
+    }
+}
+
+/// The steps are those of `Explicit` where the promise is symmetry, and of leap-frog elsewhere.
+impl<P: Promise, Y: System + WithoutVelocities> Scheme<Y> for Promising<P> {
+    type Memory = <Leapfrog as Scheme<Y>>::Memory;
+    type Workspace = <Leapfrog as Scheme<Y>>::Workspace;
+
+    fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
+        Leapfrog.workspace(system, stride)
+    }
+    fn begin(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        start: &Beginning<'_, Y>,
+        room: &mut Self::Workspace,
+    ) -> Result<Self::Memory, NotConverged> {
+        Leapfrog.begin(system, stride, start, room)
+    }
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut Self::Memory,
+        room: &mut Self::Workspace,
+    ) -> Result<Effort, NotConverged> {
+        Leapfrog.step(system, stride, t, memory, room)
+    }
+    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+        <Leapfrog as Scheme<Y>>::position(&Leapfrog, memory)
+    }
+    fn velocity(&self, system: &Y, stride: &Y::Stride, t: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+        Leapfrog.velocity(system, stride, t, memory)
+    }
+    fn finite(&self, memory: &Self::Memory) -> bool {
+        <Leapfrog as Scheme<Y>>::finite(&Leapfrog, memory)
+    }
+    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+        Leapfrog.kinetic_energy(system, memory)
+    }
+    fn work(&self, system: &Y, stride: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
+        Leapfrog.work(system, stride, before, after)
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Honest;
+impl Promise for Honest {}
+
+#[derive(Clone, Copy, Debug)]
+struct OrderFour;
+impl Promise for OrderFour {
+    const ORDER: u32 = 4;
+}
+
+#[derive(Clone, Copy, Debug)]
+struct ExactEnergy;
+impl Promise for ExactEnergy {
+    fn keeps(invariant: Invariant) -> Kept {
+        if invariant == Invariant::Energy { Kept::Exact } else { Leapfrog::keeps(invariant) }
+    }
+}
+
+#[test]
+fn promises_that_are_not_kept_are_found() {
+    fn failed<P: Promise>() -> Vec<String> {
+        let report = verify_scheme(Promising::<P>(PhantomData));
+        let failed = report.checks().iter().filter(|check| check.outcome() == dmech_study::verify::Outcome::Failed);
+        failed.map(|check| check.name().to_owned()).collect()
+    }
+    assert_eq!(failed::<Honest>(), [""; 0]);
+    let on_all = |what: &str| ["one coordinate", "two coordinates", "three bodies"].map(|on| format!("{on}: {what}"));
+    assert_eq!(failed::<OrderFour>(), on_all("order"));
+    assert_eq!(failed::<ExactEnergy>(), on_all("energy"));
+}
+
+/// Two bodies on a spring in a scene and as one law of their distance: the same errors, step for step.
+#[test]
+fn a_study_of_a_scene_is_one_of_its_law() -> Result<(), StudyError> {
+    let spring = Spring { k: 2.3, length: 0.0 };
+    let scene = || Scene::new().body(1.7, [0.7], [0.0]).body(0.6, [-0.4], [0.0]).pairs(spring);
+    // d = q₁ − q₂ = 1.1 cos ωt, ω² = k/μ, about a centre that rests.
+    let (centre, omega) = ((1.7 * 0.7 - 0.6 * 0.4) / 2.3, (2.3_f64 * 2.3 / (1.7 * 0.6)).sqrt());
+    let exact = |t: f64| {
+        let d = 1.1 * (omega * t).cos();
+        vec![[centre + 0.6 / 2.3 * d], [centre - 1.7 / 2.3 * d]]
+    };
+    let steps = [0.1, 0.05, 0.025];
+    let study = |study: Study<'static, (), _>| {
+        study
+            .scheme(Leapfrog)
+            .scheme(DiscreteGradient)
+            .adaptive(Nystrom::order6(), [1e-4, 1e-7])
+            .ladder(steps)
+            .repetitions(1)
+    };
+    let report = study(Study::scene(scene(), 9.0)).exact(exact).run()?;
+    println!("{report}");
+    assert_eq!(report.rows().len(), 8);
+    let error = |scheme: usize, row: usize| report.rows_of(scheme).nth(row).unwrap().result().unwrap().error();
+    for scheme in 0..2 {
+        let order = (error(scheme, 1) / error(scheme, 2)).log2();
+        assert!((order - 2.0).abs() < 0.05, "{order}");
+    }
+    assert!(error(2, 1) < 1e-6 && error(2, 1) < error(2, 0));
+    // As one coordinate of reduced mass: the distance in the space of both bodies is √(0.6² + 1.7²)/2.3 of that.
+    #[derive(Clone, Copy, Debug, dmech::Law)]
+    #[potential(|q: [f64; 1]| 0.5 * self.k * q[0] * q[0])]
+    struct Apart {
+        k: f64,
+    }
+    let law = Study::new(Apart { k: 2.3 }, State::new([1.1], [0.0]), 9.0).mass(1.7 * 0.6 / 2.3).scheme(Leapfrog);
+    let one = law.ladder(steps).exact(|t| [1.1 * (omega * t).cos()]).repetitions(1).run()?;
+    let share = 0.6_f64.hypot(1.7) / 2.3;
+    for (row, expected) in one.rows().iter().enumerate() {
+        let expected = share * expected.result().unwrap().error();
+        assert!((error(0, row) / expected - 1.0).abs() < 1e-9, "{} {expected}", error(0, row));
+    }
+    // Without a solution: a reference of its own.
+    let computed = study(Study::scene(scene(), 9.0)).run()?;
+    let reference = computed.reference().unwrap().error();
+    assert!(reference < 1e-11, "{reference:e}");
+    let again = computed.rows_of(0).next().unwrap().result().unwrap().error();
+    assert!((again - error(0, 0)).abs() < 1e-11, "{again}");
+    // A solution with too few coordinates is refused.
+    let few = Study::scene(scene(), 9.0).scheme(Leapfrog).exact(|_| vec![[0.0]]).run().unwrap_err();
+    assert_eq!(few, StudyError::Coordinates { given: 1, needed: 2 });
+    Ok(())
+}
+
+/// A scene goes on from a state, and not from one of other bodies.
+#[test]
+fn a_scene_starts_from_a_state() {
+    let spring = Spring { k: 2.3, length: 0.4 };
+    let scene = || Scene::new().body(1.7, [0.7], [0.1]).body(0.6, [-0.4], [0.0]).pairs(spring);
+    let run = |steps| Simulation::scene(scene()).scheme(DiscreteGradient).dt(0.01).run(steps).unwrap();
+    let (whole, half) = (run(200), run(100));
+    let rest =
+        Simulation::scene(scene()).scheme(DiscreteGradient).dt(0.01).starting_from(half.last()).run(100).unwrap();
+    assert_eq!(rest.states()[0], *half.last());
+    for (a, b) in whole.last().q.iter().zip(&rest.last().q) {
+        assert!((a[0] - b[0]).abs() < 1e-13);
+    }
+    let mut one = half.last().clone();
+    one.q.pop();
+    let refused = Simulation::scene(scene()).scheme(Leapfrog).dt(0.01).starting_from(&one).run(1).unwrap_err();
+    assert_eq!(refused.cause(), Error::Scene(dmech::SceneError::Bodies { given: 1, bodies: 2 }));
+}

@@ -83,13 +83,29 @@
 //! #     }
 //! # }
 //!
-//! // It runs, is watched, and enters studies, like any other.
+//! // It runs and is watched like any other.
 //! let (law, start) = (Quartic { k: 1.7 }, State::new([1.0], [0.3]));
 //! let run = Simulation::new(law, start).scheme(DriftKickDrift).dt(0.01).run_until(50.0)?;
 //! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-3);
 //! assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-13);
+//!
+//! // Its step depends on the state alone: it can be composed to a higher order.
+//! impl OneStep for DriftKickDrift {}
+//! let run = Simulation::new(law, start).scheme(Composed::order6(Steps(DriftKickDrift))).dt(0.05).run_until(50.0)?;
+//! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-6);
+//!
+//! // Bodies of a scene move by it as well.
+//! # #[cfg(feature = "scene")]
+//! # {
+//! let scene = Scene::new().body(1.3, [0.4], [0.0]).body(0.7, [-0.6], [0.1]).field(law);
+//! let run = Simulation::scene(scene).scheme(DriftKickDrift).dt(0.01).run(1000)?;
+//! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-3);
+//! # }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! `dmech::verify_scheme(DriftKickDrift).assert()` in a test measures that it has the order, keeps the invariants and finds the
+//! way back that it claims, on laws and on a scene; `dmech::Study` compares it with others.
 //!
 //! An implicit scheme asks for [`System::solve_mean`], [`System::solve_exact`] or [`System::solve_across`] and settles what was
 //! found; its workspace is the solver of the system. A splitting needs no code: [`Nystrom::new`](crate::Nystrom::new) and
@@ -113,10 +129,12 @@ pub use crate::newton::{self, Equation, Increment, NotConverged};
 #[cfg(feature = "scene")]
 pub use crate::pair::LinkLaw;
 pub use crate::pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
-pub use crate::scheme::{Adaptable, Adaptive, Effort, Method, Scheme, WithoutVelocities};
+pub use crate::scheme::{Adaptable, Adaptive, Effort, Method, OneStep, Scheme, Steps, WithoutVelocities};
 pub use crate::setup::Setup;
 pub use crate::simulation::NoScheme;
 pub use crate::system::{Ahead, Kick, Particle, Start as Beginning, Step, Stride, System, TimeScale, vector};
+#[cfg(feature = "nalgebra")]
+pub use crate::vectors::OfVectors;
 pub use crate::watch::{Drifts, Watch};
 #[cfg(feature = "scene")]
 pub use dmech_scalar::Lanes;

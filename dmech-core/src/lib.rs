@@ -5,6 +5,8 @@
 //! and a report.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "approx")]
+mod approx;
 #[cfg(feature = "serde")]
 mod checkpoint;
 mod csv;
@@ -26,6 +28,8 @@ mod simulation;
 mod state;
 mod stepper;
 mod text;
+#[cfg(feature = "nalgebra")]
+mod vectors;
 mod watch;
 #[doc(hidden)]
 pub mod written;

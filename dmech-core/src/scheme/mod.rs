@@ -17,7 +17,9 @@ mod splitting;
 
 pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
 pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
-pub use composed::{Coefficients, Composable, Composed, Stage, StagesMemory, coefficients};
+pub use composed::{
+    Coefficients, Composable, Composed, OneStep, Stage, StagesMemory, Steps, StepsMemory, StepsRoom, coefficients,
+};
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
 pub use force_gradient::ForceGradient;

@@ -3,6 +3,7 @@
 mod leapfrog;
 mod predictor;
 mod stages;
+mod steps;
 
 pub mod coefficients;
 
@@ -11,6 +12,7 @@ mod tests;
 
 pub use coefficients::Coefficients;
 pub use stages::{Stage, StagesMemory};
+pub use steps::{OneStep, Steps, StepsMemory, StepsRoom};
 
 use dmech_scalar::Real;
 
@@ -83,7 +85,8 @@ pub struct Composed<S, C, const STAGES: usize> {
     message = "`{Self}` cannot be composed to a higher order",
     label = "not a symmetric one-step scheme",
     note = "`Kanatani` is a two-step scheme: its step needs the position before, at the same distance in time",
-    note = "`Explicit` is not symmetric; compose `Leapfrog`, `Implicit` or `DiscreteGradient`"
+    note = "`Explicit` is not symmetric; compose `Leapfrog`, `Implicit` or `DiscreteGradient`",
+    note = "a scheme of your own stands in `Steps`: `Composed::order4(Steps(scheme))`"
 )]
 pub trait Composable: Method {}
 

@@ -126,7 +126,7 @@ impl<L, X, S> Simulation<L, X, S> {
     /// | `Nystrom::order8()` | 0.28 | 0.98 | 3.4 |
     /// | `ForceGradient::order4()` | 0.62 | 1.1 | 1.3 |
     /// | `ForceGradient::order6()` | 0.93 | 1.0 | 0.37 |
-    /// | `ForceGradient::order8()` | 0.19 | 0.98 | 0.37 |
+    /// | `ForceGradient::order8()` | 0.20 | 0.99 | 2.2 |
     ///
     /// A close encounter wants a finer tolerance of an explicit scheme: at e = 0.9999 they need 10⁻⁸ or less for what the
     /// energy-exact ones give at any.

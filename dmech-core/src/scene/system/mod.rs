@@ -236,8 +236,9 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         v: &Vectors<D>,
         to: &mut Vectors<D>,
     ) {
-        if kick.e == 0.0 && self.kick_at_once(stride, kick, q, v, to) {
-            return;
+        if A::AT_ONCE && kick.e == 0.0 {
+            let (columns, v, to) = (stride.kick.columns(), v.columns(), to.columns_mut());
+            return self.acts.kick(q, kick.t, Kicked { b: kick.b, kick: columns, v, to });
         }
         self.slope(kick.t, q, v, &mut room.slope);
         let b = self.length(room, stride, kick, q);
@@ -468,20 +469,6 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 }
 
 impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
-    /// The kick without a slope that is stored, where what acts can do that.
-    #[inline(always)]
-    fn kick_at_once(
-        &self,
-        stride: &SceneStride<D>,
-        Kick { t, b, .. }: Kick<f64>,
-        q: &Vectors<D>,
-        v: &Vectors<D>,
-        to: &mut Vectors<D>,
-    ) -> bool {
-        let (kick, v, to) = (stride.kick.columns(), v.columns(), to.columns_mut());
-        self.acts.kick(q, t, Kicked { b, kick, v, to })
-    }
-
     /// The length of a kick by the slope in the room.
     #[inline(always)]
     fn length(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {

@@ -130,6 +130,8 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     const LINEAR: bool = <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
     const PIECEWISE: bool = <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
 
+    const AT_ONCE: bool = T::AT_ONCE && <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
+
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         let mut sum = 0.0;
         self.links.each(q.bodies(), |a, b| sum += self.between(a, b, t).potential(separation(q, a, b)));
@@ -151,9 +153,8 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     }
 
     #[inline]
-    fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) -> bool {
-        let alone = <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
-        alone && self.links.kick(&self.slope(t), q, &self.numbers, kick)
+    fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) {
+        self.links.kick(&self.slope(t), q, &self.numbers, kick);
     }
 
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {

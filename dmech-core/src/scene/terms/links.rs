@@ -11,6 +11,9 @@ use crate::scene::vectors::Vectors;
 
 /// A set of links between bodies.
 pub trait Links {
+    /// The gradient at a body is known in one pass over them.
+    const AT_ONCE: bool = false;
+
     /// Visits every link (a, b) in a fixed order.
     fn each(&self, bodies: usize, visit: impl FnMut(usize, usize));
 
@@ -45,15 +48,14 @@ pub trait Links {
         out: &mut Vectors<D>,
     );
 
-    /// Kicks by the gradient as it is computed, in one pass; `false` where that cannot be, and nothing is done.
+    /// Kicks by the gradient as it is computed, in one pass, where [`AT_ONCE`](Links::AT_ONCE) says so.
     fn kick<const D: usize, N: Numbers>(
         &self,
         _kernel: &impl Kernels<D, 1, N>,
         _q: &Vectors<D>,
         _numbers: &NumberColumns<N>,
         _kick: Kicked<'_, D>,
-    ) -> bool {
-        false
+    ) {
     }
 
     /// What it means for the Jacobian.
@@ -73,6 +75,8 @@ pub trait Links {
 pub struct Chain;
 
 impl Links for Chain {
+    const AT_ONCE: bool = true;
+
     #[inline]
     fn each(&self, bodies: usize, mut visit: impl FnMut(usize, usize)) {
         for b in 1..bodies {
@@ -96,9 +100,8 @@ impl Links for Chain {
         q: &Vectors<D>,
         numbers: &NumberColumns<N>,
         kick: Kicked<'_, D>,
-    ) -> bool {
+    ) {
         sweep::chain(*kernel, [q], numbers, kick);
-        true
     }
 
     fn topology(&self) -> Topology {

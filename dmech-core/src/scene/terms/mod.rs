@@ -63,6 +63,8 @@ pub trait Acts<const D: usize> {
 
     /// Nothing acts.
     const NOTHING: bool = false;
+    /// A kick needs no gradient that is stored before.
+    const AT_ONCE: bool = false;
 
     /// Φ(q).
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64;
@@ -73,11 +75,9 @@ pub trait Acts<const D: usize> {
         out.clear();
         self.add_gradient(q, t, out);
     }
-    /// Kicks by all that acts as it is computed, in one pass over the bodies; `false` where that cannot be, and nothing is
-    /// done.
-    fn kick(&self, _q: &Vectors<D>, _t: f64, _kick: Kicked<'_, D>) -> bool {
-        false
-    }
+    /// Kicks by all that acts as it is computed, in one pass over the bodies, where this can be done
+    /// ([`AT_ONCE`](Acts::AT_ONCE)).
+    fn kick(&self, _q: &Vectors<D>, _t: f64, _kick: Kicked<'_, D>) {}
     /// −c F(q, v).
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);
     /// ∇̄Φ(a, b).

@@ -67,6 +67,7 @@ impl WithoutVelocities for () {}
 
 impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     const NOTHING: bool = A::NOTHING && B::NOTHING;
+    const AT_ONCE: bool = A::NOTHING && B::AT_ONCE;
     const FORCED: bool = A::FORCED || B::FORCED;
     const CONSERVES_ENERGY: bool = A::CONSERVES_ENERGY && B::CONSERVES_ENERGY;
     const AUTONOMOUS: bool = A::AUTONOMOUS && B::AUTONOMOUS;
@@ -90,8 +91,8 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
             self.1.add_gradient(q, t, out);
         }
     }
-    fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) -> bool {
-        A::NOTHING && self.1.kick(q, t, kick)
+    fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) {
+        self.1.kick(q, t, kick);
     }
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.subtract_force(c, q, v, t, out);

@@ -2,7 +2,7 @@
 
 pub(crate) mod coefficients;
 
-use self::coefficients::{ForceGradientCoefficients, Omelyan4S5, Omelyan6S5, Omelyan8S11};
+use self::coefficients::{ForceGradientCoefficients, Omelyan4S5, Omelyan6S5, Smooth8S14};
 use super::splitting::{First, Splitting};
 use super::{Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
@@ -90,10 +90,10 @@ impl ForceGradient<Omelyan6S5, 5> {
     }
 }
 
-impl ForceGradient<Omelyan8S11, 11> {
-    /// Order 8, in the eleven kicks of [`Omelyan8S11`].
+impl ForceGradient<Smooth8S14, 14> {
+    /// Order 8, in the fourteen kicks of [`Smooth8S14`].
     pub const fn order8() -> Self {
-        ForceGradient::new(Omelyan8S11)
+        ForceGradient::new(Smooth8S14)
     }
 }
 

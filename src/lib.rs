@@ -122,7 +122,7 @@
 //! | [`Implicit`](struct@Implicit) | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
-//! | [`Composed`] | 4, 6, 8 | what the scheme keeps that it is composed of | 5, 13, 21 of its steps |
+//! | [`Composed`] | 4, 6, 8 | what the scheme keeps that it is composed of | 7, 13, 21 of its steps |
 //! | [`Nystrom`] | 4, 6, 8 | angular momentum; energy bounded | 6, 14, 19 forces |
 //! | [`ForceGradient`] | 4, 6, 8 | the same | 5, 5, 14 forces, and the change of 2, 3, 14 along themselves |
 //!

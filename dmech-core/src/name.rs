@@ -2,23 +2,26 @@
 
 use core::fmt;
 
+/// Enough for a composition that is adaptive; an error that holds one is still small.
+const ROOM: usize = 79;
+
 /// The name of a scheme: room for its letters, and how much of it is used.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Name {
-    bytes: [u8; 96],
-    length: usize,
+    bytes: [u8; ROOM],
+    length: u8,
 }
 
 impl Name {
     /// The parts one after the other, as far as there is room.
     pub const fn of(parts: &[&str]) -> Self {
-        let mut name = Name { bytes: [0; 96], length: 0 };
+        let mut name = Name { bytes: [0; ROOM], length: 0 };
         let mut p = 0;
         while p < parts.len() {
             let part = parts[p].as_bytes();
             let mut i = 0;
-            while i < part.len() && name.length < name.bytes.len() {
-                name.bytes[name.length] = part[i];
+            while i < part.len() && (name.length as usize) < ROOM {
+                name.bytes[name.length as usize] = part[i];
                 name.length += 1;
                 i += 1;
             }
@@ -29,7 +32,7 @@ impl Name {
 
     /// The name.
     pub const fn text(&self) -> &str {
-        match core::str::from_utf8(self.bytes.split_at(self.length).0) {
+        match core::str::from_utf8(self.bytes.split_at(self.length as usize).0) {
             Ok(text) => text,
             Err(_) => "another scheme",
         }

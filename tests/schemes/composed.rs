@@ -16,6 +16,7 @@ macro_rules! for_each_set {
     ($run:ident, $($rest:tt)*) => {
         $run! { TripleJump4, $($rest)* }
         $run! { Suzuki4, $($rest)* }
+        $run! { Suzuki4S7, $($rest)* }
         $run! { McLachlan4, $($rest)* }
         $run! { Yoshida6, $($rest)* }
         $run! { McLachlan6, $($rest)* }
@@ -71,7 +72,7 @@ fn every_composition_has_its_order() {
     let exact = path(WIND, Composed::order8(DiscreteGradient), start, 200).expect("small steps");
     for_each_set!(one, DiscreteGradient, WIND, start, exact);
     for_each_set!(one, Implicit, WIND, start, exact);
-    assert_eq!(measured, 14 * (3 + 3 + 2 + 2));
+    assert_eq!(measured, 15 * (3 + 3 + 2 + 2));
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 

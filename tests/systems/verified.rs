@@ -283,7 +283,7 @@ fn a_scheme_of_ones_own_composes() {
     fourth.assert();
     assert_eq!(fourth.checks().iter().filter(|check| check.name().ends_with("order")).count(), 3);
     verify_scheme(Composed::order6(Steps(DriftKickDrift))).assert();
-    assert_eq!(name(&Composed::order4(Steps(DriftKickDrift))), "Composed(DriftKickDrift, Suzuki4)");
+    assert_eq!(name(&Composed::order4(Steps(DriftKickDrift))), "Composed(DriftKickDrift, Suzuki4S7)");
     // Steps in a row, of which nobody asks the work, are those of a run.
     let law = Spring { k: 1.3, length: 0.9 };
     let scene = Scene::new().body(1.0, [0.4, 0.0], [0.0, 0.3]).body(0.6, [-0.9, 0.1], [0.2, 0.0]).pairs(law);

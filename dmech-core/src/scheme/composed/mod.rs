@@ -16,7 +16,7 @@ pub use steps::{OneStep, Steps, StepsMemory, StepsRoom};
 
 use dmech_scalar::Real;
 
-use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4};
+use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4S7};
 use super::splitting::digits;
 use super::{DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
@@ -126,10 +126,10 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
     }
 }
 
-impl<S: Composable> Composed<S, Suzuki4, 5> {
-    /// Order 4, in the five stages of [`Suzuki4`].
+impl<S: Composable> Composed<S, Suzuki4S7, 7> {
+    /// Order 4, in the seven stages of [`Suzuki4S7`].
     pub const fn order4(scheme: S) -> Self {
-        Composed::new(scheme, Suzuki4)
+        Composed::new(scheme, Suzuki4S7)
     }
 }
 

@@ -53,7 +53,7 @@ pub struct StepsRoom<T, M, W, const N: usize> {
 }
 
 #[cfg(feature = "serde")]
-impl<M: crate::checkpoint::Carried, R> crate::checkpoint::Carried for StepsMemory<M, R> {
+impl<M: crate::checkpoint::Carried, R: Clone> crate::checkpoint::Carried for StepsMemory<M, R> {
     fn carried(&mut self) -> Vec<&mut [f64]> {
         self.inner.carried()
     }

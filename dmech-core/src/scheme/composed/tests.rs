@@ -70,7 +70,7 @@ fn violations<C: Coefficients<N>, R: Real, const N: usize>() -> (f64, f64) {
 /// Runs a macro for every set.
 macro_rules! for_each_set {
     ($run:ident) => {
-        $run! { TripleJump4 Suzuki4 McLachlan4 Yoshida6 McLachlan6 KahanLi6 SofroniouSpaletta6S11 SofroniouSpaletta6 Yoshida8
+        $run! { TripleJump4 Suzuki4 Suzuki4S7 McLachlan4 Yoshida6 McLachlan6 KahanLi6 SofroniouSpaletta6S11 SofroniouSpaletta6 Yoshida8
         SuzukiUmeno8 McLachlan8 KahanLi8 Morales8 SofroniouSpaletta8 }
     };
 }
@@ -95,6 +95,7 @@ fn every_set_satisfies_the_conditions_of_its_order_and_no_more() {
 fn the_default_sets_satisfy_the_conditions_to_all_digits() {
     let all = [
         violations::<Suzuki4, DoubleDouble, _>().0,
+        violations::<Suzuki4S7, DoubleDouble, _>().0,
         violations::<SofroniouSpaletta6, DoubleDouble, _>().0,
         violations::<SofroniouSpaletta8, DoubleDouble, _>().0,
     ];

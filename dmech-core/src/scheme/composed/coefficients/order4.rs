@@ -33,6 +33,31 @@ impl Coefficients<5> for Suzuki4 {
     const LOW: [f64; 5] = palindrome([2.5197374150855977e-17, 2.5197374150855977e-17, 1.023280585909174e-17]);
 }
 
+/// Order 4 in 7 stages. Suzuki's fractal with three steps on either side: γ = 1/(6 − 6^{1/3}) but for γ₄ = 1 − 6γ. No stage is longer
+/// than 0.44 of the step.
+///
+/// At equal cost the energy-exact steps have 0.56 of the error of [`Suzuki4`] (0.49 to 0.56 on Kepler's problem at e = 0.33
+/// and 0.7, the pendulum, Hénon and Heiles, a quartic and an anharmonic well), leap-frog 0.58 to 1.05.
+///
+/// # Reference
+/// M. Suzuki, Phys. Lett. A 146 (1990) 319–323.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Suzuki4S7;
+
+#[expect(clippy::excessive_precision)]
+impl Coefficients<7> for Suzuki4S7 {
+    const NAME: &'static str = "Suzuki4S7";
+    const ORDER: u32 = 4;
+    const GAMMA: [f64; 7] = palindrome([
+        0.23906976574232126017724705,
+        0.23906976574232126017724705,
+        0.23906976574232126017724705,
+        -0.4344185944539275610634823,
+    ]);
+    const LOW: [f64; 7] =
+        palindrome([1.0519782117784042e-17, 1.0519782117784042e-17, 1.0519782117784042e-17, -7.607541475446419e-18]);
+}
+
 /// Order 4 in 5 stages. McLachlan's five stages.
 ///
 /// # Reference

@@ -116,26 +116,28 @@
 //! A [`Potential`](crate::Potential) with `impl Conservative for MyLaw {}` is a [`Law`](crate::Law); [`Field`] says what acts
 //! at one moment, and a [`PairLaw`] what acts between two bodies.
 
+#[cfg(feature = "nalgebra")]
+pub use crate::algebra::OfVectors;
 #[cfg(feature = "serde")]
-pub use crate::checkpoint::{Carried, Difference, Saved};
-pub use crate::csv::Columns;
+pub use crate::checkpoint::{Carried, Saved};
+#[cfg(feature = "serde")]
+pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};
-pub use crate::invariant::Kept;
+pub use crate::invariant::{Drifts, Kept};
+#[cfg(feature = "scene")]
+pub use crate::law::LinkLaw;
+pub use crate::law::Masses;
+pub use crate::law::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use crate::law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
-pub use crate::masses::Masses;
-pub use crate::motion::steps_until;
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
-#[cfg(feature = "scene")]
-pub use crate::pair::LinkLaw;
-pub use crate::pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
+pub use crate::run::{Columns, Watch};
 pub use crate::scheme::{Adaptable, Adaptive, Effort, Method, OneStep, Scheme, Steps, WithoutVelocities};
 pub use crate::setup::Setup;
 pub use crate::simulation::NoScheme;
-pub use crate::system::{Ahead, Kick, Particle, Start as Beginning, Step, Stride, System, TimeScale, vector};
-#[cfg(feature = "nalgebra")]
-pub use crate::vectors::OfVectors;
-pub use crate::watch::{Drifts, Watch};
+pub use crate::span::steps_until;
+pub use crate::system::{Ahead, Kick, Particle, Start as Beginning, Step, Stride, System, TimeScale};
+pub use crate::vector;
 #[cfg(feature = "scene")]
 pub use dmech_scalar::Lanes;
 pub use dmech_scalar::{DoubleDouble, Mask, Real};

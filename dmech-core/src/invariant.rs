@@ -61,6 +61,9 @@ impl core::fmt::Display for Kept {
     }
 }
 
+/// The drift of each invariant, by `Invariant as usize`.
+pub type Drifts = [Option<Drift>; Invariant::ALL.len()];
+
 /// How an invariant moved over the recorded states.
 ///
 /// For the angular momentum of more than two coordinates the values are norms of a tensor, and deviations the norm of

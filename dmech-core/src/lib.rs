@@ -5,34 +5,26 @@
 //! and a report.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "nalgebra")]
+mod algebra;
 #[cfg(feature = "approx")]
 mod approx;
 #[cfg(feature = "serde")]
 mod checkpoint;
-mod csv;
 mod error;
-mod interrupted;
 mod invariant;
 mod law;
-mod masses;
-mod motion;
 mod name;
-mod pair;
-mod progress;
-mod report;
 #[cfg(feature = "serde")]
 mod resume;
 mod run;
 mod setup;
 mod simulation;
+mod span;
 mod state;
 mod stepper;
 mod text;
-#[cfg(feature = "nalgebra")]
-mod vectors;
-mod watch;
-#[doc(hidden)]
-pub mod written;
+pub mod vector;
 
 pub mod extend;
 
@@ -43,21 +35,23 @@ pub mod scheme;
 pub mod system;
 
 #[cfg(feature = "serde")]
-pub use checkpoint::{Carried, Checkpoint, Difference, Saved};
-pub use csv::Columns;
+pub use checkpoint::{Carried, Checkpoint, Saved};
 pub use dmech_scalar::{DoubleDouble, Mask, Real};
+#[cfg(feature = "serde")]
+pub use error::Difference;
 #[cfg(feature = "scene")]
 pub use error::SceneError;
 pub use error::{Disagreement, Error, Place};
-pub use interrupted::Interrupted;
 pub use invariant::{Drift, Invariant, Kept};
-pub use law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
-pub use masses::Masses;
 #[cfg(feature = "scene")]
-pub use pair::LinkLaw;
-pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
-pub use report::Report;
-pub use run::Run;
+pub use law::LinkLaw;
+#[doc(hidden)]
+pub use law::written;
+pub use law::{
+    Between, Conservative, Derivation, Field, Force, Law, MassIndependent, Masses, Numbers, PairLaw, Potential, Reads,
+    Symmetric, VelocityIndependent, radial,
+};
+pub use run::{Columns, Interrupted, Report, Run};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
 pub use scheme::{

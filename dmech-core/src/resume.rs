@@ -1,7 +1,7 @@
 //! Checkpoints.
 
-use crate::checkpoint::{Carried, Checkpoint, Difference, FORMAT, Fields, Fingerprint, Numbers, Saved, load, save};
-use crate::error::Error;
+use crate::checkpoint::{Carried, Checkpoint, FORMAT, Fields, Fingerprint, Numbers, Saved, load, save};
+use crate::error::{Difference, Error};
 use crate::scheme::Scheme;
 use crate::setup::Setup;
 use crate::simulation::Simulation;

@@ -4,7 +4,7 @@ use dmech_scalar::Real;
 
 use crate::error::Error;
 use crate::law::Law;
-use crate::motion::moves_on;
+use crate::span::moves_on;
 use crate::state::State;
 use crate::system::{Particle, System};
 

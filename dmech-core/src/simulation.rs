@@ -3,14 +3,12 @@
 use dmech_scalar::Real;
 
 use crate::error::Error;
-use crate::interrupted::Interrupted;
+use crate::law::Masses;
 use crate::law::{Law, MassIndependent};
-use crate::masses::Masses;
-use crate::motion::{UNCOUNTED, record, steps_until};
-use crate::progress::Shown;
-use crate::run::Run;
+use crate::run::{Interrupted, Run, Shown, record};
 use crate::scheme::{Adaptable, Adaptive, Scheme};
 use crate::setup::Setup;
+use crate::span::{UNCOUNTED, steps_until};
 use crate::state::State;
 use crate::stepper::{Stepper, check_step};
 use crate::system::System;
@@ -118,7 +116,7 @@ impl<L, X, S> Simulation<L, X, S> {
     /// | scheme | e = 0.7 | 0.9 | 0.97 |
     /// |---|---|---|---|
     /// | `DiscreteGradient` | 0.60 | 0.80 | 0.89 |
-    /// | `Composed::order4(DiscreteGradient)` | 0.33 | 0.64 | 0.83 |
+    /// | `Composed::order4(DiscreteGradient)` | 0.19 | 0.39 | 0.52 |
     /// | `Composed::order6(DiscreteGradient)` | 0.16 | 0.54 | 0.88 |
     /// | `Composed::order8(DiscreteGradient)` | 0.24 | 1.2 | 2.3 |
     /// | `Nystrom::order4()` | 0.74 | 0.91 | 0.81 |

@@ -4,9 +4,9 @@ use dmech_scalar::Real;
 
 use crate::error::Error;
 use crate::law::Law;
-use crate::motion::steps_from;
 use crate::newton::NotConverged;
 use crate::scheme::Scheme;
+use crate::span::steps_from;
 use crate::system::{Particle, Start, System};
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.

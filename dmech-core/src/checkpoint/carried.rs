@@ -2,7 +2,8 @@
 
 use dmech_scalar::CompensatedVector;
 
-use super::{Difference, Numbers};
+use super::Numbers;
+use crate::error::Difference;
 use crate::law::{Field, Law, Potential};
 use crate::system::{Particle, System};
 

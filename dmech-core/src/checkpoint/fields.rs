@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Difference, Fingerprint};
+use super::Fingerprint;
+use crate::error::Difference;
 
 /// A fingerprint of every field that the laws read, by name, and of what they read of the bodies.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,7 +1,6 @@
 //! Saving a simulation and going on with it, bit for bit.
 
 mod carried;
-mod difference;
 mod fields;
 mod fingerprint;
 mod numbers;
@@ -9,7 +8,6 @@ mod seal;
 
 pub use carried::{Carried, Saved};
 pub(crate) use carried::{load, save};
-pub use difference::Difference;
 pub(crate) use fields::Fields;
 pub(crate) use fingerprint::{Fingerprint, displaced};
 pub(crate) use numbers::Numbers;
@@ -18,6 +16,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::Difference;
 use crate::name::Name;
 use crate::scheme::Method;
 

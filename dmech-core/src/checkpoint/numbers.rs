@@ -5,7 +5,7 @@ use core::fmt::Write;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::Difference;
+use crate::error::Difference;
 
 /// A list of `f64`, written as one text with spaces between.
 #[derive(Clone, Debug)]

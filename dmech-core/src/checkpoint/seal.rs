@@ -1,6 +1,7 @@
 //! Fingerprints of what a checkpoint holds: nothing of it was changed after it was written.
 
-use super::{Checkpoint, Difference, Fingerprint, Numbers};
+use super::{Checkpoint, Fingerprint, Numbers};
+use crate::error::Difference;
 
 impl Checkpoint {
     /// The same with fingerprints of its parts.

@@ -1,5 +1,7 @@
 //! What can go wrong, with numbers: of a run here, of setting up a scene in `SceneError`.
 
+#[cfg(feature = "serde")]
+mod difference;
 mod disagreement;
 mod place;
 #[cfg(feature = "scene")]
@@ -7,6 +9,8 @@ mod scene;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "serde")]
+pub use difference::Difference;
 pub(crate) use disagreement::Culprit;
 pub use disagreement::Disagreement;
 pub use place::Place;
@@ -221,7 +225,7 @@ pub enum Error {
     /// A checkpoint of another simulation (feature `serde`).
     #[cfg(feature = "serde")]
     #[error("cannot resume: {0}")]
-    Checkpoint(crate::checkpoint::Difference),
+    Checkpoint(Difference),
 }
 
 /// What is wrong between two bodies.

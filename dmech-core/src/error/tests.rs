@@ -42,7 +42,7 @@ fn all(x: f64) -> Vec<Error> {
     }
     #[cfg(feature = "serde")]
     {
-        use crate::checkpoint::Difference;
+        use crate::error::Difference;
         let (checkpoint, here) = (x, x);
         let differences = [
             Difference::TimeStep { checkpoint, here },

@@ -13,8 +13,8 @@
 use dmech_scalar::{Mask, Real};
 
 use super::{Correction, Equation, Increment, NotConverged, continuation};
-use crate::system::exact_product;
-use crate::system::vector::dot;
+use crate::vector::dot;
+use crate::vector::exact_product;
 
 /// Evaluations before the fast path gives up.
 const PATIENCE: u32 = 6;

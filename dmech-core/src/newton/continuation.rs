@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::damped;
-use super::drive::{largest, settle};
+use super::settle::{largest, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
 /// The shortest progress in θ before the path counts as ended (a fold: beyond it no continuous root exists).

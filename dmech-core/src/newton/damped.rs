@@ -2,7 +2,7 @@
 
 use dmech_scalar::Real;
 
-use super::drive::{largest, length, settle};
+use super::settle::{largest, length, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
 /// The shortest part of a correction that is tried.

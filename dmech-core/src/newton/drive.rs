@@ -1,11 +1,9 @@
-//! The Newton loop that all laws share, and when it may stop.
+//! The Newton loop that all laws share.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::Real;
 
+use super::settle::settle;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
-
-/// Corrections before the loop gives up on a starting point; quadratic convergence needs 3 to 6.
-const PATIENCE: u32 = 12;
 
 /// Solves the equation by Newton corrections δ = `correct`(equation, Δ, b) with b = q + Δ, to round-off on Δ.
 ///
@@ -56,76 +54,4 @@ pub fn drive_middle<const D: usize, R: Real>(
             Increment::apart(continuation::follow::<true, D, R>(*equation, astray.iterations as u32, correct))
         }
     }
-}
-
-/// Newton from the equation's guess, given up as soon as it leaves the neighbourhood of the guess.
-///
-/// What must be right to round-off is the force: for a short step Δ is known to an ulp long before G = (known − Δ)/g is.
-/// With |δₖ₊₁| ≈ K |δₖ|² the error that remains in Δ after δₖ is K |δₖ|², and that of G is the same over g. K comes from
-/// the last two corrections. Before there are two, the force is taken to vary over lengths no shorter than the step, so
-/// that G + J δ is off by |G| (|δ|/|Δ|)² at most.
-///
-/// A piecewise force may bend between one iterate and the next, so that neither estimate holds: there the last correction
-/// itself must be below rounding.
-///
-/// The guess is left behind when the first correction is larger than the whole step, or when corrections do not halve
-/// (the affine-invariant monotonicity test; P. Deuflhard, Newton Methods for Nonlinear Problems, §3.2).
-#[inline]
-pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
-    equation: &Equation<D, R>,
-    correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-) -> Result<Increment<D, R>, NotConverged> {
-    // Below rounding, and by a margin: an error of half an ulp that always has the same sign is a drift.
-    let margin = R::from_f64(1.0 / 64.0) * R::EPSILON;
-    // No squares of lengths below: in units in which the motion measures 10⁻¹⁵⁰ or 10¹⁵⁰ they are 0 or infinite, and
-    // whatever is compared with them seems settled.
-    let root_of_margin = R::from_f64(0.125 * R::EPSILON.to_f64().sqrt());
-    let half = R::from_f64(0.5);
-    let mut delta = equation.guess;
-    let mut last = R::ZERO;
-    let patience = if equation.piecewise { 3 * PATIENCE } else { PATIENCE }.min(equation.max_iterations);
-    for iteration in 1..=patience {
-        let Correction { delta: change, gradient, parts } = correct(equation, delta, equation.end(delta));
-        delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
-        let size = length(&change);
-        let step = length(&delta);
-        let settled;
-        let astray;
-        if iteration == 1 {
-            let small = if equation.piecewise { margin } else { root_of_margin };
-            settled = size.less_or_equal(small * step);
-            let scale = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
-            astray = (scale + length(&equation.guess)).less(size);
-        } else {
-            let pull = equation.g.abs() * length(&gradient);
-            let halved = size.less_or_equal(half * last);
-            // What no longer shrinks is the rounding of b and of the known side.
-            let noise = R::from_f64(64.0) * R::EPSILON * (step + length(&equation.q) + length(&equation.drift));
-            let at_rest = halved.not().and(size.less_or_equal(noise));
-            let rate = if equation.piecewise { R::ONE } else { size / last };
-            let small = (size * rate * rate).less_or_equal(margin * pull).or(size.equal(R::ZERO));
-            settled = small.or(at_rest);
-            // Past a seam the slope is another, and a correction may be longer than the last for once.
-            astray = if equation.piecewise { (last + last).less(size) } else { halved.not() };
-        }
-        if settled.all() {
-            return Ok(Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration });
-        }
-        if astray.and(settled.not()).any() || !size.finite().all() {
-            return Err(NotConverged { iterations: iteration.into(), residual: largest(&change) });
-        }
-        last = size;
-    }
-    Err(NotConverged { iterations: patience.into(), residual: last.to_f64() })
-}
-
-/// Σ|xᵢ|: unlike a maximum it does not lose a NaN.
-#[inline]
-pub(super) fn length<const D: usize, R: Real>(x: &[R; D]) -> R {
-    x.iter().fold(R::ZERO, |sum, x| sum + x.abs())
-}
-
-/// The largest |xᵢ|, NaN if there is one.
-pub(super) fn largest<const D: usize, R: Real>(x: &[R; D]) -> f64 {
-    x.iter().map(|x| x.to_f64().abs()).fold(0.0, |a, b| if a.is_nan() || a > b { a } else { b })
 }

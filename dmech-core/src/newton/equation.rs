@@ -2,8 +2,8 @@
 
 use dmech_scalar::{Real, two_sum};
 
-use crate::system::exact_product;
-use crate::system::vector::difference;
+use crate::vector::difference;
+use crate::vector::exact_product;
 
 /// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  where G(b) is ∇Φ(b) (trapezoid) or ∇̄Φ(a, b) (energy-exact steps).
 ///

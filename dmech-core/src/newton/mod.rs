@@ -12,6 +12,7 @@ mod drive;
 pub(crate) mod elimination;
 mod equation;
 mod once;
+mod settle;
 
 pub mod central;
 

@@ -2,9 +2,9 @@
 
 use dmech_scalar::Real;
 
-use super::drive::largest;
+use super::settle::largest;
 use super::{Correction, Equation, Increment, NotConverged};
-use crate::system::vector::finite;
+use crate::vector::finite;
 
 /// Solves a linear step: `correct` is called once, with Δ = 0 and b = q.
 ///

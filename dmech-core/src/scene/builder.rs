@@ -1,10 +1,10 @@
 //! Setting up a scene.
 
+use super::bodies::Bodies;
 use super::state::SceneState;
 use super::terms::{Bonds, Chain, Each, Linked, Pairs};
-use crate::error::{Error, SceneError};
 use crate::law::Law;
-use crate::pair::{LinkLaw, Symmetric};
+use crate::law::{LinkLaw, Symmetric};
 
 /// Bodies in D dimensions that carry data `P`, and the laws `L` that act on them.
 ///
@@ -38,17 +38,6 @@ pub trait FieldLaw<const D: usize>: Law<D> {}
 
 #[diagnostic::do_not_recommend]
 impl<const D: usize, X: Law<D>> FieldLaw<D> for X {}
-
-/// The bodies of a scene.
-#[derive(Clone, Debug)]
-pub struct Bodies<const D: usize, P> {
-    pub(super) masses: Vec<f64>,
-    pub(super) q: Vec<[f64; D]>,
-    pub(super) v: Vec<[f64; D]>,
-    pub(super) data: Vec<P>,
-    pub(super) pins: Vec<usize>,
-    pub(super) t: f64,
-}
 
 impl<const D: usize, P> Scene<D, P> {
     /// An empty scene at t = 0.
@@ -137,43 +126,5 @@ impl<const D: usize, P, L> Scene<D, P, L> {
     /// The number of bodies.
     pub fn bodies(&self) -> usize {
         self.bodies.masses.len()
-    }
-}
-
-impl<const D: usize, P> Bodies<D, P> {
-    /// What can be said to be wrong before any law is looked at.
-    pub(super) fn check(&self) -> Result<(), Error> {
-        let n = self.masses.len();
-        if n == 0 {
-            return Err(SceneError::Empty.into());
-        }
-        let given = self.q.len();
-        if given != n || self.v.len() != n {
-            return Err(SceneError::Bodies { given, bodies: n }.into());
-        }
-        if !self.t.is_finite() {
-            return Err(Error::State { quantity: "t", value: self.t });
-        }
-        for (body, &mass) in self.masses.iter().enumerate() {
-            if !(mass > 0.0 && mass.is_finite()) {
-                return Err(SceneError::Mass { body, mass }.into());
-            }
-        }
-        for (quantity, list) in [("q", &self.q), ("v", &self.v)] {
-            for (body, x) in list.iter().enumerate() {
-                if let Some(&value) = x.iter().find(|x| !x.is_finite()) {
-                    return Err(SceneError::State { body, quantity, value }.into());
-                }
-            }
-        }
-        for &body in &self.pins {
-            if body >= n {
-                return Err(SceneError::Pin { body, bodies: n }.into());
-            }
-            if let Some(&speed) = self.v[body].iter().find(|&&v| v != 0.0) {
-                return Err(SceneError::PinnedMoves { body, speed }.into());
-            }
-        }
-        Ok(())
     }
 }

@@ -4,6 +4,7 @@
 //! acts is composed in the type of the scene, so each law is compiled for itself and for no number of bodies in particular.
 //! The Newton matrix of the implicit schemes follows from what is linked: block-tridiagonal for chains, dense for all pairs.
 
+mod bodies;
 mod builder;
 mod compensated;
 mod matrix;
@@ -11,14 +12,17 @@ mod newton;
 mod state;
 mod system;
 mod terms;
+mod topology;
 mod vectors;
 
-pub use builder::{Bodies, FieldLaw, Scene};
+pub use bodies::Bodies;
+pub use builder::{FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
 pub use matrix::Matrix;
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Moving, Pairs, Term, Topology};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Moving, Pairs, Term};
+pub use topology::Topology;
 pub use vectors::Vectors;
 
 use crate::scheme::Scheme;

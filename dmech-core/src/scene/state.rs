@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use dmech_scalar::Compensated;
 
-use crate::csv::Columns;
+use crate::run::Columns;
 
 /// Time, positions and velocities of the bodies of a scene, in the order in which they were added.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,6 @@ mod composed;
 mod discrete_gradient;
 mod explicit;
 mod force_gradient;
-mod guess;
 mod implicit;
 mod kanatani;
 mod leapfrog;
@@ -23,7 +22,6 @@ pub use composed::{
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
 pub use force_gradient::ForceGradient;
-pub use guess::{Guess, Newton};
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::Leapfrog;
@@ -34,6 +32,7 @@ pub use splitting::{First, SplittingMemory};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
+pub use crate::system::{Effort, Guess, Newton, WithoutVelocities};
 use crate::system::{Start as Beginning, System};
 
 /// What a scheme promises, whatever the law.
@@ -58,11 +57,6 @@ pub trait Method: Copy + core::fmt::Debug {
         self
     }
 }
-
-/// No force of the system depends on the velocity, so that positions and velocities may stand half a step apart
-/// (Greenspan §3, last sentence): the law of it, or every term of a scene, is
-/// [`VelocityIndependent`](crate::VelocityIndependent).
-pub trait WithoutVelocities {}
 
 /// A scheme for systems of the type Y: one law, or the bodies of a scene. It is a program over the instructions of [`System`].
 ///
@@ -191,13 +185,4 @@ fn remember<Y: System>(solver: &mut Y::Solver, found: &Y::Found, slopes: &mut [Y
     slopes.swap(1, 2);
     slopes.swap(0, 1);
     Y::keep(solver, found, &mut slopes[0]);
-}
-
-/// What one step cost.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Effort {
-    /// Evaluations of the force.
-    pub evaluations: u32,
-    /// Newton corrections.
-    pub iterations: u32,
 }

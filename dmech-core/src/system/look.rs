@@ -3,7 +3,7 @@
 use core::array::from_fn;
 
 use crate::law::{Field, Law, Potential};
-use crate::system::vector::{add_scaled, dot};
+use crate::vector::{add_scaled, dot};
 
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]

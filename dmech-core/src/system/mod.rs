@@ -4,13 +4,13 @@
 //! (`SceneSystem`), whose vectors are columns of numbers. A scheme cannot tell which it has.
 
 mod look;
+mod newton;
 mod particle;
 
 use core::fmt::Debug;
 
 pub use look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
-pub(crate) use particle::exact_product;
-pub use particle::vector;
+pub use newton::{Guess, Newton};
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, not_converged};
 pub use particle::{Particle, ParticleFound, Stride};
@@ -20,7 +20,6 @@ use dmech_scalar::Real;
 use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::newton::NotConverged;
-use crate::scheme::{Effort, Newton};
 
 /// A system of coordinates, and the instructions of schemes.
 ///
@@ -327,3 +326,17 @@ impl<V> Clone for Ahead<'_, V> {
 }
 
 impl<V> Copy for Ahead<'_, V> {}
+
+/// No force of the system depends on the velocity, so that positions and velocities may stand half a step apart
+/// (Greenspan §3, last sentence): the law of it, or every term of a scene, is
+/// [`VelocityIndependent`](crate::VelocityIndependent).
+pub trait WithoutVelocities {}
+
+/// What one step cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Evaluations of the force.
+    pub evaluations: u32,
+    /// Newton corrections.
+    pub iterations: u32,
+}

@@ -12,7 +12,7 @@ use dense::DenseMatrix;
 #[cfg(feature = "sparse")]
 use sparse::SparseMatrix;
 
-use super::terms::Topology;
+use super::topology::Topology;
 use super::vectors::Vectors;
 
 /// A Jacobian in D×D blocks, and the factors of 1 + g J made of it.

@@ -12,11 +12,11 @@ use dmech_scalar::{Lanes, Real, two_sum};
 use self::chain::Chain;
 use self::progress::{Progress, Verdict};
 use super::matrix::Matrix;
-use super::terms::Topology;
 use super::terms::stencil::{Stencil, block, load, store};
+use super::topology::Topology;
 use super::vectors::Vectors;
 use crate::newton::NotConverged;
-use crate::scheme::{Effort, Guess, Newton};
+use crate::system::{Effort, Guess, Newton};
 
 /// Corrections with one factorisation before the Jacobian is taken anew.
 const CHORD: u32 = 6;

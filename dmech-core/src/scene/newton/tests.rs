@@ -5,8 +5,8 @@ use dmech_scalar::Lanes;
 use super::progress::{Progress, Verdict};
 use super::{Equation, Solver, Unknown};
 use crate::scene::matrix::Matrix;
-use crate::scene::terms::Topology;
 use crate::scene::terms::stencil::{Stencil, block, load};
+use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 use crate::scheme::Newton;
 

@@ -7,18 +7,18 @@ mod solve;
 
 pub use solve::SceneSolver;
 
-use super::builder::{Bodies, Scene};
+use super::bodies::Bodies;
+use super::builder::Scene;
 use super::compensated::CompensatedVectors;
 use super::state::SceneState;
 use super::terms::{Acts, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
-use crate::motion::moves_on;
 use crate::newton::NotConverged;
-use crate::scheme::{Effort, WithoutVelocities};
 use crate::setup::Setup;
-use crate::system::{Kick, Look, PARTS, Start, Step, System, TimeScale, not_converged};
+use crate::span::moves_on;
+use crate::system::{Effort, Kick, Look, PARTS, Start, Step, System, TimeScale, WithoutVelocities, not_converged};
 
 /// The bodies of a scene and the terms `A` that act on them.
 #[derive(Clone, Debug)]

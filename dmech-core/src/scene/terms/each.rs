@@ -1,17 +1,18 @@
 //! A law on each body.
 
 use super::stencil::{Stencil, block};
-use super::{Acts, Fault, Moving, Term, Topology};
+use super::{Acts, Fault, Moving, Term};
 use crate::error::{Culprit, Error, Place};
+use crate::law::written::{self, agree};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
-use crate::scene::builder::Bodies;
+use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
+use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
-use crate::scheme::WithoutVelocities;
-use crate::system::vector::{difference, scaled};
+use crate::system::WithoutVelocities;
 use crate::system::{Frequency, Stiffness};
-use crate::written::{self, agree};
+use crate::vector::{difference, scaled};
 
 /// A law that acts on each body by itself.
 #[derive(Clone, Copy, Debug)]

@@ -6,8 +6,8 @@ use core::marker::PhantomData;
 use super::packed::Packed;
 use super::sweep::Kernel;
 use crate::law::Potential;
-use crate::pair::{Numbers, PairLaw};
-use crate::system::vector::{dot, scaled};
+use crate::law::{Numbers, PairLaw};
+use crate::vector::{dot, scaled};
 
 /// d ↦ ∇Φ(d).
 pub(super) struct Slope<'a, X, P> {

@@ -7,18 +7,19 @@ use super::links::Links;
 use super::numbers::NumberColumns;
 use super::stencil::Stencil;
 use super::sweep::{self, Kicked};
-use super::{Acts, Fault, Moving, Term, Topology};
+use super::{Acts, Fault, Moving, Term};
 use crate::error::{Culprit, Error};
+use crate::law::written::{self, Place, agree};
+use crate::law::{Between, LinkLaw, PairLaw, Reads};
 use crate::law::{Potential, VelocityIndependent};
-use crate::pair::{Between, LinkLaw, PairLaw, Reads};
-use crate::scene::builder::Bodies;
+use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
+use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
-use crate::scheme::WithoutVelocities;
-use crate::system::vector::{add_scaled, dot, scaled};
+use crate::system::WithoutVelocities;
 use crate::system::{Course, Frequency, Stiffness};
-use crate::written::{self, Place, agree};
+use crate::vector::{add_scaled, dot, scaled};
 
 /// A law that acts along links.
 #[derive(Clone, Debug)]

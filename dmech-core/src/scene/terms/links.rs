@@ -2,11 +2,11 @@
 
 use std::collections::HashSet;
 
-use super::Topology;
 use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Kicked};
 use crate::error::{Error, SceneError};
-use crate::pair::Numbers;
+use crate::law::Numbers;
+use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 
 /// A set of links between bodies.

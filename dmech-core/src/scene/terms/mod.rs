@@ -24,8 +24,9 @@ pub use sweep::Kicked;
 
 use stencil::Stencil;
 
-use super::builder::Bodies;
+use super::bodies::Bodies;
 use super::matrix::Matrix;
+use super::topology::Topology;
 use super::vectors::Vectors;
 use crate::error::{Error, Place};
 use crate::system::{Frequency, Look};
@@ -117,39 +118,6 @@ pub trait Acts<const D: usize> {
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
     /// The first link or body on which what acts is not finite at q, or ∇̄Φ from another position to q.
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault>;
-}
-
-/// Which bodies a Jacobian links.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Topology {
-    /// Consecutive bodies at most.
-    Chain,
-    /// The pairs of a list, beside consecutive bodies where `chain` says so.
-    Sparse {
-        /// The listed pairs.
-        bonds: Vec<(usize, usize)>,
-        /// Consecutive bodies are linked too.
-        chain: bool,
-    },
-    /// Any two.
-    Dense,
-}
-
-impl Topology {
-    /// Both together.
-    pub fn and(self, other: Topology) -> Topology {
-        match (self, other) {
-            (Topology::Dense, _) | (_, Topology::Dense) => Topology::Dense,
-            (Topology::Chain, Topology::Chain) => Topology::Chain,
-            (Topology::Chain, Topology::Sparse { bonds, .. }) | (Topology::Sparse { bonds, .. }, Topology::Chain) => {
-                Topology::Sparse { bonds, chain: true }
-            }
-            (Topology::Sparse { bonds: mut all, chain }, Topology::Sparse { bonds, chain: other }) => {
-                all.extend(bonds);
-                Topology::Sparse { bonds: all, chain: chain || other }
-            }
-        }
-    }
 }
 
 /// Where what acts is not finite.

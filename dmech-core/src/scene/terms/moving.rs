@@ -1,8 +1,8 @@
 //! A scene in motion, as the time scale is read from it.
 
 use crate::scene::vectors::Vectors;
-use crate::system::vector::difference;
 use crate::system::{Course, Frequency};
+use crate::vector::difference;
 
 /// Where bodies are and how they move: what the time scale of a scene depends on.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::packed::Packed;
-use crate::pair::Numbers;
+use crate::law::Numbers;
 
 /// K numbers of each of n bodies, by column.
 #[derive(Clone, Debug)]

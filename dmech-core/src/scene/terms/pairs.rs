@@ -5,11 +5,11 @@ use std::sync::{Mutex, PoisonError};
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use super::Topology;
 use super::links::Links;
 use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Moments};
-use crate::pair::Numbers;
+use crate::law::Numbers;
+use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 
 /// From so many bodies on the triangle of pairs is cut into chunks: with fewer, waking threads takes longer than they save

@@ -2,13 +2,14 @@
 
 use super::stencil::Stencil;
 use super::sweep::Kicked;
-use super::{Acts, Fault, Moving, Term, Topology};
+use super::{Acts, Fault, Moving, Term};
 use crate::error::Error;
-use crate::scene::builder::Bodies;
+use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
+use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
-use crate::scheme::WithoutVelocities;
 use crate::system::Frequency;
+use crate::system::WithoutVelocities;
 
 /// Nothing acts.
 impl<const D: usize, P> Term<D, P> for () {

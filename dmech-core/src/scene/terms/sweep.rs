@@ -7,7 +7,7 @@ use dmech_scalar::Lanes;
 use super::numbers::NumberColumns;
 use super::packed::Packed;
 use super::stencil::Stencil;
-use crate::pair::Numbers;
+use crate::law::Numbers;
 use crate::scene::vectors::Vectors;
 
 /// The gradient along a link at S moments: one for ∇Φ(d), two for ∇̄Φ(d, d′).

@@ -1,31 +1,29 @@
 //! A particle under one law: the instructions in registers.
 
+mod equation;
 mod fault;
 mod range;
 mod solve;
 mod stride;
-pub mod vector;
 mod workless;
 
+pub use equation::ParticleFound;
 use fault::Attempt;
 #[cfg(feature = "scene")]
 pub(crate) use fault::{PARTS, not_converged};
-pub use solve::ParticleFound;
 pub use stride::Stride;
-pub(crate) use stride::exact_product;
 
 use dmech_scalar::{CompensatedVector, Mask, Real};
 
 use self::range::lost_force;
-use self::vector::{add_scaled, difference, dot, finite, scaled, sum, weighted};
-use super::{Course, Frequency, Kick, Look, Start, Step, Stiffness, System, TimeScale};
+use super::{Course, Effort, Frequency, Kick, Look, Start, Step, Stiffness, System, TimeScale, WithoutVelocities};
 use crate::error::Error;
 use crate::invariant::Invariant;
+use crate::law::written::{Place, agree};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
 use crate::newton::NotConverged;
-use crate::scheme::{Effort, WithoutVelocities};
 use crate::state::State;
-use crate::written::{Place, agree};
+use crate::vector::{add_scaled, difference, dot, finite, scaled, sum, weighted};
 
 /// A particle of one mass, or of a mass for each coordinate, under a law in D coordinates.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,8 @@
 //! The length of a step and the mass that it moves.
 
-use dmech_scalar::{CompensatedVector, FUSED, Real, two_sum};
+use dmech_scalar::{CompensatedVector, Real, two_sum};
+
+use crate::vector::exact_product;
 
 /// Time step and mass, with the coefficients that follow from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,27 +93,6 @@ impl<R: Real> Stride<R> {
             v.lo[i] = low + self.excess.mul_add(gradient[i], rest);
         }
     }
-}
-
-/// x y rounded, and the error of that rounding: by a fused instruction, or by splitting both factors in halves.
-///
-/// # Reference
-/// T. J. Dekker, Numer. Math. 18 (1971) 224–242; the splitting is Veltkamp's.
-#[inline(always)]
-pub(crate) fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
-    if FUSED {
-        let product = x * y;
-        return (product, x.mul_add(y, -product));
-    }
-    let digits = 1.0 - R::EPSILON.to_f64().log2();
-    let splitter = R::from_f64((0.5 * digits).ceil().exp2() + 1.0);
-    let halves = |x: R| {
-        let shifted = splitter * x;
-        let high = shifted - (shifted - x);
-        (high, x - high)
-    };
-    let (product, (x1, x2), (y1, y2)) = (x * y, halves(x), halves(y));
-    (product, ((x1 * y1 - product) + x1 * y2 + x2 * y1) + x2 * y2)
 }
 
 #[cfg(test)]

@@ -5,11 +5,12 @@
 
 use dmech_scalar::{CompensatedVector, Real};
 
-use super::solve::equation;
-use super::{Particle, ParticleFound, Stride, exact_product};
+use super::equation::{ParticleFound, equation};
+use super::{Particle, Stride};
 use crate::law::{Field, Law};
 use crate::newton::{Equation, NotConverged};
 use crate::system::Step;
+use crate::vector::exact_product;
 
 /// The increment of one step, with the field of the mid-time.
 #[inline(always)]

@@ -4,8 +4,8 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
+use crate::law::{Between, PairLaw, Reads, Symmetric, radial};
 use crate::law::{Conservative, Field, Law, Potential, VelocityIndependent};
-use crate::pair::{Between, PairLaw, Reads, Symmetric, radial};
 
 /// −G mₐ m_b/r between two bodies.
 #[derive(Clone, Copy, Debug)]

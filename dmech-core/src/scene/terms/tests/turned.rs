@@ -5,7 +5,8 @@ use core::array::from_fn;
 use super::laws::{Attraction, Gravity, Pull, Wind};
 use crate::scene::builder::Scene;
 use crate::scene::matrix::Matrix;
-use crate::scene::terms::{Acts, Term, Topology};
+use crate::scene::terms::{Acts, Term};
+use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 
 /// Bodies with masses of their own, off a lattice that begins at `corner`.

@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use crate::law::Potential;
-use crate::written::WrittenPair;
+use crate::law::written::WrittenPair;
 
 /// A few numbers of one body, stored in columns and gathered into registers: `[f64; K]`, and `[R; K]` in a kernel.
 pub trait Numbers: Copy + core::fmt::Debug + Send + Sync + 'static {
@@ -140,7 +140,7 @@ pub trait Symmetric {}
 pub mod radial {
     use dmech_scalar::Real;
 
-    use crate::system::vector::{dot, scaled, sum};
+    use crate::vector::{dot, scaled, sum};
 
     /// |d|².
     #[inline(always)]

@@ -6,7 +6,7 @@ use dmech_scalar::Real;
 use super::Written;
 use super::{Place, Tracked, Values};
 use crate::law::Potential;
-use crate::pair::{Between as Acting, Numbers, PairLaw, Reads};
+use crate::law::{Between as Acting, Numbers, PairLaw, Reads};
 
 /// What the macro says of the author's own methods: `q` of the place is d, `v` is v_a and v_b, `m` is m_a and m_b.
 pub trait PairAuthor<const D: usize, P>: PairLaw<D, P> + PairLaw<D, P, Tracked> {

@@ -94,7 +94,7 @@ mod bar {
 
     impl Bar {
         pub(crate) fn new(bar: ProgressBar, steps: u64) -> Self {
-            if steps != crate::motion::UNCOUNTED {
+            if steps != crate::span::UNCOUNTED {
                 bar.set_length(steps);
             }
             bar.set_position(0);

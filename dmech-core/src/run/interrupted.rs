@@ -1,7 +1,7 @@
 //! Runs that end early.
 
+use super::Run;
 use crate::error::Error;
-use crate::run::Run;
 
 /// A run that ended early: what it computed, and why it ended.
 #[derive(Clone)]

@@ -4,10 +4,10 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
+use crate::law::written::Written;
 use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
 use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::system::vector::dot;
-use crate::written::Written;
+use crate::vector::dot;
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
 ///
@@ -128,11 +128,33 @@ impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, 
     fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
         self.matrix(self.field.discrete_gradient_jacobian(a, b))
     }
+}
+
+impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
+    const FORCED: bool = F::FORCED;
+    const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
+
     #[inline(always)]
-    fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
-        let slope = self.slope(q, v);
-        from_fn(|i| v[i] - c * slope[i])
+    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.rows(self.field.slope(q, v))
     }
+    #[inline(always)]
+    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.rows(self.field.half_force(q, v))
+    }
+    #[inline(always)]
+    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
+        self.rows(self.field.force(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.matrix(self.field.force_dq(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.matrix(self.field.force_dv(q, v, t))
+    }
+
     /// v − c M⁻¹∇Φ + e M⁻¹H M⁻¹∇Φ, with the slope and its Jacobian for ∇Φ and H where a force acts.
     #[inline(always)]
     fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
@@ -169,32 +191,6 @@ impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, 
             let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
             self.less(conservative, half, self.force_and_jacobians(b, v, equation.t_end))
         })
-    }
-}
-
-impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
-    const FORCED: bool = F::FORCED;
-    const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
-
-    #[inline(always)]
-    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.rows(self.field.slope(q, v))
-    }
-    #[inline(always)]
-    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.rows(self.field.half_force(q, v))
-    }
-    #[inline(always)]
-    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
-        self.rows(self.field.force(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.matrix(self.field.force_dq(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.matrix(self.field.force_dv(q, v, t))
     }
 
     fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {

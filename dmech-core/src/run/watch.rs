@@ -3,13 +3,10 @@
 use dmech_scalar::{Compensated, Real};
 
 use crate::error::Error;
-use crate::invariant::{Drift, Invariant};
+use crate::invariant::{Drift, Drifts, Invariant};
 use crate::scheme::Scheme;
 use crate::stepper::Stepper;
 use crate::system::System;
-
-/// The drift of each invariant, by `Invariant as usize`.
-pub type Drifts = [Option<Drift>; Invariant::ALL.len()];
 
 /// The invariants that a system and a scheme have, and how they moved so far: for a loop of one's own.
 ///

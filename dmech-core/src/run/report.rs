@@ -3,11 +3,20 @@
 use core::fmt;
 use std::time::Duration;
 
-use crate::invariant::{Drift, Invariant, Kept};
-use crate::run::Work;
+use crate::invariant::{Drift, Drifts, Invariant, Kept};
 use crate::scheme::Method;
 use crate::text::Number;
-use crate::watch::Drifts;
+
+/// What a run cost.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Work {
+    pub(crate) steps: u64,
+    pub(crate) evaluations: u64,
+    pub(crate) iterations: u64,
+    pub(crate) elapsed: Duration,
+    /// The shortest and the longest step, where they differ.
+    pub(crate) range: Option<[f64; 2]>,
+}
 
 /// What a run kept and what it cost. `Display` shows it as a table for the terminal.
 #[derive(Clone, Copy, Debug)]

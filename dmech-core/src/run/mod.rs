@@ -1,11 +1,22 @@
-//! The outcome of a simulation.
+//! Running: the loop, what it records and watches, what comes back.
 
-use std::time::Duration;
+mod csv;
+mod interrupted;
+mod motion;
+mod progress;
+mod report;
+mod watch;
 
-use crate::invariant::{Drift, Invariant, Kept};
-use crate::report::Report;
+pub use csv::Columns;
+pub use interrupted::Interrupted;
+pub(crate) use motion::record;
+pub(crate) use progress::Shown;
+pub use report::Report;
+pub use watch::Watch;
+
+use crate::invariant::{Drift, Drifts, Invariant, Kept};
 use crate::scheme::Method;
-use crate::watch::Drifts;
+use report::Work;
 
 /// The recorded states of a simulation, what it kept and what it cost.
 ///
@@ -15,17 +26,6 @@ pub struct Run<X> {
     states: Vec<X>,
     last: X,
     report: Report,
-}
-
-/// What a run cost.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Work {
-    pub(crate) steps: u64,
-    pub(crate) evaluations: u64,
-    pub(crate) iterations: u64,
-    pub(crate) elapsed: Duration,
-    /// The shortest and the longest step, where they differ.
-    pub(crate) range: Option<[f64; 2]>,
 }
 
 /// States to make room for in advance; a longer run grows as it goes.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use dmech_scalar::Real;
 
-use crate::run::Run;
+use super::Run;
 use crate::state::State;
 
 /// A state that can be written as a row of numbers.

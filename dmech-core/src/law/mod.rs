@@ -1,0 +1,110 @@
+//! What a scheme needs to know of a law.
+
+mod field;
+mod masses;
+mod pair;
+mod potential;
+#[doc(hidden)]
+pub mod written;
+
+pub use field::Field;
+pub use masses::Masses;
+#[cfg(feature = "scene")]
+pub use pair::LinkLaw;
+pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
+pub use potential::{Force, Potential};
+
+use dmech_scalar::Real;
+
+use written::Written;
+
+/// The derivation of a law in readable mathematics, written by the macro.
+pub trait Derivation {
+    /// Potential, gradient, Hessian, discrete gradient, force, the structure that was found, and what the kernels cost.
+    fn derivation(&self) -> &'static str;
+}
+
+/// Nothing but the potential acts: no `#[force]`, no time, no mass in the law.
+///
+/// A potential written by hand declares it with `impl Conservative for MyLaw {}` and is then a [`Law`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not known to be a conservative law",
+    note = "a potential written by hand becomes a law with `impl Conservative for {Self} {{}}`"
+)]
+pub trait Conservative {}
+
+/// The force does not depend on the velocity, so that positions and velocities may stand half a step apart
+/// (Greenspan §3, last sentence).
+#[diagnostic::on_unimplemented(
+    message = "the force of `{Self}` depends on the velocity, and this scheme has no velocity where it needs the force",
+    label = "this scheme cannot step a velocity-dependent force",
+    note = "leap-frog, Kanatani's scheme, `Nystrom` and `ForceGradient` kick at a position, where they have no velocity of that time",
+    note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"
+)]
+pub trait VelocityIndependent {}
+
+#[diagnostic::do_not_recommend]
+impl<P: Conservative> VelocityIndependent for P {}
+
+/// The law does not name the mass `m`, so that each coordinate may have a mass of its own
+/// ([`Simulation::masses`](crate::Simulation::masses)).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` names the mass `m`, which is one number, and here each coordinate has its own",
+    label = "this law has one mass",
+    note = "give the masses that the law needs as fields of `{Self}`, or set one mass with `.mass(m)`"
+)]
+pub trait MassIndependent {}
+
+#[diagnostic::do_not_recommend]
+impl<P: Conservative> MassIndependent for P {}
+
+/// A law that a simulation can run: at each moment, for each mass, it is a [`Field`].
+///
+/// Every [`Conservative`] potential is a law that is the same at all times and for all masses; a law with a force, or
+/// one that names `t` or `m`, gives the field that acts then.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a law in {D} coordinates over `{R}`",
+    note = "declare one with `#[dmech::law]` and a `#[potential]` or a `#[force]` of a position with {D} coordinates",
+    note = "a potential written by hand (`impl Potential<{D}> for …`) also needs `impl Conservative for … {{}}`"
+)]
+pub trait Law<const D: usize, R: Real = f64> {
+    /// What acts at one moment.
+    type Field<'a>: Field<D, R>
+    where
+        Self: 'a;
+
+    /// The law does not name the time.
+    const AUTONOMOUS: bool = true;
+
+    /// What acts on a particle of mass `mass` at time `t`.
+    fn field(&self, mass: R, t: R) -> Self::Field<'_>;
+
+    /// The mass of each coordinate over that of the particle: 1, except in [`Masses`](crate::Masses).
+    #[inline(always)]
+    fn mass_ratios(&self) -> [f64; D] {
+        [1.0; D]
+    }
+
+    /// The methods that a macro has made this of; a law written by hand is its own.
+    #[doc(hidden)]
+    fn written(&self) -> Option<&dyn Written<D>> {
+        None
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Law<D, R> for P {
+    type Field<'a>
+        = &'a P
+    where
+        P: 'a;
+
+    #[inline(always)]
+    fn field(&self, _mass: R, _t: R) -> &P {
+        self
+    }
+
+    fn written(&self) -> Option<&dyn Written<D>> {
+        Potential::written(self)
+    }
+}

@@ -135,8 +135,10 @@ impl Printer<'_> {
     }
 
     fn fragment(&mut self, value: Value) -> Fragment {
-        match &self.inline[value.index()] {
-            Some(fragment) => fragment.clone(),
+        let inline = &mut self.inline[value.index()];
+        let number = matches!(self.program.operation(value), Operation::Number(_));
+        match if number { inline.clone() } else { inline.take() } {
+            Some(fragment) => fragment,
             None => {
                 let ident = self.ident(value);
                 Fragment::atom(quote!(#ident))

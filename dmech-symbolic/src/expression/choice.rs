@@ -41,8 +41,9 @@ impl Graph {
     pub(crate) fn extend_choosing(&self, chosen: &mut Vec<bool>) {
         for i in chosen.len()..self.len() {
             let e = Expr(i as u32);
-            let is_choice = matches!(self.node(e), Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..));
-            chosen.push(is_choice || self.children(e).iter().any(|c| chosen[c.index()]));
+            let mut any = matches!(self.node(e), Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..));
+            self.each_child(e, |c| any |= chosen[c.index()]);
+            chosen.push(any);
         }
     }
 

@@ -1,6 +1,8 @@
 //! The store of expressions.
 
-use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use crate::hash::Map;
 
 use super::{Binary, Condition, Display, Number, Unary};
 
@@ -61,7 +63,7 @@ pub enum Node {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
+    index: Map<Node, Expr>,
     names: Vec<(String, Role)>,
 }
 
@@ -112,13 +114,14 @@ impl Graph {
     }
 
     pub(super) fn intern(&mut self, node: Node) -> Expr {
-        if let Some(&found) = self.index.get(&node) {
-            return found;
+        match self.index.entry(node) {
+            Entry::Occupied(found) => *found.get(),
+            Entry::Vacant(place) => {
+                let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
+                self.nodes.push(place.key().clone());
+                *place.insert(e)
+            }
         }
-        let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
-        self.nodes.push(node.clone());
-        self.index.insert(node, e);
-        e
     }
 
     /// The number x.
@@ -176,16 +179,21 @@ impl Graph {
 
     /// The expressions that this one is made of.
     pub fn children(&self, e: Expr) -> Vec<Expr> {
+        let mut children = vec![];
+        self.each_child(e, |c| children.push(c));
+        children
+    }
+
+    /// Visits them, without a list.
+    pub(crate) fn each_child(&self, e: Expr, mut visit: impl FnMut(Expr)) {
         match self.node(e) {
-            Node::Number(_) | Node::Symbol(_) => Vec::new(),
-            Node::Sum { terms, .. } => terms.iter().map(|&(_, t)| t).collect(),
-            Node::Product { factors, .. } => factors.iter().map(|&(f, _)| f).collect(),
-            Node::Unary(_, u) => vec![*u],
-            Node::Binary(_, u, w) => vec![*u, *w],
+            Node::Number(_) | Node::Symbol(_) => {}
+            Node::Sum { terms, .. } => terms.iter().for_each(|&(_, t)| visit(t)),
+            Node::Product { factors, .. } => factors.iter().for_each(|&(f, _)| visit(f)),
+            Node::Unary(_, u) => visit(*u),
+            Node::Binary(_, u, w) => [*u, *w].into_iter().for_each(visit),
             Node::Select(condition, yes, no) => {
-                let mut children = condition.operands();
-                children.extend([*yes, *no]);
-                children
+                condition.operands().into_iter().chain([*yes, *no]).for_each(visit);
             }
         }
     }
@@ -197,7 +205,7 @@ impl Graph {
         let mut stack: Vec<Expr> = roots.to_vec();
         while let Some(e) = stack.pop() {
             if !std::mem::replace(&mut seen[e.index()], true) {
-                stack.extend(self.children(e));
+                self.each_child(e, |c| stack.push(c));
             }
         }
         (0..end).filter(|&i| seen[i]).map(|i| Expr(i as u32)).collect()
@@ -213,10 +221,9 @@ impl Graph {
     /// The same for the expressions that have been stored since.
     pub(crate) fn extend_dependence(&self, depends: &mut Vec<bool>, symbols: &[Symbol]) {
         for i in depends.len()..self.nodes.len() {
-            depends.push(match &self.nodes[i] {
-                Node::Symbol(s) => symbols.contains(s),
-                _ => self.children(Expr(i as u32)).iter().any(|c| depends[c.index()]),
-            });
+            let mut any = matches!(&self.nodes[i], Node::Symbol(s) if symbols.contains(s));
+            self.each_child(Expr(i as u32), |c| any |= depends[c.index()]);
+            depends.push(any);
         }
     }
 

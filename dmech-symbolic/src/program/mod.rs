@@ -8,8 +8,10 @@
 mod atom;
 mod interpret;
 mod latency;
-mod lower;
+mod mirror;
 mod naming;
+mod product;
+mod scheduling;
 mod sharing;
 
 use crate::expression::{Binary, Condition, Expr, Graph, Number, Relation, Substitution, Symbol, Unary};
@@ -83,13 +85,13 @@ pub struct Cost {
 impl Program {
     /// Schedules the evaluation of expressions.
     pub fn schedule(graph: &mut Graph, outputs: &[Expr]) -> Self {
-        lower::schedule(graph, outputs, None)
+        scheduling::schedule(graph, outputs, None)
     }
 
     /// The same, symmetric to the bit under the exchange of symbols that the substitution makes (a ↔ b). The outputs
     /// must be symmetric as expressions.
     pub fn schedule_symmetric(graph: &mut Graph, outputs: &[Expr], exchange: Substitution) -> Self {
-        lower::schedule(graph, outputs, Some(exchange))
+        scheduling::schedule(graph, outputs, Some(exchange))
     }
 
     /// All values in order.

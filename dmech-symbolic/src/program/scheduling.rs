@@ -1,11 +1,11 @@
 //! From expressions to operations.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use crate::expression::{Expr, Graph, Node, Number, Substitution};
+use crate::hash::Map;
 
-use crate::expression::{Binary, Expr, Graph, Node, Number, Substitution};
-
-use super::atom::{Atom, AtomKind, Atoms, Denominators, ProductKey};
-use super::sharing::{self, Exchange};
+use super::atom::{Atom, AtomKind, Atoms};
+use super::mirror::Mirror;
+use super::product::{Product, Products, is_negative};
 use super::{Operation, Program, Test, Value, latency, naming};
 
 /// Sums longer than this are added in parts, so that their additions do not all wait for one another.
@@ -13,95 +13,30 @@ const LONGEST_CHAIN: usize = 8;
 
 pub(super) fn schedule(graph: &mut Graph, outputs: &[Expr], exchange: Option<Substitution>) -> Program {
     let order = graph.reachable(outputs);
-    let mut mirror = Mirror { images: HashMap::new(), atoms: HashMap::new() };
-    if let Some(mut exchange) = exchange {
-        for &e in &order {
-            let image = exchange.apply(graph, e);
-            mirror.images.insert(e, image);
-        }
-    }
-    let ready = latency::ready(graph);
-    let mut lowering = Lowering {
-        graph,
-        ready,
-        mirror,
-        atoms: Atoms::new(),
-        products: BTreeMap::new(),
-        uses: BTreeMap::new(),
-        company: HashMap::new(),
-        operations: vec![],
-        index: HashMap::new(),
-        of_expr: HashMap::new(),
-        single_inverse: HashMap::new(),
-    };
-    lowering.collect_products(&order, outputs);
-    let outputs: Vec<_> = outputs.iter().map(|&e| lowering.value(e)).collect();
-    let mut program = Program { operations: lowering.operations, names: vec![], outputs };
+    let mut mirror = exchange.map_or_else(Mirror::default, |exchange| Mirror::new(graph, &order, exchange));
+    let images: Vec<_> = mirror.images().chain(outputs.iter().copied()).collect();
+    let ready = latency::ready(graph, &graph.reachable(&images));
+    let mut atoms = Atoms::new();
+    let products = Products::new(graph, &order, outputs, &mut atoms, &mut mirror, &ready);
+    let of_expr = vec![None; graph.len()];
+    let (operations, index) = (vec![], Map::default());
+    let mut scheduling = Scheduling { graph, ready, mirror, atoms, products, operations, index, of_expr };
+    let outputs: Vec<_> = outputs.iter().map(|&e| scheduling.value(e)).collect();
+    let mut program = Program { operations: scheduling.operations, names: vec![], outputs };
     remove_unused(&mut program);
     program.names = naming::names(graph, &program);
     program
 }
 
-/// The exchange of the two ends, on expressions and atoms.
-struct Mirror {
-    images: HashMap<Expr, Expr>,
-    atoms: HashMap<Atom, Atom>,
-}
-
-impl Mirror {
-    fn of_expr(&self, e: Expr) -> Expr {
-        self.images.get(&e).copied().unwrap_or(e)
-    }
-}
-
-struct MirrorWithReady<'a> {
-    mirror: &'a mut Mirror,
-    ready: &'a [u32],
-}
-
-impl Exchange for MirrorWithReady<'_> {
-    fn image(&mut self, atoms: &mut Atoms, atom: Atom) -> Atom {
-        if self.mirror.images.is_empty() {
-            return atom;
-        }
-        if let Some(&image) = self.mirror.atoms.get(&atom) {
-            return image;
-        }
-        let kind = match atoms.kind(atom).clone() {
-            AtomKind::Base(e) => AtomKind::Base(self.mirror.of_expr(e)),
-            AtomKind::Number(n) => AtomKind::Number(n),
-            AtomKind::Power(e, n) => AtomKind::Power(self.mirror.of_expr(e), n),
-            AtomKind::Inverse(e, n) => AtomKind::Inverse(self.mirror.of_expr(e), n),
-            AtomKind::Denominator(below) => {
-                let mut below: Vec<_> = below.iter().map(|&(e, n)| (self.mirror.of_expr(e), n)).collect();
-                below.sort_unstable();
-                AtomKind::Denominator(below)
-            }
-            AtomKind::Pair(one, two) => {
-                let (one, two) = (self.image(atoms, one), self.image(atoms, two));
-                AtomKind::Pair(one.min(two), one.max(two))
-            }
-        };
-        let image = atoms.intern(kind, self.ready);
-        self.mirror.atoms.insert(atom, image);
-        self.mirror.atoms.insert(image, atom);
-        image
-    }
-}
-
-struct Lowering<'g> {
-    graph: &'g mut Graph,
+struct Scheduling<'g> {
+    graph: &'g Graph,
     ready: Vec<u32>,
     mirror: Mirror,
     atoms: Atoms,
-    products: BTreeMap<ProductKey, Vec<Atom>>,
-    uses: BTreeMap<ProductKey, usize>,
-    /// How many products and shared pairs each atom is part of.
-    company: HashMap<Atom, usize>,
+    products: Products,
     operations: Vec<Operation>,
-    index: HashMap<Operation, Value>,
-    of_expr: HashMap<Expr, Value>,
-    single_inverse: HashMap<Expr, bool>,
+    index: Map<Operation, Value>,
+    of_expr: Vec<Option<Value>>,
 }
 
 /// One summand on its way into a sum.
@@ -118,90 +53,7 @@ enum What {
     Product(Value, Value),
 }
 
-impl Lowering<'_> {
-    /// |c|·t as a product, if it is one.
-    fn product_key(&self, c: Number, t: Expr) -> Option<(bool, ProductKey)> {
-        let (own, factors) = self.graph.factors(t);
-        // Normal form keeps the coefficient outside of terms; a term of its own has coefficient 1.
-        let value = if own == Number::ONE { c.value() } else { own.value() };
-        let is_product = matches!(self.graph.node(t), Node::Product { .. });
-        (is_product || value.abs() != 1.0).then(|| (value < 0.0, (Number::new(value.abs()), factors)))
-    }
-
-    fn collect_products(&mut self, order: &[Expr], outputs: &[Expr]) {
-        let mut uses: BTreeMap<ProductKey, usize> = BTreeMap::new();
-        let mut count = |lowering: &Self, c: Number, e: Expr| {
-            if let Some((_, key)) = lowering.product_key(c, e) {
-                *uses.entry(key).or_insert(0) += 1;
-            }
-        };
-        for &e in order {
-            match self.graph.node(e) {
-                Node::Sum { terms, .. } => terms.iter().for_each(|&(c, t)| count(self, c, t)),
-                Node::Product { factors, .. } => factors.iter().for_each(|&(f, _)| count(self, Number::ONE, f)),
-                _ => self.graph.children(e).iter().for_each(|&c| count(self, Number::ONE, c)),
-            }
-        }
-        outputs.iter().for_each(|&e| count(self, Number::ONE, e));
-        self.uses = uses;
-        let denominators = Denominators::of(self.graph, self.uses.keys());
-        let compared = self.compared(order);
-        let mut lists: Vec<Vec<Atom>> = vec![];
-        for key in self.uses.keys() {
-            for &(f, _) in &key.1 {
-                let base = match self.graph.node(f) {
-                    Node::Unary(crate::expression::Unary::Sqrt, s) => *s,
-                    _ => f,
-                };
-                for base in [base, f] {
-                    self.single_inverse.insert(base, denominators.single_exponent(base));
-                }
-            }
-            let denominators = if compared.contains(key) { None } else { Some(&denominators) };
-            lists.push(self.atoms.of_product(self.graph, key, denominators, &self.ready));
-        }
-        let mut exchange = MirrorWithReady { mirror: &mut self.mirror, ready: &self.ready };
-        for list in &mut lists {
-            sharing::group_images(list, &mut self.atoms, &mut exchange, &self.ready);
-        }
-        sharing::share(&mut lists, &mut self.atoms, &mut exchange, &self.ready);
-        self.products = self.uses.keys().cloned().zip(lists).collect();
-        for list in self.products.values() {
-            let mut list = list.clone();
-            list.sort_unstable();
-            list.dedup();
-            list.into_iter().for_each(|atom| *self.company.entry(atom).or_default() += 1);
-        }
-        for kind in &self.atoms.kinds {
-            if let &AtomKind::Pair(one, two) = kind {
-                *self.company.entry(one).or_default() += 1;
-                if two != one {
-                    *self.company.entry(two).or_default() += 1;
-                }
-            }
-        }
-    }
-
-    /// The products that choices are made by, alone or in a sum: their values must be right even where they are infinite.
-    fn compared(&self, order: &[Expr]) -> BTreeSet<ProductKey> {
-        let mut found = BTreeSet::new();
-        for &e in order {
-            let sides = match self.graph.node(e) {
-                Node::Select(condition, ..) => condition.operands(),
-                Node::Binary(Binary::Min | Binary::Max, u, w) => vec![*u, *w],
-                _ => continue,
-            };
-            for side in sides {
-                let terms = match self.graph.node(side) {
-                    Node::Sum { terms, .. } => terms.to_vec(),
-                    _ => vec![(Number::ONE, side)],
-                };
-                found.extend(terms.iter().filter_map(|&(c, t)| Some(self.product_key(c, t)?.1)));
-            }
-        }
-        found
-    }
-
+impl Scheduling<'_> {
     fn push(&mut self, operation: Operation) -> Value {
         // Addition and multiplication commute.
         let key = match &operation {
@@ -211,12 +63,11 @@ impl Lowering<'_> {
             Operation::NegMulAdd(u, w, x) => Operation::NegMulAdd(*u.min(w), *u.max(w), *x),
             _ => operation.clone(),
         };
-        if let Some(&value) = self.index.get(&key) {
-            return value;
+        let next = Value(self.operations.len() as u32);
+        let value = *self.index.entry(key).or_insert(next);
+        if value == next {
+            self.operations.push(operation);
         }
-        let value = Value(self.operations.len() as u32);
-        self.operations.push(operation);
-        self.index.insert(key, value);
         value
     }
 
@@ -230,7 +81,7 @@ impl Lowering<'_> {
 
     /// The value of an expression.
     fn value(&mut self, e: Expr) -> Value {
-        if let Some(&value) = self.of_expr.get(&e) {
+        if let Some(value) = self.of_expr[e.index()] {
             return value;
         }
         let value = match self.graph.node(e).clone() {
@@ -255,22 +106,22 @@ impl Lowering<'_> {
                 self.push(Operation::Select(test, yes, no))
             }
         };
-        self.of_expr.insert(e, value);
+        self.of_expr[e.index()] = Some(value);
         value
     }
 
     /// |c|·|coefficient of t|·t's factors.
     fn product(&mut self, c: Number, t: Expr) -> Value {
-        let Some((_, key)) = self.product_key(c, t) else { return self.value(t) };
-        match self.last_factors(&key) {
+        let Some(product) = self.products.of_term(c, t) else { return self.value(t) };
+        match self.last_factors(product) {
             What::Value(value) => value,
             What::Product(one, two) => self.mul(one, two),
         }
     }
 
     /// The last multiplication of a product, still to be done: earliest factors first.
-    fn last_factors(&mut self, key: &ProductKey) -> What {
-        let atoms = self.products[key].clone();
+    fn last_factors(&mut self, product: Product) -> What {
+        let atoms = self.products.atoms(product).to_vec();
         let mut heap: Vec<(u32, u32, Atom)> =
             atoms.iter().map(|&a| (self.atom_ready(a), self.atom_key(a), a)).collect();
         while heap.len() > 2 {
@@ -296,7 +147,7 @@ impl Lowering<'_> {
 
     /// numerator·(1/x) as numerator/x, where 1/x is needed here only and the numerator does not come late.
     fn quotient(&mut self, numerator: Atom, numerator_ready: u32, inverse: Atom) -> Option<Value> {
-        if self.company.get(&inverse) != Some(&1) || numerator_ready + latency::DIV > self.atom_ready(inverse) {
+        if !self.products.single(inverse) || numerator_ready + latency::DIV > self.atom_ready(inverse) {
             return None;
         }
         let below = self.below(inverse)?;
@@ -307,7 +158,7 @@ impl Lowering<'_> {
     /// x where the atom is 1/x.
     fn below(&mut self, atom: Atom) -> Option<Value> {
         match self.atoms.kind(atom).clone() {
-            AtomKind::Inverse(base, n) if self.single_inverse[&base] => Some(self.power(base, n)),
+            AtomKind::Inverse(base, n) if self.products.denominators.single_exponent(base) => Some(self.power(base, n)),
             AtomKind::Inverse(base, 1) => Some(self.value(base)),
             AtomKind::Denominator(below) => Some(self.denominator(&below)),
             _ => None,
@@ -315,12 +166,12 @@ impl Lowering<'_> {
     }
 
     fn atom_ready(&self, atom: Atom) -> u32 {
-        self.atoms.ready[atom.0 as usize]
+        self.atoms.ready[atom.index()]
     }
 
     /// An order of atoms that does not depend on which end is called a.
     fn atom_key(&mut self, atom: Atom) -> u32 {
-        let mut exchange = MirrorWithReady { mirror: &mut self.mirror, ready: &self.ready };
+        let mut exchange = self.mirror.with(&self.ready);
         atom.0.min(exchange.image(&mut self.atoms, atom).0)
     }
 
@@ -330,7 +181,7 @@ impl Lowering<'_> {
             AtomKind::Number(n) => self.push(Operation::Number(n)),
             AtomKind::Power(e, n) => self.power(e, n),
             AtomKind::Inverse(base, n) => {
-                if self.single_inverse[&base] {
+                if self.products.denominators.single_exponent(base) {
                     let power = self.power(base, n);
                     self.push(Operation::Recip(power))
                 } else {
@@ -435,14 +286,14 @@ impl Lowering<'_> {
         while let Some((c, t)) = rest.pop() {
             let image = self.mirror.of_expr(t);
             let key = t.0.min(image.0);
-            let (negative, magnitude) = (self.is_negative(c, t), c);
+            let (negative, magnitude) = (is_negative(self.graph, c, t), c);
             let twin = (image != t)
                 .then(|| rest.iter().position(|&(d, other)| other == image && d.value().abs() == c.value().abs()))
                 .flatten();
             if let Some(i) = twin {
                 let (d, other) = rest.remove(i);
                 let (value, twin) = (self.product(magnitude, t), self.product(d, other));
-                let same_sign = negative == self.is_negative(d, other);
+                let same_sign = negative == is_negative(self.graph, d, other);
                 let (operation, negative) = match (same_sign, negative) {
                     (true, sign) => (Operation::Add(value.min(twin), value.max(twin)), sign),
                     (false, false) => (Operation::Sub(value, twin), false),
@@ -459,14 +310,12 @@ impl Lowering<'_> {
         summands
     }
 
-    fn is_negative(&self, c: Number, t: Expr) -> bool {
-        self.product_key(c, t).map_or(c.value() < 0.0, |(negative, _)| negative)
-    }
-
     /// A product that is needed nowhere else is left to be fused with the addition.
     fn summand(&mut self, c: Number, t: Expr) -> What {
-        match self.product_key(c, t) {
-            Some((_, key)) if self.uses[&key] == 1 && !self.of_expr.contains_key(&t) => self.last_factors(&key),
+        match self.products.of_term(c, t) {
+            Some(product) if self.products.stands_once(product) && self.of_expr[t.index()].is_none() => {
+                self.last_factors(product)
+            }
             Some(_) => What::Value(self.product(c, t)),
             None => What::Value(self.value(t)),
         }

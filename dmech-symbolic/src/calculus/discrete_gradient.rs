@@ -3,6 +3,9 @@
 //! The walk is that of reverse-mode differentiation; the local factor of a node is its divided difference in place of
 //! its derivative. Because the secant identity holds at every node, Δnode = Σ factor·Δchild, it holds for the whole:
 //! ∇̄Φ(a, b)·(b − a) = Φ(b) − Φ(a). Because every factor is symmetric in a and b, so is ∇̄Φ.
+//!
+//! A choice has the discrete gradients of its branches, in which there may be choices: this file and [`piecewise`] call each
+//! other, as far down as choices are nested.
 
 use std::rc::Rc;
 

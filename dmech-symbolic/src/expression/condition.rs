@@ -1,6 +1,6 @@
 //! Conditions of piecewise expressions.
 
-use super::{Expr, Graph};
+use super::Expr;
 
 /// How two values are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -41,12 +41,6 @@ impl Condition {
     /// left = right
     pub fn equal(left: Expr, right: Expr) -> Self {
         Self::Compare(Relation::Equal, left.min(right), left.max(right))
-    }
-
-    /// A square, or a higher power, is so small that its inverse is lost. (In binary64; the bound is 0 in binary32.)
-    pub(crate) fn lost(graph: &mut Graph, power: Expr) -> Self {
-        let (zero, least) = (graph.zero(), graph.number(1e-307));
-        Self::equal(power, zero).or(Self::less(power, least))
     }
 
     /// Both conditions.
@@ -102,31 +96,6 @@ impl Condition {
             Self::Not(inner) => !inner.holds(value),
             Self::And(one, two) => one.holds(value) && two.holds(value),
             Self::Or(one, two) => one.holds(value) || two.holds(value),
-        }
-    }
-
-    /// Its truth where both sides are numbers.
-    pub(super) fn decided(&self, graph: &Graph) -> Option<bool> {
-        match self {
-            Self::Compare(relation, left, right) => {
-                let (left, right) = (graph.as_number(*left)?, graph.as_number(*right)?);
-                Some(match relation {
-                    Relation::Less => left < right,
-                    Relation::LessOrEqual => left <= right,
-                    Relation::Equal => left == right,
-                })
-            }
-            Self::Not(inner) => inner.decided(graph).map(|truth| !truth),
-            Self::And(one, two) => match (one.decided(graph), two.decided(graph)) {
-                (Some(false), _) | (_, Some(false)) => Some(false),
-                (Some(true), Some(true)) => Some(true),
-                _ => None,
-            },
-            Self::Or(one, two) => match (one.decided(graph), two.decided(graph)) {
-                (Some(true), _) | (_, Some(true)) => Some(true),
-                (Some(false), Some(false)) => Some(false),
-                _ => None,
-            },
         }
     }
 }

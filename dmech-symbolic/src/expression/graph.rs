@@ -4,67 +4,14 @@ use std::collections::hash_map::Entry;
 
 use crate::hash::Map;
 
-use super::{Binary, Condition, Display, Number, Unary};
-
-/// An expression: an index into its [`Graph`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Expr(pub(crate) u32);
-
-/// A variable: an index into the table of names of its [`Graph`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Symbol(pub(crate) u32);
-
-impl Expr {
-    /// Its position in the store; children come before parents.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
-/// What a symbol stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Role {
-    /// Something that moves: a component of a position, an increment.
-    Coordinate,
-    /// Something that does not change along a step: a parameter of the law, a mass, a step size.
-    Parameter,
-}
-
-/// One node in normal form.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
-    /// A number.
-    Number(Number),
-    /// A variable.
-    Symbol(Symbol),
-    /// constant + Σ cᵢ tᵢ, terms sorted; no term is a number or a sum; cᵢ ≠ 0.
-    Sum {
-        /// The constant term.
-        constant: Number,
-        /// The other terms with their coefficients.
-        terms: Box<[(Number, Expr)]>,
-    },
-    /// c Π fᵢ^nᵢ, factors sorted; no factor is a product; nᵢ ≠ 0; c ≠ 0.
-    Product {
-        /// The numerical coefficient.
-        coefficient: Number,
-        /// The factors with their integer exponents.
-        factors: Box<[(Expr, i32)]>,
-    },
-    /// A function of one argument.
-    Unary(Unary, Expr),
-    /// A function of two arguments.
-    Binary(Binary, Expr, Expr),
-    /// The first expression where the condition holds, the second elsewhere.
-    Select(Condition, Expr, Expr),
-}
+use super::{Expr, Node, Number, Symbol, Variable};
 
 /// A store of hash-consed expressions and the names of their variables.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
     index: Map<Node, Expr>,
-    names: Vec<(String, Role)>,
+    names: Vec<(String, Variable)>,
 }
 
 impl Graph {
@@ -75,16 +22,16 @@ impl Graph {
 
     /// A new variable that moves.
     pub fn coordinate(&mut self, name: &str) -> Symbol {
-        self.new_symbol(name, Role::Coordinate)
+        self.new_symbol(name, Variable::Coordinate)
     }
 
     /// A new variable that is constant along a step.
     pub fn parameter(&mut self, name: &str) -> Symbol {
-        self.new_symbol(name, Role::Parameter)
+        self.new_symbol(name, Variable::Parameter)
     }
 
-    fn new_symbol(&mut self, name: &str, role: Role) -> Symbol {
-        self.names.push((name.to_owned(), role));
+    fn new_symbol(&mut self, name: &str, stands_for: Variable) -> Symbol {
+        self.names.push((name.to_owned(), stands_for));
         Symbol(u32::try_from(self.names.len() - 1).expect("fewer than 2³² symbols"))
     }
 
@@ -94,7 +41,7 @@ impl Graph {
     }
 
     /// What a variable stands for.
-    pub fn role(&self, symbol: Symbol) -> Role {
+    pub fn variable(&self, symbol: Symbol) -> Variable {
         self.names[symbol.0 as usize].1
     }
 
@@ -147,21 +94,6 @@ impl Graph {
     /// The values of variables.
     pub fn symbols(&mut self, symbols: &[Symbol]) -> Vec<Expr> {
         symbols.iter().map(|&symbol| self.symbol(symbol)).collect()
-    }
-
-    /// The first expression where the condition holds, the second elsewhere.
-    ///
-    /// Rules, on all of the domain: a condition between numbers is decided; equal branches need none.
-    pub fn select(&mut self, condition: Condition, yes: Expr, no: Expr) -> Expr {
-        match condition.decided(self) {
-            Some(true) => yes,
-            Some(false) => no,
-            None if yes == no => yes,
-            None => match condition {
-                Condition::Not(inner) => self.intern(Node::Select(*inner, no, yes)),
-                condition => self.intern(Node::Select(condition, yes, no)),
-            },
-        }
     }
 
     /// The number, if the expression is one.
@@ -230,10 +162,5 @@ impl Graph {
     /// Whether the expression contains one of the symbols.
     pub fn depends_on(&self, e: Expr, symbols: &[Symbol]) -> bool {
         self.reachable(&[e]).iter().any(|&n| matches!(self.node(n), Node::Symbol(s) if symbols.contains(s)))
-    }
-
-    /// The expression in readable mathematics.
-    pub fn display(&self, e: Expr) -> Display<'_> {
-        Display::new(self, e)
     }
 }

@@ -6,8 +6,8 @@ use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
-use super::body::{Body, body};
-use super::document::{Documents, force_texts, increment};
+use super::body::{Printed, body};
+use super::document::{force_texts, increment, pointwise_texts, step_texts};
 use super::names::{Names, ident};
 use crate::lower::{Parameter, Read, Source};
 
@@ -35,116 +35,92 @@ pub(super) struct Printer<'a> {
 impl Printer<'_> {
     /// All functions of `Potential` for a conservative law.
     pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
-        let Documents {
-            texts:
-                [potential, gradient, hessian, discrete, jacobian, kick_doc, gradient_kick_doc, implicit_doc, exact_doc],
-        } = Documents::new(self.graph, kernels);
-        let pointwise = self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian]);
-        let kick = self.kick(&kernels.kick);
-        let gradient_kick = self.gradient_kick(&kernels.gradient_kick);
+        let pointwise = self.pointwise(kernels);
+        let [kick_doc, gradient_kick_doc, implicit_doc, exact_doc] = step_texts(kernels);
+        let kick = self.kick(&kick_doc, &kernels.kick);
+        let gradient_kick = self.gradient_kick(&gradient_kick_doc, &kernels.gradient_kick);
         let implicit = self.step("implicit_increment", &kernels.implicit, false);
         let exact = self.step("discrete_increment", &kernels.discrete, true);
         quote! {
             #pointwise
-            #(#[doc = #kick_doc])* #kick
-            #(#[doc = #gradient_kick_doc])* #gradient_kick
-            #(#[doc = #implicit_doc])* #implicit
-            #(#[doc = #exact_doc])* #exact
+            #kick
+            #gradient_kick
+            #[doc = #implicit_doc] #implicit
+            #[doc = #exact_doc] #exact
         }
     }
 
     /// v − c times what acts.
-    pub(super) fn kick(&self, program: &Program) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
-        self.function("kick", &arguments, &[variables.c], quote!([#scalar; #d]), Shape::Vector, program)
+    fn kick(&self, doc: &str, program: &Program) -> TokenStream {
+        let function = self.function("kick", &self.motion(), &[self.variables.c], Rank::Vector, program);
+        quote!(#[doc = #doc] #function)
     }
 
     /// v − c times what acts, and e times its change along itself.
-    fn gradient_kick(&self, program: &Program) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
-        let coefficients = [variables.c, variables.e];
-        self.function("gradient_kick", &arguments, &coefficients, quote!([#scalar; #d]), Shape::Vector, program)
+    fn gradient_kick(&self, doc: &str, program: &Program) -> TokenStream {
+        let coefficients = [self.variables.c, self.variables.e];
+        let function = self.function("gradient_kick", &self.motion(), &coefficients, Rank::Vector, program);
+        quote!(#[doc = #doc] #function)
+    }
+
+    /// Position and velocity.
+    fn motion(&self) -> [(&'static str, &[Symbol]); 2] {
+        [("q", &self.variables.q), ("v", &self.variables.v)]
     }
 
     /// The functions of `Potential` that are taken at a point, or between two.
     pub(super) fn pointwise(&self, kernels: &Kernels) -> TokenStream {
-        let [potential, gradient, hessian, discrete, jacobian, ..] = Documents::new(self.graph, kernels).texts;
-        self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian])
+        self.pointwise_functions("q", kernels.pointwise(), &pointwise_texts(self.graph, kernels))
     }
 
-    fn pointwise_with(&self, kernels: &Kernels, documents: [Vec<String>; 5]) -> TokenStream {
-        let Self { scalar, variables, .. } = self;
-        let d = &self.dimension;
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let q = [("q", &variables.q[..])];
-        let ends = [("a", &variables.a[..]), ("b", &variables.b[..])];
-        let potential = self.function("potential", &q, &[], quote!(#scalar), Shape::Scalar, &kernels.potential);
-        let gradient = self.function("gradient", &q, &[], vector.clone(), Shape::Vector, &kernels.gradient);
-        let hessian = self.function("hessian", &q, &[], matrix.clone(), Shape::Matrix, &kernels.hessian);
-        let discrete =
-            self.function("discrete_gradient", &ends, &[], vector, Shape::Vector, &kernels.discrete_gradient);
-        let jacobian = self.function(
-            "discrete_gradient_jacobian",
-            &ends,
-            &[],
-            matrix,
-            Shape::Matrix,
-            &kernels.discrete_gradient_jacobian,
-        );
-        let [potential_doc, gradient_doc, hessian_doc, discrete_doc, jacobian_doc] = documents;
-        quote! {
-            #(#[doc = #potential_doc])* #potential
-            #(#[doc = #gradient_doc])* #gradient
-            #(#[doc = #hessian_doc])* #hessian
-            #(#[doc = #discrete_doc])* #discrete
-            #(#[doc = #jacobian_doc])* #jacobian
-        }
+    /// The same of the programs, with the name of the point.
+    pub(super) fn pointwise_functions(
+        &self,
+        point: &str,
+        programs: [&Program; 5],
+        documents: &[Vec<String>; 5],
+    ) -> TokenStream {
+        let at = [(point, &self.variables.q[..])];
+        let ends = [("a", &self.variables.a[..]), ("b", &self.variables.b[..])];
+        let list = POINTWISE.iter().zip(programs).zip(documents);
+        let functions = list.map(|((&(name, rank), program), text)| {
+            let arrays = if name.starts_with("discrete") { &ends[..] } else { &at[..] };
+            let function = self.function(name, arrays, &[], rank, program);
+            quote!(#(#[doc = #text])* #function)
+        });
+        functions.collect()
     }
 
     /// The functions of `Force`: they take the time as an argument.
     pub(super) fn force_functions(&self, forced: &ForcedKernels) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
         let time = self.parameters.iter().find(|p| matches!(p.source, Source::Time)).map(|p| p.symbol);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
         let list = [
-            ("force", &vector, Shape::Vector, &forced.force),
-            ("force_dq", &matrix, Shape::Matrix, &forced.force_dq),
-            ("force_dv", &matrix, Shape::Matrix, &forced.force_dv),
+            ("force", Rank::Vector, &forced.force),
+            ("force_dq", Rank::Matrix, &forced.force_dq),
+            ("force_dv", Rank::Matrix, &forced.force_dv),
         ];
-        let functions = list.map(|(name, result, shape, program)| {
+        let functions = list.into_iter().zip(force_texts(self.graph, forced)).map(|((name, rank, program), text)| {
             let used = time.is_some_and(|t| program.symbols().contains(&t));
             let t = underscored(&time.map_or_else(|| ident("t"), |t| self.names.symbol(t)), used);
-            self.signed_function(name, &arguments, &[], Some(&t), result.clone(), shape, program)
+            let function = self.function_of_time(name, &self.motion(), &[], Some(&t), rank, program);
+            quote!(#(#[doc = #text])* #function)
         });
-        let [force, force_dq, force_dv] = functions;
-        let [force_doc, dq_doc, dv_doc] = force_texts(self.graph, forced);
-        quote! {
-            #(#[doc = #force_doc])* #force
-            #(#[doc = #dq_doc])* #force_dq
-            #(#[doc = #dv_doc])* #force_dv
-        }
+        functions.collect()
     }
 
     /// The functions of `Field` that a law with a force needs.
     pub(super) fn field_functions(&self, kernels: &Kernels, forced: &ForcedKernels) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
-        let vector = quote!([#scalar; #d]);
-        let slope = self.function("slope", &arguments, &[], vector.clone(), Shape::Vector, &forced.slope);
-        let half = self.function("half_force", &arguments, &[], vector, Shape::Vector, &forced.half_force);
+        let slope = self.function("slope", &self.motion(), &[], Rank::Vector, &forced.slope);
+        let half = self.function("half_force", &self.motion(), &[], Rank::Vector, &forced.half_force);
         let potential = self.step("potential_increment", &kernels.discrete, true);
-        let workless = match &forced.discrete {
-            ForcedStep::Mean(_) => TokenStream::new(),
-            ForcedStep::Middle { slope, change } => self.middle_step(slope, change, forced.discrete_is_linear),
+        let (half_doc, workless) = match &forced.discrete {
+            ForcedStep::Mean(_) => (" F/2, the share of the start of a step in the mean force.", None),
+            ForcedStep::Middle { slope, change } => (
+                " Nothing: a force that does no work is taken in the middle of the step.",
+                Some(self.middle_step(slope, change, forced.discrete_is_linear)),
+            ),
         };
         let slope_doc = format!(" ∇Φ − F: minus all that acts. Cost: {}.", forced.slope.cost());
-        let half_doc = match &forced.discrete {
-            ForcedStep::Mean(_) => " F/2, the share of the start of a step in the mean force.",
-            ForcedStep::Middle { .. } => " Nothing: a force that does no work is taken in the middle of the step.",
-        };
         let potential_doc = increment("the potential alone: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete);
         quote! {
             #[doc = #slope_doc] #slope
@@ -171,17 +147,16 @@ impl Printer<'_> {
             ForcedStep::Middle { .. } => self.rounded_middle_step(),
         };
         let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
-        let (kick, implicit) = (self.kick(&forced.kick), self.step("implicit_increment", &trapezoid, false));
-        let kick_doc = format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost());
+        let implicit = self.step("implicit_increment", &trapezoid, false);
+        let kick = self.kick(&format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost()), &forced.kick);
         let gradient_kick = forced.gradient_kick.as_ref().map(|program| {
             let doc = format!(" v − c s + e (∂s/∂q) s, with s = ∇Φ − F. Cost: {}.", program.cost());
-            let function = self.gradient_kick(program);
-            quote!(#[doc = #doc] #function)
+            self.gradient_kick(&doc, program)
         });
         let implicit_doc =
             increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
         quote! {
-            #[doc = #kick_doc] #kick
+            #kick
             #gradient_kick
             #[doc = #implicit_doc] #implicit
             #exact
@@ -193,23 +168,20 @@ impl Printer<'_> {
         name: &str,
         arrays: &[(&str, &[Symbol])],
         scalars: &[Symbol],
-        result: TokenStream,
-        shape: Shape,
+        rank: Rank,
         program: &Program,
     ) -> TokenStream {
-        self.signed_function(name, arrays, scalars, None, result, shape, program)
+        self.function_of_time(name, arrays, scalars, None, rank, program)
     }
 
     /// A function of arrays; scalars come before them, the time after.
-    #[expect(clippy::too_many_arguments)]
-    fn signed_function(
+    fn function_of_time(
         &self,
         name: &str,
         arrays: &[(&str, &[Symbol])],
         scalars: &[Symbol],
         time: Option<&Ident>,
-        result: TokenStream,
-        shape: Shape,
+        rank: Rank,
         program: &Program,
     ) -> TokenStream {
         let (name, scalar, d) = (ident(name), &self.scalar, &self.dimension);
@@ -221,7 +193,7 @@ impl Printer<'_> {
         });
         let bound: Vec<_> = arrays.iter().map(|(_, symbols)| self.pattern(symbols, &used)).collect();
         // A law that is only run counts as used.
-        let mention = self.declared.iter().filter(|_| matches!(shape, Shape::Scalar));
+        let mention = self.declared.iter().filter(|_| matches!(rank, Rank::Scalar));
         let mention = mention.map(|path| quote!(let _ = #path;));
         let signature = arrays.iter().zip(&bound).map(|(&(array, _), pattern)| {
             let array = underscored(&ident(array), pattern.is_some());
@@ -233,9 +205,9 @@ impl Printer<'_> {
         });
         let parameters = self.bind_parameters(&used, time.is_some());
         let time = time.map(|t| quote!(, #t: #scalar));
-        let Body { statements, outputs } = body(program, &self.names, scalar);
-        let value = shape.gather(&outputs, self.variables.q.len());
-        let inline = self.inline();
+        let Printed { statements, outputs } = body(program, &self.names, scalar);
+        let value = rank.gather(&outputs, self.variables.q.len());
+        let (inline, result) = (self.inline(), rank.array(scalar, d));
         quote! {
             #inline
             fn #name(&#receiver, #(#scalars,)* #(#signature),* #time) -> #result {
@@ -304,7 +276,7 @@ impl Printer<'_> {
         };
         let used = program.symbols();
         let parameters = self.bind_parameters(&used, false);
-        let Body { statements, outputs } = body(program, &self.names, scalar);
+        let Printed { statements, outputs } = body(program, &self.names, scalar);
         let solution = if let Step::Central(_) = step {
             let solver = ident(if between { "discrete" } else { "implicit" });
             let arguments = if between { vec![variables.s_a, variables.s_b] } else { vec![variables.s] };
@@ -372,30 +344,46 @@ impl Printer<'_> {
     }
 }
 
+/// The functions of `Potential` at a point, or between two.
+pub(super) const POINTWISE: [(&str, Rank); 5] = [
+    ("potential", Rank::Scalar),
+    ("gradient", Rank::Vector),
+    ("hessian", Rank::Matrix),
+    ("discrete_gradient", Rank::Vector),
+    ("discrete_gradient_jacobian", Rank::Matrix),
+];
+
 /// What the results of a program are gathered into.
 #[derive(Clone, Copy)]
-pub(super) enum Shape {
+pub(super) enum Rank {
     Scalar,
     Vector,
     Matrix,
-    /// Several, one after the other.
+    /// Three matrices.
     Matrices,
 }
 
-impl Shape {
-    fn gather(self, outputs: &[TokenStream], dimension: usize) -> TokenStream {
+impl Rank {
+    /// The type of the whole.
+    pub(super) fn array(self, scalar: &Ident, d: &TokenStream) -> TokenStream {
         match self {
-            Self::Scalar => outputs[0].clone(),
-            Self::Vector => quote!([#(#outputs),*]),
-            Self::Matrix => {
-                let rows = outputs.chunks(dimension).map(|row| quote!([#(#row),*]));
-                quote!([#(#rows),*])
-            }
-            Self::Matrices => {
-                let matrices = outputs.chunks(dimension * dimension).map(|m| Self::Matrix.gather(m, dimension));
-                quote!([#(#matrices),*])
-            }
+            Self::Scalar => quote!(#scalar),
+            Self::Vector => quote!([#scalar; #d]),
+            Self::Matrix => quote!([[#scalar; #d]; #d]),
+            Self::Matrices => quote!([[[#scalar; #d]; #d]; 3]),
         }
+    }
+
+    fn gather(self, outputs: &[TokenStream], dimension: usize) -> TokenStream {
+        let part = match self {
+            Self::Scalar => return outputs[0].clone(),
+            Self::Vector => return quote!([#(#outputs),*]),
+            Self::Matrix => Self::Vector,
+            Self::Matrices => Self::Matrix,
+        };
+        let parts = outputs.chunks(outputs.len() / if let Self::Matrix = self { dimension } else { 3 });
+        let parts = parts.map(|outputs| part.gather(outputs, dimension));
+        quote!([#(#parts),*])
     }
 }
 

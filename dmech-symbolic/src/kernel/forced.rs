@@ -222,13 +222,7 @@ fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> P
     let matrix = super::newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
     let delta = linear::solve(graph, &matrix, &residual, false);
-    let turned: Vec<_> = jacobian
-        .iter()
-        .map(|row| {
-            let terms: Vec<_> = row.iter().zip(&delta).map(|(&j, &delta)| graph.mul(&[j, delta])).collect();
-            graph.add(&terms)
-        })
-        .collect();
+    let turned: Vec<_> = jacobian.iter().map(|row| super::dot(graph, row, &delta)).collect();
     Program::schedule(graph, &[delta, turned].concat())
 }
 

@@ -4,7 +4,7 @@ mod forced;
 mod pair;
 
 pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};
-pub use pair::{PairForce, PairKernels, PairLaw, PairPotential, PairVariables, Radial, Separation};
+pub use pair::{PairForce, PairFormulas, PairKernels, PairLaw, PairPotential, PairVariables, Radial};
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};
@@ -127,10 +127,7 @@ impl Kernels {
         let gradient = calculus::gradient(graph, phi, &variables.q);
         let hessian = calculus::hessian(graph, phi, &variables.q);
         let structure = Structure::of(graph, phi, &hessian, &variables.q);
-        let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
-        let discrete_gradient = calculus::discrete_gradient(graph, phi, &mut ends);
-        let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
-        let formulas = Formulas { potential: phi, gradient, hessian, discrete_gradient, discrete_gradient_jacobian };
+        let formulas = Formulas::new(graph, phi, gradient, hessian, variables);
         let implicit = implicit_step(graph, &formulas, &structure, variables);
         let discrete = discrete_step(graph, &formulas, &structure, variables);
         let kick = kick(graph, &formulas.gradient, variables);
@@ -152,6 +149,27 @@ impl Kernels {
             formulas,
             structure,
         }
+    }
+
+    /// The programs at a point, or between two: potential, gradient, Hessian, discrete gradient and its Jacobian.
+    pub fn pointwise(&self) -> [&Program; 5] {
+        let Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian, .. } = self;
+        [potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian]
+    }
+}
+
+impl Formulas {
+    fn new(
+        graph: &mut Graph,
+        potential: Expr,
+        gradient: Vec<Expr>,
+        hessian: Vec<Vec<Expr>>,
+        variables: &Variables,
+    ) -> Self {
+        let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
+        let discrete_gradient = calculus::discrete_gradient(graph, potential, &mut ends);
+        let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
+        Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian }
     }
 }
 
@@ -239,14 +257,7 @@ fn central_gradient_kick(graph: &mut Graph, central: Central, variables: &Variab
     let change = graph.mul(&[e, radial]);
     let length = graph.sub(c, change);
     let factor = graph.mul(&[f, length]);
-    let squares: Vec<_> = variables
-        .q
-        .iter()
-        .map(|&q| {
-            let q = graph.symbol(q);
-            graph.square(q)
-        })
-        .collect();
+    let squares = crate::structure::squares(graph, &variables.q);
     let squared_distance = graph.add(&squares);
     let factor = Substitution::new(graph, [(central.s, squared_distance)]).apply(graph, factor);
     let coordinates = variables.v.iter().zip(&variables.q);

@@ -4,49 +4,77 @@ use dmech_scalar::Real;
 
 use super::Number;
 
-/// Functions of one argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[allow(missing_docs)]
-pub enum Unary {
-    Sqrt,
-    Cbrt,
-    Exp,
-    Exp2,
-    ExpM1,
-    Ln,
-    Ln1p,
-    Log2,
-    Log10,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Sinh,
-    Cosh,
-    Tanh,
-    Asinh,
-    Acosh,
-    Atanh,
-    Abs,
-    Signum,
+/// The functions of one argument: each with the method of the scalar trait that computes it.
+macro_rules! unary {
+    ($($(#[$doc:meta])* $name:ident $method:ident,)*) => {
+        /// Functions of one argument.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[allow(missing_docs)]
+        pub enum Unary {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl Unary {
+            /// All of them.
+            pub const ALL: [Self; 31] = [$(Self::$name),*];
+
+            /// The method of the scalar trait that computes it.
+            pub fn method(self) -> &'static str {
+                match self {
+                    $(Self::$name => stringify!($method),)*
+                }
+            }
+
+            /// Its value.
+            pub fn apply<R: Real>(self, x: R) -> R {
+                match self {
+                    $(Self::$name => x.$method(),)*
+                }
+            }
+        }
+    };
+}
+
+unary! {
+    Sqrt sqrt,
+    Cbrt cbrt,
+    Exp exp,
+    Exp2 exp2,
+    ExpM1 exp_m1,
+    Ln ln,
+    Ln1p ln_1p,
+    Log2 log2,
+    Log10 log10,
+    Sin sin,
+    Cos cos,
+    Tan tan,
+    Asin asin,
+    Acos acos,
+    Atan atan,
+    Sinh sinh,
+    Cosh cosh,
+    Tanh tanh,
+    Asinh asinh,
+    Acosh acosh,
+    Atanh atanh,
+    Abs abs,
+    Signum signum,
     /// sin(u)/u
-    Sinc,
+    Sinc sinc,
     /// sinc′(u)/u
-    SincSlope,
+    SincSlope sinc_slope,
     /// sinh(u)/u
-    Sinhc,
+    Sinhc sinhc,
     /// sinhc′(u)/u
-    SinhcSlope,
+    SinhcSlope sinhc_slope,
     /// arctan(u)/u
-    Atanc,
+    Atanc atanc,
     /// atanc′(u)/u
-    AtancSlope,
+    AtancSlope atanc_slope,
     /// artanh(u)/u
-    Atanhc,
+    Atanhc atanhc,
     /// atanhc′(u)/u
-    AtanhcSlope,
+    AtanhcSlope atanhc_slope,
 }
 
 /// Functions of two arguments.
@@ -69,120 +97,6 @@ pub(super) enum Parity {
 }
 
 impl Unary {
-    /// All of them.
-    pub const ALL: [Self; 31] = {
-        use Unary::*;
-        [
-            Sqrt,
-            Cbrt,
-            Exp,
-            Exp2,
-            ExpM1,
-            Ln,
-            Ln1p,
-            Log2,
-            Log10,
-            Sin,
-            Cos,
-            Tan,
-            Asin,
-            Acos,
-            Atan,
-            Sinh,
-            Cosh,
-            Tanh,
-            Asinh,
-            Acosh,
-            Atanh,
-            Abs,
-            Signum,
-            Sinc,
-            SincSlope,
-            Sinhc,
-            SinhcSlope,
-            Atanc,
-            AtancSlope,
-            Atanhc,
-            AtanhcSlope,
-        ]
-    };
-
-    /// The method of the scalar trait that computes it.
-    pub fn method(self) -> &'static str {
-        use Unary::*;
-        match self {
-            Sqrt => "sqrt",
-            Cbrt => "cbrt",
-            Exp => "exp",
-            Exp2 => "exp2",
-            ExpM1 => "exp_m1",
-            Ln => "ln",
-            Ln1p => "ln_1p",
-            Log2 => "log2",
-            Log10 => "log10",
-            Sin => "sin",
-            Cos => "cos",
-            Tan => "tan",
-            Asin => "asin",
-            Acos => "acos",
-            Atan => "atan",
-            Sinh => "sinh",
-            Cosh => "cosh",
-            Tanh => "tanh",
-            Asinh => "asinh",
-            Acosh => "acosh",
-            Atanh => "atanh",
-            Abs => "abs",
-            Signum => "signum",
-            Sinc => "sinc",
-            SincSlope => "sinc_slope",
-            Sinhc => "sinhc",
-            SinhcSlope => "sinhc_slope",
-            Atanc => "atanc",
-            AtancSlope => "atanc_slope",
-            Atanhc => "atanhc",
-            AtanhcSlope => "atanhc_slope",
-        }
-    }
-
-    /// Its value.
-    pub fn apply<R: Real>(self, x: R) -> R {
-        use Unary::*;
-        match self {
-            Sqrt => x.sqrt(),
-            Cbrt => x.cbrt(),
-            Exp => x.exp(),
-            Exp2 => x.exp2(),
-            ExpM1 => x.exp_m1(),
-            Ln => x.ln(),
-            Ln1p => x.ln_1p(),
-            Log2 => x.log2(),
-            Log10 => x.log10(),
-            Sin => x.sin(),
-            Cos => x.cos(),
-            Tan => x.tan(),
-            Asin => x.asin(),
-            Acos => x.acos(),
-            Atan => x.atan(),
-            Sinh => x.sinh(),
-            Cosh => x.cosh(),
-            Tanh => x.tanh(),
-            Asinh => x.asinh(),
-            Acosh => x.acosh(),
-            Atanh => x.atanh(),
-            Abs => x.abs(),
-            Signum => x.signum(),
-            Sinc => x.sinc(),
-            SincSlope => x.sinc_slope(),
-            Sinhc => x.sinhc(),
-            SinhcSlope => x.sinhc_slope(),
-            Atanc => x.atanc(),
-            AtancSlope => x.atanc_slope(),
-            Atanhc => x.atanhc(),
-            AtanhcSlope => x.atanhc_slope(),
-        }
-    }
-
     pub(super) fn parity(self) -> Parity {
         use Unary::*;
         match self {

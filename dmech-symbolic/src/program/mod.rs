@@ -14,7 +14,7 @@ mod product;
 mod scheduling;
 mod sharing;
 
-use crate::expression::{Binary, Condition, Expr, Graph, Number, Relation, Substitution, Symbol, Unary};
+use crate::expression::{Binary, Condition, Expr, Graph, Number, Substitution, Symbol, Unary};
 
 /// A value of a program: an index into its list of operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -28,14 +28,7 @@ impl Value {
 }
 
 /// A condition on values.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum Test {
-    Compare(Relation, Value, Value),
-    Not(Box<Test>),
-    And(Box<Test>, Box<Test>),
-    Or(Box<Test>, Box<Test>),
-}
+pub type Test = Condition<Value>;
 
 /// One operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -158,35 +151,7 @@ impl Operation {
                 vec![*u, *w]
             }
             Self::MulAdd(u, w, x) | Self::NegMulAdd(u, w, x) => vec![*u, *w, *x],
-            Self::Select(test, yes, no) => {
-                let mut operands = test.operands();
-                operands.extend([*yes, *no]);
-                operands
-            }
-        }
-    }
-}
-
-impl Test {
-    /// The values compared.
-    pub fn operands(&self) -> Vec<Value> {
-        match self {
-            Self::Compare(_, left, right) => vec![*left, *right],
-            Self::Not(inner) => inner.operands(),
-            Self::And(one, two) | Self::Or(one, two) => {
-                let mut operands = one.operands();
-                operands.extend(two.operands());
-                operands
-            }
-        }
-    }
-
-    fn of(condition: &Condition, value: &mut impl FnMut(Expr) -> Value) -> Self {
-        match condition {
-            Condition::Compare(relation, left, right) => Self::Compare(*relation, value(*left), value(*right)),
-            Condition::Not(inner) => Self::Not(Box::new(Self::of(inner, value))),
-            Condition::And(one, two) => Self::And(Box::new(Self::of(one, value)), Box::new(Self::of(two, value))),
-            Condition::Or(one, two) => Self::Or(Box::new(Self::of(one, value)), Box::new(Self::of(two, value))),
+            Self::Select(test, yes, no) => [test.operands(), vec![*yes, *no]].concat(),
         }
     }
 }

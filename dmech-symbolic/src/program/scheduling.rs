@@ -6,10 +6,10 @@ use crate::hash::Map;
 use super::atom::{Atom, AtomKind, Atoms};
 use super::mirror::Mirror;
 use super::product::{Product, Products, is_negative};
-use super::{Operation, Program, Test, Value, latency, naming};
+use super::{Operation, Program, Value, latency, naming};
 
 /// Sums longer than this are added in parts, so that their additions do not all wait for one another.
-const LONGEST_CHAIN: usize = 8;
+const LONGEST_SUM: usize = 8;
 
 pub(super) fn schedule(graph: &mut Graph, outputs: &[Expr], exchange: Option<Substitution>) -> Program {
     let order = graph.reachable(outputs);
@@ -101,7 +101,7 @@ impl Scheduling<'_> {
                 self.push(Operation::Binary(f, u, w))
             }
             Node::Select(condition, yes, no) => {
-                let test = Test::of(&condition, &mut |c| self.value(c));
+                let test = condition.with(&mut |c| self.value(c));
                 let (yes, no) = (self.value(yes), self.value(no));
                 self.push(Operation::Select(test, yes, no))
             }
@@ -259,14 +259,14 @@ impl Scheduling<'_> {
             let first = summands.remove(first);
             summands.insert(0, first);
         }
-        if summands.len() <= LONGEST_CHAIN {
-            let (negative, value) = self.chain(summands);
+        if summands.len() <= LONGEST_SUM {
+            let (negative, value) = self.add_up(summands);
             return if negative { self.push(Operation::Neg(value)) } else { value };
         }
         let mut parts: Vec<(bool, Value)> = vec![];
         while !summands.is_empty() {
-            let rest = summands.split_off(summands.len().min(LONGEST_CHAIN));
-            parts.push(self.chain(std::mem::replace(&mut summands, rest)));
+            let rest = summands.split_off(summands.len().min(LONGEST_SUM));
+            parts.push(self.add_up(std::mem::replace(&mut summands, rest)));
         }
         let parts = parts.into_iter().enumerate().map(|(i, (negative, value))| Summand {
             negative,
@@ -274,7 +274,7 @@ impl Scheduling<'_> {
             key: i as u32,
             what: What::Value(value),
         });
-        let (negative, value) = self.chain(parts.collect());
+        let (negative, value) = self.add_up(parts.collect());
         if negative { self.push(Operation::Neg(value)) } else { value }
     }
 
@@ -322,7 +322,7 @@ impl Scheduling<'_> {
     }
 
     /// Adds the summands one after the other; the sign is that of the first.
-    fn chain(&mut self, summands: Vec<Summand>) -> (bool, Value) {
+    fn add_up(&mut self, summands: Vec<Summand>) -> (bool, Value) {
         let mut summands = summands.into_iter();
         let first = summands.next().expect("a sum has summands");
         let sign = first.negative;
@@ -384,18 +384,7 @@ impl Operation {
             Self::Binary(function, u, w) => Self::Binary(function, f(u), f(w)),
             Self::MulAdd(u, w, x) => Self::MulAdd(f(u), f(w), f(x)),
             Self::NegMulAdd(u, w, x) => Self::NegMulAdd(f(u), f(w), f(x)),
-            Self::Select(test, yes, no) => Self::Select(test.renamed(f), f(yes), f(no)),
-        }
-    }
-}
-
-impl Test {
-    fn renamed(self, f: &impl Fn(Value) -> Value) -> Self {
-        match self {
-            Self::Compare(relation, left, right) => Self::Compare(relation, f(left), f(right)),
-            Self::Not(inner) => Self::Not(Box::new(inner.renamed(f))),
-            Self::And(one, two) => Self::And(Box::new(one.renamed(f)), Box::new(two.renamed(f))),
-            Self::Or(one, two) => Self::Or(Box::new(one.renamed(f)), Box::new(two.renamed(f))),
+            Self::Select(test, yes, no) => Self::Select(test.with(&mut |v| f(v)), f(yes), f(no)),
         }
     }
 }

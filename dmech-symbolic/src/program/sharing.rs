@@ -60,7 +60,7 @@ pub(super) fn share(products: &mut [Vec<Atom>], atoms: &mut Atoms, exchange: &mu
             pairs.places.entry(pair).or_default().push(i);
         }
     }
-    pairs.queue = pairs.places.iter().filter_map(|(&pair, at)| rank(pair, at.len(), atoms)).collect();
+    pairs.queue = pairs.places.iter().filter_map(|(&pair, at)| turn(pair, at.len(), atoms)).collect();
     while let Some(pair) = pairs.best(atoms) {
         let image = ordered(exchange.image(atoms, pair.0), exchange.image(atoms, pair.1));
         let both = if image == pair { vec![pair] } else { vec![pair, image] };
@@ -71,9 +71,9 @@ pub(super) fn share(products: &mut [Vec<Atom>], atoms: &mut Atoms, exchange: &mu
 }
 
 /// How many products a pair stands in, when it is ready, and itself: the greatest is taken next.
-type Rank = (usize, Reverse<(u32, Pair)>);
+type Turn = (usize, Reverse<(u32, Pair)>);
 
-fn rank(pair: Pair, count: usize, atoms: &Atoms) -> Option<Rank> {
+fn turn(pair: Pair, count: usize, atoms: &Atoms) -> Option<Turn> {
     let ready = atoms.ready[pair.0.index()].max(atoms.ready[pair.1.index()]);
     (count > 1).then_some((count, Reverse((ready, pair))))
 }
@@ -83,9 +83,9 @@ fn rank(pair: Pair, count: usize, atoms: &Atoms) -> Option<Rank> {
 struct Pairs {
     /// The products that each pair stands in, in order.
     places: Map<Pair, Vec<usize>>,
-    /// At least one rank for each shared pair, none of its ranks too low; too high a rank is put right when its turn comes, so
+    /// At least one turn for each shared pair, none of its counts too low; too high a count is put right when its turn comes, so
     /// that no pair is looked for again after every rewriting.
-    queue: BinaryHeap<Rank>,
+    queue: BinaryHeap<Turn>,
 }
 
 impl Pairs {
@@ -95,7 +95,7 @@ impl Pairs {
             if count == believed {
                 return Some(pair);
             }
-            self.queue.extend(rank(pair, count, atoms));
+            self.queue.extend(turn(pair, count, atoms));
         }
         None
     }
@@ -126,8 +126,8 @@ impl Pairs {
         }
         grown.sort_unstable();
         grown.dedup();
-        let ranks = grown.iter().filter_map(|pair| rank(*pair, self.places[pair].len(), atoms));
-        self.queue.extend(ranks);
+        let turns = grown.iter().filter_map(|pair| turn(*pair, self.places[pair].len(), atoms));
+        self.queue.extend(turns);
     }
 
     fn leave(&mut self, pair: Pair, place: usize) {

@@ -15,7 +15,7 @@ pub(crate) struct Multiplied(u64);
 
 impl Hasher for Multiplied {
     fn write_u64(&mut self, word: u64) {
-        self.0 = ((self.0 << 5 | self.0 >> 59) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     }
 
     fn write_u8(&mut self, byte: u8) {

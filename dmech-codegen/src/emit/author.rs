@@ -5,8 +5,8 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{ReturnType, parse_quote};
 
-use super::kernels::{on_law, receiver, underscored};
-use super::names::{ident, runtime};
+use super::function::on_law;
+use super::names::{ident, receiver, runtime, underscored};
 use crate::lower::{Parameter, Source};
 use crate::model::{Body, Formula, Model, PairArgument, Quantity, Shape};
 

@@ -9,9 +9,10 @@ use syn::parse_quote;
 
 use super::body::{Printed, body};
 use super::implementation::{dimension, generic_name, hidden_lifetime, module, parameters_of, scalar_name};
-use super::kernels::{POINTWISE, Printer, Rank, receiver, underscored};
-use super::names::{Names, ident, runtime};
+use super::kernels::Printer;
+use super::names::{Names, ident, receiver, runtime, underscored};
 use super::pair_document::{self, force_texts, potential_texts};
+use super::rank::{POINTWISE, Rank};
 use crate::PairDerivation;
 use crate::lower::{LoweredPair, Read, Source, data};
 use crate::model::Model;

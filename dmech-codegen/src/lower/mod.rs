@@ -18,6 +18,7 @@
 //! | [`abandon`] | nothing: what refused code leaves behind |
 //! | [`pair`] | the arguments of a law between two bodies |
 //! | [`field`] | `self.k`, `self.k[2]`, `Self::G` |
+//! | [`operator`], [`code`] | what is written, before it has a value |
 //!
 //! The rules are methods of one [`interpreter`], spread over these files: an expression has statements in it and a statement
 //! expressions, so that they call each other in a circle. No file needs another for its types or its functions in a circle.

@@ -8,8 +8,9 @@ use crate::expression::{Expr, Graph, Substitution, Symbol, Unary};
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
+use super::Formulas;
 use super::forced::expand;
-use super::{Formulas, Variables, exchange};
+use super::variables::{Variables, exchange};
 
 /// The variables of a pair law besides those of a potential in d.
 #[derive(Clone, Debug)]

@@ -13,6 +13,7 @@ mod naming;
 mod product;
 mod scheduling;
 mod sharing;
+mod sum;
 
 use crate::expression::{Binary, Condition, Expr, Graph, Number, Substitution, Symbol, Unary};
 

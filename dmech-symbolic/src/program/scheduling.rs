@@ -5,11 +5,8 @@ use crate::hash::Map;
 
 use super::atom::{Atom, AtomKind, Atoms};
 use super::mirror::Mirror;
-use super::product::{Product, Products, is_negative};
+use super::product::{Product, Products};
 use super::{Operation, Program, Value, latency, naming};
-
-/// Sums longer than this are added in parts, so that their additions do not all wait for one another.
-const LONGEST_SUM: usize = 8;
 
 pub(super) fn schedule(graph: &mut Graph, outputs: &[Expr], exchange: Option<Substitution>) -> Program {
     let order = graph.reachable(outputs);
@@ -28,33 +25,26 @@ pub(super) fn schedule(graph: &mut Graph, outputs: &[Expr], exchange: Option<Sub
     program
 }
 
-struct Scheduling<'g> {
-    graph: &'g Graph,
-    ready: Vec<u32>,
-    mirror: Mirror,
+pub(super) struct Scheduling<'g> {
+    pub(super) graph: &'g Graph,
+    pub(super) ready: Vec<u32>,
+    pub(super) mirror: Mirror,
     atoms: Atoms,
-    products: Products,
+    pub(super) products: Products,
     operations: Vec<Operation>,
     index: Map<Operation, Value>,
-    of_expr: Vec<Option<Value>>,
+    pub(super) of_expr: Vec<Option<Value>>,
 }
 
-/// One summand on its way into a sum.
-struct Summand {
-    negative: bool,
-    ready: u32,
-    key: u32,
-    what: What,
-}
-
-enum What {
+/// A product on its way into an operation.
+pub(super) enum What {
     Value(Value),
     /// A product of two values that nothing else needs.
     Product(Value, Value),
 }
 
 impl Scheduling<'_> {
-    fn push(&mut self, operation: Operation) -> Value {
+    pub(super) fn push(&mut self, operation: Operation) -> Value {
         // Addition and multiplication commute.
         let key = match &operation {
             Operation::Add(u, w) => Operation::Add(*u.min(w), *u.max(w)),
@@ -71,16 +61,16 @@ impl Scheduling<'_> {
         value
     }
 
-    fn number(&mut self, x: f64) -> Value {
+    pub(super) fn number(&mut self, x: f64) -> Value {
         self.push(Operation::Number(Number::new(x)))
     }
 
-    fn mul(&mut self, u: Value, w: Value) -> Value {
+    pub(super) fn mul(&mut self, u: Value, w: Value) -> Value {
         self.push(Operation::Mul(u, w))
     }
 
     /// The value of an expression.
-    fn value(&mut self, e: Expr) -> Value {
+    pub(super) fn value(&mut self, e: Expr) -> Value {
         if let Some(value) = self.of_expr[e.index()] {
             return value;
         }
@@ -111,7 +101,7 @@ impl Scheduling<'_> {
     }
 
     /// |c|·|coefficient of t|·t's factors.
-    fn product(&mut self, c: Number, t: Expr) -> Value {
+    pub(super) fn product(&mut self, c: Number, t: Expr) -> Value {
         let Some(product) = self.products.of_term(c, t) else { return self.value(t) };
         match self.last_factors(product) {
             What::Value(value) => value,
@@ -120,7 +110,7 @@ impl Scheduling<'_> {
     }
 
     /// The last multiplication of a product, still to be done: earliest factors first.
-    fn last_factors(&mut self, product: Product) -> What {
+    pub(super) fn last_factors(&mut self, product: Product) -> What {
         let atoms = self.products.atoms(product).to_vec();
         let mut heap: Vec<(u32, u32, Atom)> =
             atoms.iter().map(|&a| (self.atom_ready(a), self.atom_key(a), a)).collect();
@@ -245,101 +235,6 @@ impl Scheduling<'_> {
                 self.mul(even, base)
             }
         }
-    }
-
-    fn sum(&mut self, constant: Number, terms: &[(Number, Expr)]) -> Value {
-        let mut summands = self.summands(terms);
-        if constant != Number::ZERO {
-            let value = self.number(constant.value().abs());
-            summands.push(Summand { negative: constant.value() < 0.0, ready: 0, key: 0, what: What::Value(value) });
-        }
-        summands.sort_by_key(|s| (s.ready, s.key));
-        // A positive summand first, so that no negation is needed where one can be had.
-        if let Some(first) = summands.iter().position(|s| !s.negative) {
-            let first = summands.remove(first);
-            summands.insert(0, first);
-        }
-        if summands.len() <= LONGEST_SUM {
-            let (negative, value) = self.add_up(summands);
-            return if negative { self.push(Operation::Neg(value)) } else { value };
-        }
-        let mut parts: Vec<(bool, Value)> = vec![];
-        while !summands.is_empty() {
-            let rest = summands.split_off(summands.len().min(LONGEST_SUM));
-            parts.push(self.add_up(std::mem::replace(&mut summands, rest)));
-        }
-        let parts = parts.into_iter().enumerate().map(|(i, (negative, value))| Summand {
-            negative,
-            ready: 0,
-            key: i as u32,
-            what: What::Value(value),
-        });
-        let (negative, value) = self.add_up(parts.collect());
-        if negative { self.push(Operation::Neg(value)) } else { value }
-    }
-
-    /// The terms, each added to its image first.
-    fn summands(&mut self, terms: &[(Number, Expr)]) -> Vec<Summand> {
-        let mut rest = terms.to_vec();
-        rest.reverse();
-        let mut summands = vec![];
-        while let Some((c, t)) = rest.pop() {
-            let image = self.mirror.of_expr(t);
-            let key = t.0.min(image.0);
-            let (negative, magnitude) = (is_negative(self.graph, c, t), c);
-            let twin = (image != t)
-                .then(|| rest.iter().position(|&(d, other)| other == image && d.value().abs() == c.value().abs()))
-                .flatten();
-            if let Some(i) = twin {
-                let (d, other) = rest.remove(i);
-                let (value, twin) = (self.product(magnitude, t), self.product(d, other));
-                let same_sign = negative == is_negative(self.graph, d, other);
-                let (operation, negative) = match (same_sign, negative) {
-                    (true, sign) => (Operation::Add(value.min(twin), value.max(twin)), sign),
-                    (false, false) => (Operation::Sub(value, twin), false),
-                    (false, true) => (Operation::Sub(twin, value), false),
-                };
-                let value = self.push(operation);
-                let ready = self.ready[t.index()] + latency::ADD;
-                summands.push(Summand { negative, ready, key, what: What::Value(value) });
-                continue;
-            }
-            let what = self.summand(magnitude, t);
-            summands.push(Summand { negative, ready: self.ready[t.index()], key, what });
-        }
-        summands
-    }
-
-    /// A product that is needed nowhere else is left to be fused with the addition.
-    fn summand(&mut self, c: Number, t: Expr) -> What {
-        match self.products.of_term(c, t) {
-            Some(product) if self.products.stands_once(product) && self.of_expr[t.index()].is_none() => {
-                self.last_factors(product)
-            }
-            Some(_) => What::Value(self.product(c, t)),
-            None => What::Value(self.value(t)),
-        }
-    }
-
-    /// Adds the summands one after the other; the sign is that of the first.
-    fn add_up(&mut self, summands: Vec<Summand>) -> (bool, Value) {
-        let mut summands = summands.into_iter();
-        let first = summands.next().expect("a sum has summands");
-        let sign = first.negative;
-        let mut total = match first.what {
-            What::Value(value) => value,
-            What::Product(one, two) => self.mul(one, two),
-        };
-        for summand in summands {
-            let same = summand.negative == sign;
-            total = self.push(match summand.what {
-                What::Value(value) if same => Operation::Add(total, value),
-                What::Value(value) => Operation::Sub(total, value),
-                What::Product(one, two) if same => Operation::MulAdd(one, two, total),
-                What::Product(one, two) => Operation::NegMulAdd(one, two, total),
-            });
-        }
-        (sign, total)
     }
 }
 

@@ -69,10 +69,9 @@ pub fn derive(item: TokenStream) -> TokenStream {
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
-    match derive_all(model::from_impl(TokenStream::new(), item).model) {
-        Ok(Derived::One(derivation)) => Ok(*derivation),
-        Ok(Derived::Pair(derivation)) => Err(vec![diagnostics::pair::not_of_one_body(&derivation.model.self_ty)]),
-        Err(refused) => Err(refused.mistakes.errors),
+    match derived(item)? {
+        Derived::One(derivation) => Ok(*derivation),
+        Derived::Pair(derivation) => Err(vec![diagnostics::pair::not_of_one_body(&derivation.model.self_ty)]),
     }
 }
 
@@ -81,11 +80,14 @@ pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Erro
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_pair(item: TokenStream) -> Result<PairDerivation, Vec<syn::Error>> {
-    match derive_all(model::from_impl(TokenStream::new(), item).model) {
-        Ok(Derived::Pair(derivation)) => Ok(*derivation),
-        Ok(Derived::One(derivation)) => Err(vec![diagnostics::pair::of_one_body(&derivation.model.self_ty)]),
-        Err(refused) => Err(refused.mistakes.errors),
+    match derived(item)? {
+        Derived::Pair(derivation) => Ok(*derivation),
+        Derived::One(derivation) => Err(vec![diagnostics::pair::of_one_body(&derivation.model.self_ty)]),
     }
+}
+
+fn derived(item: TokenStream) -> Result<Derived, Vec<syn::Error>> {
+    derive_all(model::from_impl(TokenStream::new(), item).model).map_err(|refused| refused.mistakes.errors)
 }
 
 fn derive_all(model: Result<Model, Refused>) -> Result<Derived, Refused> {

@@ -40,18 +40,10 @@ impl Printer<'_> {
             let name = underscored(&self.names.symbol(s), used.contains(&s));
             quote!(#name: #scalar)
         });
-        let bound: Vec<_> = arrays.iter().map(|(_, symbols)| self.pattern(symbols, &used)).collect();
+        let (signature, unpack) = self.unpacked(arrays, &used);
         // A law that is only run counts as used.
         let mention = self.declared.iter().filter(|_| matches!(rank, Rank::Scalar));
         let mention = mention.map(|path| quote!(let _ = #path;));
-        let signature = arrays.iter().zip(&bound).map(|(&(array, _), pattern)| {
-            let array = underscored(&ident(array), pattern.is_some());
-            quote!(#array: [#scalar; #d])
-        });
-        let unpack = arrays.iter().zip(&bound).filter_map(|(&(array, _), pattern)| {
-            let (array, pattern) = (ident(array), pattern.as_ref()?);
-            Some(quote!(let #pattern = #array;))
-        });
         let parameters = self.bind_parameters(&used, time.is_some());
         let time = time.map(|t| quote!(, #t: #scalar));
         let Printed { statements, outputs } = body(program, &self.names, scalar);
@@ -59,14 +51,24 @@ impl Printer<'_> {
         let (inline, result) = (self.inline(), rank.array(scalar, d));
         quote! {
             #inline
-            fn #name(&#receiver, #(#scalars,)* #(#signature),* #time) -> #result {
+            fn #name(&#receiver, #(#scalars,)* #(#signature: [#scalar; #d]),* #time) -> #result {
                 #(#mention)*
-                #(#unpack)*
+                #unpack
                 #parameters
                 #statements
                 #value
             }
         }
+    }
+
+    /// The names of arrays as arguments, and the `let`s of the components that are used.
+    pub(super) fn unpacked(&self, arrays: &[(&str, &[Symbol])], used: &[Symbol]) -> (Vec<Ident>, TokenStream) {
+        let bound = arrays.iter().map(|(array, symbols)| (ident(array), self.pattern(symbols, used)));
+        let unpack = |(array, pattern): (Ident, Option<TokenStream>)| {
+            let name = underscored(&array, pattern.is_some());
+            (name, pattern.map_or_else(TokenStream::new, |pattern| quote!(let #pattern = #array;)))
+        };
+        bound.map(unpack).unzip()
     }
 
     /// A law between two bodies stands in the loop over all pairs, whose registers it must share.

@@ -46,9 +46,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let (constants, functions) = potential(&printer, derivation);
     let force = kernels.force.as_ref().map(|force| printer.pair_force(force, derivation));
     let acts = kernels.potential.is_none().then(|| {
-        quote!(
-            const POTENTIAL: bool = false;
-        )
+        quote! { const POTENTIAL: bool = false; }
     });
     let symmetric = kernels.symmetric.then(|| {
         quote! {
@@ -140,6 +138,8 @@ struct Generics {
     with_data: TokenStream,
     /// The same without the scalar.
     author: TokenStream,
+    /// The same without the dimension.
+    reads: TokenStream,
     data: TokenStream,
     dimension: TokenStream,
 }
@@ -158,6 +158,7 @@ impl Generics {
         };
         let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
         let parameters: Vec<_> = parameters_of(model).collect();
+        let last_data = any_data.then(|| quote!(#data));
         let any_data = any_data.then(|| quote!(#data,));
         Self {
             own: quote!(<#(#parameters),*>),
@@ -165,6 +166,7 @@ impl Generics {
             foreign: quote!(<#any_dimension #scalar: #runtime::Real>),
             with_data: quote!(<#(#parameters,)* #any_dimension #any_data #scalar: #runtime::Real>),
             author: quote!(<#(#parameters,)* #any_dimension #any_data>),
+            reads: quote!(<#(#parameters,)* #last_data>),
             scalar,
             data,
             dimension,
@@ -175,10 +177,7 @@ impl Generics {
 /// What the law reads of a body.
 fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]) -> TokenStream {
     let (runtime, self_ty, where_clause) = (&printer.runtime, &model.self_ty, &model.generics.where_clause);
-    let parameters: Vec<_> = parameters_of(model).collect();
-    let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
-    let data_type = &names.data;
-    let any_data = any_data.then(|| quote!(#data_type));
+    let Generics { data: data_type, reads, .. } = names;
     let count = Literal::usize_unsuffixed(layout.len());
     let (mass, data) = (ident("mass"), data());
     let reads_mass = layout.iter().any(|read| matches!(read, Read::Mass));
@@ -191,7 +190,7 @@ fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]
     });
     quote! {
         #[automatically_derived]
-        impl <#(#parameters,)* #any_data> #runtime::Reads<#data_type> for #self_ty #where_clause {
+        impl #reads #runtime::Reads<#data_type> for #self_ty #where_clause {
             type Numbers = [::core::primitive::f64; #count];
             #[inline(always)]
             fn numbers(&self, #mass_argument: ::core::primitive::f64, #data_argument: &#data_type) -> Self::Numbers {
@@ -210,9 +209,7 @@ fn potential(printer: &Printer<'_>, derivation: &PairDerivation) -> (TokenStream
     let (central, linear) = (alone && potential.is_none_or(is_radial), alone && potential.is_none_or(|p| p.linear));
     let piecewise = potential.is_some_and(|p| p.piecewise) || force.is_some_and(|force| force.piecewise);
     let piecewise = piecewise.then(|| {
-        quote!(
-            const PIECEWISE: bool = true;
-        )
+        quote! { const PIECEWISE: bool = true; }
     });
     let constants = quote! {
         const CENTRAL: bool = #central;
@@ -320,10 +317,8 @@ impl Printer<'_> {
 
 /// What acts between two bodies without content, for a law that has errors.
 pub(super) fn pair_stub(model: &Model) -> TokenStream {
-    let Generics { scalar, own, foreign, with_data, data, dimension: d, .. } = Generics::of(model);
+    let Generics { scalar, own, foreign, with_data, reads, data, dimension: d, .. } = Generics::of(model);
     let (runtime, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
-    let parameters: Vec<_> = parameters_of(model).collect();
-    let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none()).then(|| quote!(#data));
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
     let (held, numbers, q) = (hidden_lifetime(model), ident("_numbers"), ident("_d"));
     let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
@@ -339,7 +334,7 @@ pub(super) fn pair_stub(model: &Model) -> TokenStream {
             #[automatically_derived]
             impl #own #runtime::Symmetric for #self_ty #where_clause {}
             #[automatically_derived]
-            impl <#(#parameters,)* #any_data> #runtime::Reads<#data> for #self_ty #where_clause {
+            impl #reads #runtime::Reads<#data> for #self_ty #where_clause {
                 type Numbers = [::core::primitive::f64; 0];
                 fn numbers(&self, _: ::core::primitive::f64, _: &#data) -> Self::Numbers #unreachable
             }

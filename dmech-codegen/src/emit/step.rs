@@ -36,17 +36,8 @@ impl Printer<'_> {
                 (_, false) => "drive",
                 (_, true) => "drive_discrete",
             });
-            let mut arrays = vec![("delta", &variables.delta), ("b", &variables.b)];
-            if between {
-                arrays.insert(0, ("a", &variables.a));
-            }
-            let bound: Vec<_> =
-                arrays.iter().map(|(array, symbols)| (ident(array), self.pattern(symbols, &used))).collect();
-            let arguments = bound.iter().map(|(array, pattern)| underscored(array, pattern.is_some()));
-            let unpack = bound.iter().filter_map(|(array, pattern)| {
-                let pattern = pattern.as_ref()?;
-                Some(quote!(let #pattern = #array;))
-            });
+            let arrays = [("a", &variables.a[..]), ("delta", &variables.delta[..]), ("b", &variables.b[..])];
+            let (arguments, unpack) = self.unpacked(&arrays[usize::from(!between)..], &used);
             let known = self.pattern(&variables.rhs, &used).map(|pattern| quote!(let #pattern = #equation.known();));
             let velocities = [("v", &variables.v), ("drift", &variables.drift)].map(|(field, symbols)| {
                 let field = ident(field);
@@ -63,7 +54,7 @@ impl Printer<'_> {
             let vectors = outputs.chunks(variables.q.len());
             quote! {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
-                    #(#unpack)*
+                    #unpack
                     #known
                     #(#velocities)*
                     #(#scalars)*

@@ -174,16 +174,13 @@ fn is_scalar(value: &Value) -> bool {
 }
 
 fn in_range(n: i128, ty: &str) -> bool {
-    match ty {
-        "u8" => u8::try_from(n).is_ok(),
-        "i8" => i8::try_from(n).is_ok(),
-        "u16" => u16::try_from(n).is_ok(),
-        "i16" => i16::try_from(n).is_ok(),
-        "u32" => u32::try_from(n).is_ok(),
-        "i32" => i32::try_from(n).is_ok(),
-        "u64" | "usize" => u64::try_from(n).is_ok(),
-        "i64" | "isize" => i64::try_from(n).is_ok(),
-        "u128" => n >= 0,
-        _ => true,
+    macro_rules! fits {
+        ($($ty:ident)*) => {
+            match ty.replace("size", "64").as_str() {
+                $(stringify!($ty) => $ty::try_from(n).is_ok(),)*
+                _ => true,
+            }
+        };
     }
+    fits!(u8 i8 u16 i16 u32 i32 u64 i64 u128)
 }

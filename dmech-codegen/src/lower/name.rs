@@ -168,39 +168,25 @@ fn reads_as_number(known: &Known) -> bool {
 
 /// `std::f64::consts::PI`, `core::f64::consts::PI`, `consts::PI`, `f64::EPSILON`.
 pub(super) fn float_constant(names: &[String]) -> Option<f64> {
-    use std::f64::consts::*;
+    macro_rules! named {
+        ($name:expr, $module:path, $($constant:ident)*) => {{
+            use $module as module;
+            $(if $name == stringify!($constant) {
+                return Some(module::$constant);
+            })*
+            None
+        }};
+    }
     let names: Vec<_> = names.iter().map(String::as_str).collect();
-    let (parent, name) = match names[..] {
-        ["consts", name] | ["f64", "consts", name] | ["std" | "core", "f64", "consts", name] => ("consts", name),
-        ["f64", name] | ["std" | "core", "f64", name] => ("f64", name),
-        _ => return None,
-    };
-    Some(match (parent, name) {
-        ("consts", "PI") => PI,
-        ("consts", "TAU") => TAU,
-        ("consts", "E") => E,
-        ("consts", "SQRT_2") => SQRT_2,
-        ("consts", "FRAC_1_SQRT_2") => FRAC_1_SQRT_2,
-        ("consts", "FRAC_2_SQRT_PI") => FRAC_2_SQRT_PI,
-        ("consts", "FRAC_1_PI") => FRAC_1_PI,
-        ("consts", "FRAC_2_PI") => FRAC_2_PI,
-        ("consts", "FRAC_PI_2") => FRAC_PI_2,
-        ("consts", "FRAC_PI_3") => FRAC_PI_3,
-        ("consts", "FRAC_PI_4") => FRAC_PI_4,
-        ("consts", "FRAC_PI_6") => FRAC_PI_6,
-        ("consts", "FRAC_PI_8") => FRAC_PI_8,
-        ("consts", "LN_2") => LN_2,
-        ("consts", "LN_10") => LN_10,
-        ("consts", "LOG2_E") => LOG2_E,
-        ("consts", "LOG10_E") => LOG10_E,
-        ("consts", "LOG2_10") => LOG2_10,
-        ("consts", "LOG10_2") => LOG10_2,
-        ("f64", "EPSILON") => f64::EPSILON,
-        ("f64", "MAX") => f64::MAX,
-        ("f64", "MIN") => f64::MIN,
-        ("f64", "MIN_POSITIVE") => f64::MIN_POSITIVE,
-        _ => return None,
-    })
+    match names[..] {
+        ["consts", name] | ["f64", "consts", name] | ["std" | "core", "f64", "consts", name] => named!(
+            name, std::f64::consts,
+            PI TAU E SQRT_2 FRAC_1_SQRT_2 FRAC_2_SQRT_PI FRAC_1_PI FRAC_2_PI FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6
+            FRAC_PI_8 LN_2 LN_10 LOG2_E LOG10_E LOG2_10 LOG10_2
+        ),
+        ["f64", name] | ["std" | "core", "f64", name] => named!(name, std::f64, EPSILON MAX MIN MIN_POSITIVE),
+        _ => None,
+    }
 }
 
 fn is_not_finite(names: &[String]) -> bool {

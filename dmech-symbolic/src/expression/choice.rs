@@ -87,12 +87,9 @@ impl Graph {
 
     /// For every expression that has been stored since, whether it is made with a choice.
     pub(crate) fn extend_choosing(&self, chosen: &mut Vec<bool>) {
-        for i in chosen.len()..self.len() {
-            let e = Expr(i as u32);
-            let mut any = matches!(self.node(e), Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..));
-            self.each_child(e, |c| any |= chosen[c.index()]);
-            chosen.push(any);
-        }
+        self.extend_marks(chosen, |node| {
+            matches!(node, Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..))
+        });
     }
 
     /// The terms that both branches of an `if` have, if there are any, and the choice between what is left of the branches.

@@ -152,10 +152,15 @@ impl Graph {
 
     /// The same for the expressions that have been stored since.
     pub(crate) fn extend_dependence(&self, depends: &mut Vec<bool>, symbols: &[Symbol]) {
-        for i in depends.len()..self.nodes.len() {
-            let mut any = matches!(&self.nodes[i], Node::Symbol(s) if symbols.contains(s));
-            self.each_child(Expr(i as u32), |c| any |= depends[c.index()]);
-            depends.push(any);
+        self.extend_marks(depends, |node| matches!(node, Node::Symbol(s) if symbols.contains(s)));
+    }
+
+    /// Marks what has been stored since: what is marked itself, and all that is made of it.
+    pub(super) fn extend_marks(&self, marks: &mut Vec<bool>, marked: impl Fn(&Node) -> bool) {
+        for i in marks.len()..self.nodes.len() {
+            let mut any = marked(&self.nodes[i]);
+            self.each_child(Expr(i as u32), |c| any |= marks[c.index()]);
+            marks.push(any);
         }
     }
 

@@ -12,12 +12,6 @@ pub(super) struct Mirror {
     atoms: Map<Atom, Atom>,
 }
 
-/// A mirror that can find the images of atoms not seen before.
-pub(super) struct Exchange<'a> {
-    mirror: &'a mut Mirror,
-    ready: &'a [u32],
-}
-
 impl Mirror {
     pub(super) fn new(graph: &mut Graph, order: &[Expr], mut exchange: Substitution) -> Self {
         let images = order.iter().map(|&e| (e, exchange.apply(graph, e))).collect();
@@ -32,38 +26,32 @@ impl Mirror {
         self.images.get(&e).copied().unwrap_or(e)
     }
 
-    pub(super) fn with<'a>(&'a mut self, ready: &'a [u32]) -> Exchange<'a> {
-        Exchange { mirror: self, ready }
-    }
-}
-
-impl Exchange<'_> {
     /// The image of an atom.
-    pub(super) fn image(&mut self, atoms: &mut Atoms, atom: Atom) -> Atom {
-        if self.mirror.images.is_empty() {
+    pub(super) fn image(&mut self, atoms: &mut Atoms, atom: Atom, ready: &[u32]) -> Atom {
+        if self.images.is_empty() {
             return atom;
         }
-        if let Some(&image) = self.mirror.atoms.get(&atom) {
+        if let Some(&image) = self.atoms.get(&atom) {
             return image;
         }
         let kind = match atoms.kind(atom).clone() {
-            AtomKind::Base(e) => AtomKind::Base(self.mirror.of_expr(e)),
+            AtomKind::Base(e) => AtomKind::Base(self.of_expr(e)),
             AtomKind::Number(n) => AtomKind::Number(n),
-            AtomKind::Power(e, n) => AtomKind::Power(self.mirror.of_expr(e), n),
-            AtomKind::Inverse(e, n) => AtomKind::Inverse(self.mirror.of_expr(e), n),
+            AtomKind::Power(e, n) => AtomKind::Power(self.of_expr(e), n),
+            AtomKind::Inverse(e, n) => AtomKind::Inverse(self.of_expr(e), n),
             AtomKind::Denominator(below) => {
-                let mut below: Vec<_> = below.iter().map(|&(e, n)| (self.mirror.of_expr(e), n)).collect();
+                let mut below: Vec<_> = below.iter().map(|&(e, n)| (self.of_expr(e), n)).collect();
                 below.sort_unstable();
                 AtomKind::Denominator(below)
             }
             AtomKind::Pair(one, two) => {
-                let (one, two) = (self.image(atoms, one), self.image(atoms, two));
+                let (one, two) = (self.image(atoms, one, ready), self.image(atoms, two, ready));
                 AtomKind::Pair(one.min(two), one.max(two))
             }
         };
-        let image = atoms.intern(kind, self.ready);
-        self.mirror.atoms.insert(atom, image);
-        self.mirror.atoms.insert(image, atom);
+        let image = atoms.intern(kind, ready);
+        self.atoms.insert(atom, image);
+        self.atoms.insert(image, atom);
         image
     }
 }

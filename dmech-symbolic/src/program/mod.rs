@@ -145,14 +145,29 @@ impl Program {
 impl Operation {
     /// The values it reads.
     pub fn operands(&self) -> Vec<Value> {
+        let mut operands = vec![];
+        self.clone().with(&mut |value| {
+            operands.push(value);
+            value
+        });
+        operands
+    }
+
+    /// The same operation on what stands for the values.
+    fn with(self, f: &mut impl FnMut(Value) -> Value) -> Self {
         match self {
-            Self::Number(_) | Self::Symbol(_) => vec![],
-            Self::Neg(u) | Self::Recip(u) | Self::Unary(_, u) => vec![*u],
-            Self::Add(u, w) | Self::Sub(u, w) | Self::Mul(u, w) | Self::Div(u, w) | Self::Binary(_, u, w) => {
-                vec![*u, *w]
-            }
-            Self::MulAdd(u, w, x) | Self::NegMulAdd(u, w, x) => vec![*u, *w, *x],
-            Self::Select(test, yes, no) => [test.operands(), vec![*yes, *no]].concat(),
+            Self::Number(_) | Self::Symbol(_) => self,
+            Self::Neg(u) => Self::Neg(f(u)),
+            Self::Recip(u) => Self::Recip(f(u)),
+            Self::Unary(function, u) => Self::Unary(function, f(u)),
+            Self::Add(u, w) => Self::Add(f(u), f(w)),
+            Self::Sub(u, w) => Self::Sub(f(u), f(w)),
+            Self::Mul(u, w) => Self::Mul(f(u), f(w)),
+            Self::Div(u, w) => Self::Div(f(u), f(w)),
+            Self::Binary(function, u, w) => Self::Binary(function, f(u), f(w)),
+            Self::MulAdd(u, w, x) => Self::MulAdd(f(u), f(w), f(x)),
+            Self::NegMulAdd(u, w, x) => Self::NegMulAdd(f(u), f(w), f(x)),
+            Self::Select(test, yes, no) => Self::Select(test.with(f), f(yes), f(no)),
         }
     }
 }

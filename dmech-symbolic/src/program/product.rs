@@ -62,11 +62,10 @@ impl Products {
             let denominators = if compared[i] { None } else { Some(&products.denominators) };
             products.atoms[i] = atoms.of_product(graph, factors, denominators, ready);
         }
-        let mut exchange = mirror.with(ready);
         for (_, &Product(i)) in sorted {
-            sharing::group_images(&mut products.atoms[i], atoms, &mut exchange, ready);
+            sharing::group_images(&mut products.atoms[i], atoms, mirror, ready);
         }
-        sharing::share(&mut products.atoms, atoms, &mut exchange, ready);
+        sharing::share(&mut products.atoms, atoms, mirror, ready);
         products.count_company(atoms);
         products
     }

@@ -161,8 +161,7 @@ impl Scheduling<'_> {
 
     /// An order of atoms that does not depend on which end is called a.
     fn atom_key(&mut self, atom: Atom) -> u32 {
-        let mut exchange = self.mirror.with(&self.ready);
-        atom.0.min(exchange.image(&mut self.atoms, atom).0)
+        atom.0.min(self.mirror.image(&mut self.atoms, atom, &self.ready).0)
     }
 
     fn atom(&mut self, atom: Atom) -> Value {
@@ -256,30 +255,11 @@ fn remove_unused(program: &mut Program) {
     for (i, operation) in program.operations.drain(..).enumerate() {
         if needed[i] {
             renumbered[i] = Value(kept.len() as u32);
-            kept.push(operation.renamed(&|value| renumbered[value.index()]));
+            kept.push(operation.with(&mut |value| renumbered[value.index()]));
         }
     }
     program.operations = kept;
     for output in &mut program.outputs {
         *output = renumbered[output.index()];
-    }
-}
-
-impl Operation {
-    fn renamed(self, f: &impl Fn(Value) -> Value) -> Self {
-        match self {
-            Self::Number(_) | Self::Symbol(_) => self,
-            Self::Neg(u) => Self::Neg(f(u)),
-            Self::Recip(u) => Self::Recip(f(u)),
-            Self::Unary(function, u) => Self::Unary(function, f(u)),
-            Self::Add(u, w) => Self::Add(f(u), f(w)),
-            Self::Sub(u, w) => Self::Sub(f(u), f(w)),
-            Self::Mul(u, w) => Self::Mul(f(u), f(w)),
-            Self::Div(u, w) => Self::Div(f(u), f(w)),
-            Self::Binary(function, u, w) => Self::Binary(function, f(u), f(w)),
-            Self::MulAdd(u, w, x) => Self::MulAdd(f(u), f(w), f(x)),
-            Self::NegMulAdd(u, w, x) => Self::NegMulAdd(f(u), f(w), f(x)),
-            Self::Select(test, yes, no) => Self::Select(test.with(&mut |v| f(v)), f(yes), f(no)),
-        }
     }
 }

@@ -10,7 +10,7 @@ use std::collections::BinaryHeap;
 use crate::hash::Map;
 
 use super::atom::{Atom, AtomKind, Atoms};
-use super::mirror::Exchange;
+use super::mirror::Mirror;
 
 type Pair = (Atom, Atom);
 
@@ -35,10 +35,10 @@ fn pairs_of(product: &[Atom], in_view: impl Fn(Atom) -> bool) -> Vec<Pair> {
 }
 
 /// Multiplies every atom with its own image first: the result does not change under the exchange.
-pub(super) fn group_images(product: &mut Vec<Atom>, atoms: &mut Atoms, exchange: &mut Exchange<'_>, ready: &[u32]) {
+pub(super) fn group_images(product: &mut Vec<Atom>, atoms: &mut Atoms, mirror: &mut Mirror, ready: &[u32]) {
     let mut i = 0;
     while i < product.len() {
-        let image = exchange.image(atoms, product[i]);
+        let image = mirror.image(atoms, product[i], ready);
         let partner = product.iter().skip(i + 1).position(|&other| other == image && other != product[i]);
         if let Some(offset) = partner {
             let two = product.remove(i + 1 + offset);
@@ -53,7 +53,7 @@ pub(super) fn group_images(product: &mut Vec<Atom>, atoms: &mut Atoms, exchange:
 }
 
 /// Rewrites the products until they share no pair.
-pub(super) fn share(products: &mut [Vec<Atom>], atoms: &mut Atoms, exchange: &mut Exchange<'_>, ready: &[u32]) {
+pub(super) fn share(products: &mut [Vec<Atom>], atoms: &mut Atoms, mirror: &mut Mirror, ready: &[u32]) {
     let mut pairs = Pairs::default();
     for (i, product) in products.iter().enumerate() {
         for pair in pairs_of(product, |_| true) {
@@ -62,7 +62,7 @@ pub(super) fn share(products: &mut [Vec<Atom>], atoms: &mut Atoms, exchange: &mu
     }
     pairs.queue = pairs.places.iter().filter_map(|(&pair, at)| turn(pair, at.len(), atoms)).collect();
     while let Some(pair) = pairs.best(atoms) {
-        let image = ordered(exchange.image(atoms, pair.0), exchange.image(atoms, pair.1));
+        let image = ordered(mirror.image(atoms, pair.0, ready), mirror.image(atoms, pair.1, ready));
         let both = if image == pair { vec![pair] } else { vec![pair, image] };
         for pair in both {
             pairs.replace(pair, products, atoms, ready);

@@ -14,6 +14,7 @@ mod diagnostics;
 mod emit;
 mod lower;
 mod model;
+mod role;
 
 pub use lower::{Lowered, LoweredPair, Parameter, Read, Source};
 pub use model::{Body, Model, PairSignature};
@@ -21,8 +22,7 @@ pub use model::{Body, Model, PairSignature};
 use dmech_symbolic::kernel::{ForcedKernels, Kernels, PairKernels, PairLaw};
 use proc_macro2::TokenStream;
 
-use diagnostics::Mistakes;
-use model::{Parsed, Refusal};
+use model::{Parsed, Refusal, Refused};
 
 /// A law with everything that follows from it, before it is printed.
 pub struct Derivation {
@@ -69,11 +69,9 @@ pub fn derive(item: TokenStream) -> TokenStream {
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
-    let model = model::from_impl(TokenStream::new(), item).model.map_err(|mistakes| mistakes.errors)?;
-    match derive_all(model) {
-        Ok(Derived::One(derivation)) => Ok(*derivation),
-        Ok(Derived::Pair(derivation)) => Err(vec![diagnostics::pair::not_of_one_body(&derivation.model)]),
-        Err((_, mistakes)) => Err(mistakes.errors),
+    match derived(item)? {
+        Derived::One(derivation) => Ok(*derivation),
+        Derived::Pair(derivation) => Err(vec![diagnostics::pair::not_of_one_body(&derivation.model.self_ty)]),
     }
 }
 
@@ -82,18 +80,23 @@ pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Erro
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_pair(item: TokenStream) -> Result<PairDerivation, Vec<syn::Error>> {
-    let model = model::from_impl(TokenStream::new(), item).model.map_err(|mistakes| mistakes.errors)?;
-    match derive_all(model) {
-        Ok(Derived::Pair(derivation)) => Ok(*derivation),
-        Ok(Derived::One(derivation)) => Err(vec![diagnostics::pair::of_one_body(&derivation.model)]),
-        Err((_, mistakes)) => Err(mistakes.errors),
+    match derived(item)? {
+        Derived::Pair(derivation) => Ok(*derivation),
+        Derived::One(derivation) => Err(vec![diagnostics::pair::of_one_body(&derivation.model.self_ty)]),
     }
 }
 
-fn derive_all(model: Model) -> Result<Derived, (Box<Model>, Mistakes)> {
+fn derived(item: TokenStream) -> Result<Derived, Vec<syn::Error>> {
+    derive_all(model::from_impl(TokenStream::new(), item).model).map_err(|refused| refused.mistakes.errors)
+}
+
+fn derive_all(model: Result<Model, Refused>) -> Result<Derived, Refused> {
+    let model = model.map_err(with_bodies)?;
     let mut lowered = match lower::lower(&model) {
         Ok(lowered) => lowered,
-        Err(mistakes) => return Err((Box::new(model), mistakes)),
+        Err(mistakes) => {
+            return Err(Refused { mistakes, model: Some(Box::new(model)), refusal: Refusal::Formulas });
+        }
     };
     if let Some(pair) = lowered.pair.take() {
         let law = PairLaw {
@@ -111,23 +114,30 @@ fn derive_all(model: Model) -> Result<Derived, (Box<Model>, Mistakes)> {
     Ok(Derived::One(Box::new(Derivation { model, lowered, kernels, forced })))
 }
 
-fn expand(Parsed { item, model, refused }: Parsed) -> TokenStream {
-    let (model, refusal, mistakes) = match model {
-        Err(mistakes) => (refused, Refusal::Signature, mistakes),
-        Ok(model) => match derive_all(model) {
-            Ok(derived) => {
-                let mut tokens = item;
-                tokens.extend(match &derived {
-                    Derived::One(derivation) => emit::implementation(derivation),
-                    Derived::Pair(derivation) => emit::pair_implementation(derivation),
-                });
-                return tokens;
-            }
-            Err((model, mistakes)) => (Some(model), Refusal::Formulas, mistakes),
-        },
-    };
-    let mut tokens = emit::withheld(item, &mistakes.methods);
-    tokens.extend(model.map(|model| emit::stand_in(&model, refusal)));
-    tokens.extend(mistakes.errors.iter().map(syn::Error::to_compile_error));
-    tokens
+/// The body of a law that is refused for its signature is read all the same, so that its mistakes show in the same run.
+fn with_bodies(mut refused: Refused) -> Refused {
+    if let Some(model) = refused.model.take() {
+        refused.mistakes.extend(lower::mistakes(&model));
+        refused.model = Some(Box::new(model.without_signature()));
+    }
+    refused
+}
+
+fn expand(Parsed { item, model }: Parsed) -> TokenStream {
+    match derive_all(model) {
+        Ok(derived) => {
+            let mut tokens = item;
+            tokens.extend(match &derived {
+                Derived::One(derivation) => emit::implementation(derivation),
+                Derived::Pair(derivation) => emit::pair_implementation(derivation),
+            });
+            tokens
+        }
+        Err(Refused { mistakes, model, refusal }) => {
+            let mut tokens = emit::withheld(item, &mistakes.methods);
+            tokens.extend(model.map(|model| emit::stand_in(&model, refusal)));
+            tokens.extend(mistakes.errors.iter().map(syn::Error::to_compile_error));
+            tokens
+        }
+    }
 }

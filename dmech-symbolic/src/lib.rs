@@ -27,6 +27,7 @@
 
 pub mod calculus;
 pub mod expression;
+mod hash;
 pub mod kernel;
 pub mod linear;
 pub mod program;

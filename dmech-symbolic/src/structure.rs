@@ -60,17 +60,16 @@ impl Central {
     }
 }
 
+/// qᵢ².
+pub(crate) fn squares(graph: &mut Graph, coordinates: &[Symbol]) -> Vec<Expr> {
+    graph.symbols(coordinates).into_iter().map(|q| graph.square(q)).collect()
+}
+
 /// Replaces Σ qᵢ² by s wherever it stands in a sum; central if no coordinate is left.
 fn central(graph: &mut Graph, phi: Expr, coordinates: &[Symbol]) -> Option<Central> {
     let s = graph.coordinate("s");
     let squared_distance = graph.symbol(s);
-    let squares: Vec<_> = coordinates
-        .iter()
-        .map(|&q| {
-            let q = graph.symbol(q);
-            graph.square(q)
-        })
-        .collect();
+    let squares = squares(graph, coordinates);
     // The distance may first appear after an inner sum has been replaced: repeat until nothing changes.
     let mut current = phi;
     loop {

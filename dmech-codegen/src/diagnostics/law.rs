@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span};
 use quote::ToTokens;
 use syn::{Error, Item, Pat, Signature};
 
-use crate::model::Role;
+use crate::role::Role;
 
 use super::{at, counted, text};
 

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::Error;
 
-use crate::model::{Model, Role};
+use crate::role::Role;
 
 use super::{at, text};
 
@@ -97,10 +97,10 @@ pub(crate) fn one_body_beside(name: &Ident) -> Error {
     )
 }
 
-pub(crate) fn not_of_one_body(model: &Model) -> Error {
-    at(&model.self_ty, "this is a law between two bodies")
+pub(crate) fn not_of_one_body(self_ty: &impl ToTokens) -> Error {
+    at(self_ty, "this is a law between two bodies")
 }
 
-pub(crate) fn of_one_body(model: &Model) -> Error {
-    at(&model.self_ty, "this is a law of one body, not between two")
+pub(crate) fn of_one_body(self_ty: &impl ToTokens) -> Error {
+    at(self_ty, "this is a law of one body, not between two")
 }

@@ -5,10 +5,10 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{ReturnType, parse_quote};
 
-use super::kernels::{on_law, receiver, underscored};
-use super::names::{ident, runtime};
+use super::function::on_law;
+use super::names::{ident, receiver, runtime, underscored};
 use crate::lower::{Parameter, Source};
-use crate::model::{ArgumentRole, Body, Formula, Model, PairArgument, Shape};
+use crate::model::{Body, Formula, Model, PairArgument, Quantity, Shape};
 
 /// The items of `Author` or, between two bodies, of `PairAuthor`.
 pub(super) fn items(
@@ -33,8 +33,8 @@ pub(super) fn items(
         }
     };
     let named = |body: Body| {
-        let role = ArgumentRole::Pair(PairArgument::Data(body));
-        model.formulas().flat_map(|formula| &formula.arguments).any(|argument| argument.role == role)
+        let data = Quantity::Pair(PairArgument::Data(body));
+        model.formulas().flat_map(|formula| &formula.arguments).any(|argument| argument.quantity == data)
     };
     let bodies = data.into_iter().flat_map(|data| {
         [Body::A, Body::B].map(|body| {
@@ -66,7 +66,7 @@ pub(super) fn items(
 /// The method, or the closure, with the numbers of a place for its arguments.
 fn call(model: &Model, formula: &Formula) -> TokenStream {
     let (self_ty, receiver) = (&model.self_ty, receiver());
-    let arguments = formula.arguments.iter().map(|argument| value(argument.role));
+    let arguments = formula.arguments.iter().map(|argument| value(argument.quantity));
     match &formula.closure {
         None => {
             let method = &formula.ident;
@@ -87,7 +87,7 @@ fn call(model: &Model, formula: &Formula) -> TokenStream {
     }
 }
 
-fn value(role: ArgumentRole) -> TokenStream {
+fn value(quantity: Quantity) -> TokenStream {
     let (runtime, place) = (runtime(), ident("place"));
     let vector = |vector: TokenStream, shape: Shape| match shape {
         Shape::Number => quote!(#vector[0]),
@@ -95,23 +95,23 @@ fn value(role: ArgumentRole) -> TokenStream {
         Shape::Vector => quote!(#runtime::written::arranged(#vector)),
     };
     let of = |body: Body| proc_macro2::Literal::usize_unsuffixed(body as usize);
-    match role {
-        ArgumentRole::Position(shape) => vector(quote!(#place.q), shape),
-        ArgumentRole::Velocity(shape) => vector(quote!(#place.v[0]), shape),
-        ArgumentRole::Mass => quote!(#place.m[0]),
-        ArgumentRole::Time => quote!(#place.t),
-        ArgumentRole::Pair(PairArgument::Distance) => quote!(#runtime::radial::square(#place.q).sqrt()),
-        ArgumentRole::Pair(PairArgument::Separation(shape)) => vector(quote!(#place.q), shape),
-        ArgumentRole::Pair(PairArgument::Velocity(body, shape)) => {
+    match quantity {
+        Quantity::Position(shape) => vector(quote!(#place.q), shape),
+        Quantity::Velocity(shape) => vector(quote!(#place.v[0]), shape),
+        Quantity::Mass => quote!(#place.m[0]),
+        Quantity::Time => quote!(#place.t),
+        Quantity::Pair(PairArgument::Distance) => quote!(#runtime::radial::square(#place.q).sqrt()),
+        Quantity::Pair(PairArgument::Separation(shape)) => vector(quote!(#place.q), shape),
+        Quantity::Pair(PairArgument::Velocity(body, shape)) => {
             let body = of(body);
             vector(quote!(#place.v[#body]), shape)
         }
-        ArgumentRole::Pair(PairArgument::Mass(body)) => {
+        Quantity::Pair(PairArgument::Mass(body)) => {
             let body = of(body);
             quote!(#place.m[#body])
         }
-        ArgumentRole::Pair(PairArgument::Data(body)) => ident(body.name()).into_token_stream(),
+        Quantity::Pair(PairArgument::Data(body)) => ident(body.name()).into_token_stream(),
         // A law that is refused is not emitted.
-        ArgumentRole::Refused => TokenStream::new(),
+        Quantity::Refused => TokenStream::new(),
     }
 }

@@ -17,18 +17,18 @@ const LONGEST: usize = 5;
 const LIGHTEST: usize = 4;
 
 /// Statements, and the expressions of the results.
-pub(super) struct Body {
+pub(super) struct Printed {
     pub(super) statements: TokenStream,
     pub(super) outputs: Vec<TokenStream>,
 }
 
 /// Prints a program; symbols must be bound under their names.
-pub(super) fn body(program: &Program, names: &Names, scalar: &Ident) -> Body {
+pub(super) fn body(program: &Program, names: &Names, scalar: &Ident) -> Printed {
     let regions = Regions::new(program);
     let tests = SharedTests::new(program, &regions);
     let mut values: HashMap<Option<Branch>, Vec<Value>> = HashMap::new();
     program.values().for_each(|value| values.entry(regions.of(value)).or_default().push(value));
-    let mut printer = Printer {
+    let mut writer = Writer {
         program,
         scalar,
         idents: names.values(program),
@@ -38,12 +38,12 @@ pub(super) fn body(program: &Program, names: &Names, scalar: &Ident) -> Body {
         tests,
         inline: vec![None; program.operations.len()],
     };
-    let statements = printer.region(None);
-    let outputs = program.outputs.iter().map(|&v| printer.fragment(v).tokens).collect();
-    Body { statements, outputs }
+    let statements = writer.region(None);
+    let outputs = program.outputs.iter().map(|&v| writer.fragment(v).tokens).collect();
+    Printed { statements, outputs }
 }
 
-struct Printer<'a> {
+struct Writer<'a> {
     program: &'a Program,
     scalar: &'a Ident,
     idents: Vec<Option<Ident>>,
@@ -57,7 +57,7 @@ struct Printer<'a> {
     inline: Vec<Option<Fragment>>,
 }
 
-impl Printer<'_> {
+impl Writer<'_> {
     /// The `let`s of one region, in order.
     fn region(&mut self, region: Option<Branch>) -> TokenStream {
         let mut statements = TokenStream::new();
@@ -135,8 +135,10 @@ impl Printer<'_> {
     }
 
     fn fragment(&mut self, value: Value) -> Fragment {
-        match &self.inline[value.index()] {
-            Some(fragment) => fragment.clone(),
+        let inline = &mut self.inline[value.index()];
+        let number = matches!(self.program.operation(value), Operation::Number(_));
+        match if number { inline.clone() } else { inline.take() } {
+            Some(fragment) => fragment,
             None => {
                 let ident = self.ident(value);
                 Fragment::atom(quote!(#ident))

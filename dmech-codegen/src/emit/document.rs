@@ -3,80 +3,72 @@
 use std::fmt::Write;
 
 use dmech_symbolic::expression::{Expr, Graph};
-use dmech_symbolic::kernel::{ForcedKernels, Kernels, Step};
+use dmech_symbolic::kernel::{self, ForcedKernels, Kernels, Step};
 use dmech_symbolic::program::Program;
 
 use crate::Derivation;
-use crate::lower::Source;
+use crate::lower::{Parameter, Source};
 
-/// The paragraphs above each function, in the order of the implementation.
-pub(super) struct Documents {
-    pub(super) texts: [Vec<String>; 9],
+/// The paragraphs above the functions of `Potential` at a point, or between two.
+pub(super) fn pointwise_texts(graph: &Graph, kernels: &Kernels) -> [Vec<String>; 5] {
+    let formulas = Formulas { graph, dimension: kernels.formulas.gradient.len(), lines: vec![] };
+    let of = |what: &str, list: &[Expr]| formulas.components(what, "", list);
+    let (found, [potential, gradient, hessian, discrete, jacobian]) = (&kernels.formulas, kernels.pointwise());
+    [
+        block("The potential.", &[("Φ".to_owned(), shown(graph, found.potential))], potential),
+        block("The gradient.", &of("∂Φ/∂", &found.gradient), gradient),
+        costly("The Hessian.", hessian),
+        block(
+            "The discrete gradient, exact for any gap between the ends a and b.",
+            &of("∇̄Φ", &found.discrete_gradient),
+            discrete,
+        ),
+        costly("∂∇̄Φ/∂b.", jacobian),
+    ]
 }
 
-impl Documents {
-    pub(super) fn new(graph: &Graph, kernels: &Kernels) -> Self {
-        let formulas = &kernels.formulas;
-        let dimension = formulas.gradient.len();
-        let show = |e: Expr| shown(graph, e);
-        let component = |list: &[Expr], what: &str| -> Vec<String> {
-            list.iter().enumerate().map(|(i, &e)| format!(" {what}{} = {}", subscript(i, dimension), show(e))).collect()
-        };
-        let cost = |program: &Program| program.cost().to_string();
-        Self {
-            texts: [
-                block("The potential.", vec![format!(" Φ = {}", show(formulas.potential))], cost(&kernels.potential)),
-                block("The gradient.", component(&formulas.gradient, "∂Φ/∂"), cost(&kernels.gradient)),
-                vec![format!(" The Hessian. Cost: {}.", cost(&kernels.hessian))],
-                block(
-                    "The discrete gradient, exact for any gap between the ends a and b.",
-                    component(&formulas.discrete_gradient, "∇̄Φ"),
-                    cost(&kernels.discrete_gradient),
-                ),
-                vec![format!(" ∂∇̄Φ/∂b. Cost: {}.", cost(&kernels.discrete_gradient_jacobian))],
-                vec![" v − c ∇Φ(q).".to_owned()],
-                vec![format!(" v − c ∇Φ(q) + e H ∇Φ(q), H the Hessian. Cost: {}.", cost(&kernels.gradient_kick))],
-                vec![increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit)],
-                vec![increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete)],
-            ],
-        }
-    }
+/// The lines above the functions of steps: the kicks, the trapezoidal step, the energy-exact steps.
+pub(super) fn step_texts(kernels: &Kernels) -> [String; 4] {
+    [
+        " v − c ∇Φ(q).".to_owned(),
+        format!(" v − c ∇Φ(q) + e H ∇Φ(q), H the Hessian. Cost: {}.", kernels.gradient_kick.cost()),
+        increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit),
+        increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete),
+    ]
 }
+
+/// A formula with what it is called.
+pub(super) type Line = (String, String);
 
 /// A title, formulas, and what they cost.
-pub(super) fn block(title: &str, lines: Vec<String>, cost: String) -> Vec<String> {
+pub(super) fn block(title: &str, lines: &[Line], program: &Program) -> Vec<String> {
     let mut text = vec![format!(" {title}"), String::new(), " ```text".to_owned()];
-    text.extend(lines);
-    text.push(" ```".to_owned());
-    if !cost.is_empty() {
-        text.extend([String::new(), format!(" Cost: {cost}.")]);
-    }
+    text.extend(lines.iter().map(|(left, right)| format!(" {left} = {right}")));
+    text.extend([" ```".to_owned(), String::new(), format!(" Cost: {}.", program.cost())]);
     text
+}
+
+/// A title and what it costs, where formulas would be too long.
+pub(super) fn costly(title: &str, program: &Program) -> Vec<String> {
+    vec![format!(" {title} Cost: {}.", program.cost())]
 }
 
 /// The paragraphs above `force`, `force_dq` and `force_dv`; of a Jacobian the entries that are not zero.
 pub(super) fn force_texts(graph: &Graph, forced: &ForcedKernels) -> [Vec<String>; 3] {
-    let formulas = &forced.formulas;
-    let name = |i: usize| subscript(i, formulas.force.len());
-    let force = formulas.force.iter().enumerate();
-    let force = force.map(|(i, &e)| format!(" F{} = {}", name(i), shown(graph, e))).collect();
+    let found = &forced.formulas;
+    let formulas = || Formulas { graph, dimension: found.force.len(), lines: vec![] };
     let jacobian = |title: &str, by: &str, rows: &[Vec<Expr>], program: &Program| {
-        let mut lines = vec![];
-        for (i, row) in rows.iter().enumerate() {
-            for (j, &e) in row.iter().enumerate().filter(|(_, e)| !graph.is_zero(**e)) {
-                lines.push(format!(" ∂F{}/{by}{} = {}", name(i), name(j), shown(graph, e)));
-            }
-        }
-        if lines.is_empty() {
-            vec![format!(" {title} It vanishes.")]
-        } else {
-            block(title, lines, program.cost().to_string())
+        let mut formulas = formulas();
+        formulas.jacobian(by, rows);
+        match &formulas.lines[..] {
+            [] => vec![format!(" {title} It vanishes.")],
+            lines => block(title, lines, program),
         }
     };
     [
-        block("The force.", force, forced.force.cost().to_string()),
-        jacobian("∂F/∂q.", "∂", &formulas.force_dq, &forced.force_dq),
-        jacobian("∂F/∂v.", "∂v", &formulas.force_dv, &forced.force_dv),
+        block("The force.", &formulas().components("F", "", &found.force), &forced.force),
+        jacobian("∂F/∂q.", "∂", &found.force_dq, &forced.force_dq),
+        jacobian("∂F/∂v.", "∂v", &found.force_dv, &forced.force_dv),
     ]
 }
 
@@ -99,56 +91,31 @@ fn way(step: &Step) -> &'static str {
 /// The whole derivation as a text.
 pub(super) fn derivation(derivation: &Derivation) -> String {
     let Derivation { model, lowered, kernels, forced } = derivation;
-    let graph = &lowered.graph;
-    let dimension = model.dimension;
-    let name = |i: usize| subscript(i, dimension);
-    let mut text = Text { lines: vec![format!("{}, {}", model.name, count(dimension, "coordinate"))], graph };
-    if model.potential.is_some() {
-        let formulas = &kernels.formulas;
-        text.formula("Φ".to_owned(), formulas.potential);
-        for (i, &e) in formulas.gradient.iter().enumerate() {
-            text.formula(format!("∂Φ/∂{}", name(i)), e);
-        }
-        for (i, row) in formulas.hessian.iter().enumerate() {
-            for (j, &e) in row.iter().enumerate().skip(i) {
-                text.formula(format!("∂²Φ/∂{}∂{}", name(i), name(j)), e);
-            }
-        }
-        for (i, &e) in formulas.discrete_gradient.iter().enumerate() {
-            text.formula(format!("∇̄Φ{}(a, b)", name(i)), e);
-        }
-    }
-    if let Some(forced) = forced {
-        let formulas = &forced.formulas;
-        for (i, &e) in formulas.force.iter().enumerate() {
-            text.formula(format!("F{}", name(i)), e);
-        }
-        for (what, rows) in [("∂", &formulas.force_dq), ("∂v", &formulas.force_dv)] {
-            for (i, row) in rows.iter().enumerate() {
-                for (j, &e) in row.iter().enumerate().filter(|(_, e)| !graph.is_zero(**e)) {
-                    text.formula(format!("∂F{}/{what}{}", name(i), name(j)), e);
-                }
-            }
-        }
-    }
-    text.lines.push("structure".to_owned());
-    for found in structure(derivation) {
-        text.lines.push(format!("  {found}"));
-    }
-    text.lines.push("cost".to_owned());
+    let mut formulas = Formulas { graph: &lowered.graph, dimension: model.dimension, lines: vec![] };
     let mut costs = vec![("kick", &kernels.kick)];
     if model.potential.is_some() {
+        formulas.potential(&kernels.formulas);
         costs.extend([("gradient", &kernels.gradient), ("hessian", &kernels.hessian)]);
         costs.push(("discrete gradient", &kernels.discrete_gradient));
     }
     if let Some(forced) = forced {
+        formulas.force(&forced.formulas.force);
+        formulas.jacobian("∂", &forced.formulas.force_dq);
+        formulas.jacobian("∂v", &forced.formulas.force_dv);
         costs[0].1 = &forced.kick;
         costs.push(("force", &forced.force));
     }
-    for (what, program) in costs {
-        text.lines.push(format!("  {what:<18} {}", program.cost()));
-    }
-    text.lines.join("\n")
+    let title = format!("{}, {}", model.name, count(model.dimension, "coordinate"));
+    text(title, formulas.lines, structure(derivation), &costs)
+}
+
+/// A title, formulas, findings and costs as one text.
+pub(super) fn text(title: String, formulas: Vec<Line>, found: Vec<&str>, costs: &[(&str, &Program)]) -> String {
+    let formulas = formulas.into_iter().map(|(left, right)| format!("  {left} = {right}"));
+    let found = found.into_iter().map(|line| format!("  {line}"));
+    let costs = costs.iter().map(|(what, program)| format!("  {what:<18} {}", program.cost()));
+    let lines = [title].into_iter().chain(formulas).chain(["structure".to_owned()]).chain(found);
+    lines.chain(["cost".to_owned()]).chain(costs).collect::<Vec<_>>().join("\n")
 }
 
 /// What the engine found out about a law, in words.
@@ -178,22 +145,60 @@ fn structure(derivation: &Derivation) -> Vec<&'static str> {
     if forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise) {
         found.push("piecewise: across a seam the discrete gradient is the quotient of what it must make up");
     }
-    if lowered.parameters.iter().any(|p| matches!(p.source, Source::Time)) {
-        found.push("names the time: the energy is not kept");
-    }
+    found.extend(of_time(&lowered.parameters));
     found
 }
 
-/// Lines of formulas.
-struct Text<'a> {
-    lines: Vec<String>,
-    graph: &'a Graph,
+/// What follows from naming the time.
+pub(super) fn of_time(parameters: &[Parameter]) -> Option<&'static str> {
+    let names_time = parameters.iter().any(|p| matches!(p.source, Source::Time));
+    names_time.then_some("names the time: the energy is not kept")
 }
 
-impl Text<'_> {
-    fn formula(&mut self, left: String, right: Expr) {
-        let right = shown(self.graph, right);
-        self.lines.push(format!("  {left} = {right}"));
+/// Formulas of a law, each with what it is called.
+pub(super) struct Formulas<'a> {
+    pub(super) graph: &'a Graph,
+    pub(super) dimension: usize,
+    pub(super) lines: Vec<Line>,
+}
+
+impl Formulas<'_> {
+    fn add(&mut self, left: String, right: Expr) {
+        self.lines.push((left, shown(self.graph, right)));
+    }
+
+    /// One formula for each coordinate.
+    pub(super) fn components(&self, what: &str, of: &str, list: &[Expr]) -> Vec<Line> {
+        let line = |(i, &e)| (format!("{what}{}{of}", subscript(i, self.dimension)), shown(self.graph, e));
+        list.iter().enumerate().map(line).collect()
+    }
+
+    /// Φ, its gradient, half of its Hessian, its discrete gradient.
+    pub(super) fn potential(&mut self, formulas: &kernel::Formulas) {
+        self.add("Φ".to_owned(), formulas.potential);
+        self.lines.extend(self.components("∂Φ/∂", "", &formulas.gradient));
+        let name = |i: usize| subscript(i, formulas.gradient.len());
+        for (i, row) in formulas.hessian.iter().enumerate() {
+            for (j, &e) in row.iter().enumerate().skip(i) {
+                self.add(format!("∂²Φ/∂{}∂{}", name(i), name(j)), e);
+            }
+        }
+        self.lines.extend(self.components("∇̄Φ", "(a, b)", &formulas.discrete_gradient));
+    }
+
+    pub(super) fn force(&mut self, force: &[Expr]) {
+        self.lines.extend(self.components("F", "", force));
+    }
+
+    /// The entries of ∂F/∂… that are not zero.
+    pub(super) fn jacobian(&mut self, by: &str, rows: &[Vec<Expr>]) {
+        let name = |i: usize| subscript(i, rows.len());
+        for (i, row) in rows.iter().enumerate() {
+            for (j, &e) in row.iter().enumerate().filter(|(_, e)| !self.graph.is_zero(**e)) {
+                let line = (format!("∂F{}/{by}{}", name(i), name(j)), shown(self.graph, e));
+                self.lines.push(line);
+            }
+        }
     }
 }
 

@@ -3,12 +3,12 @@
 use dmech_symbolic::expression::{Graph, Symbol};
 use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, Step, Variables};
 use dmech_symbolic::program::Program;
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::{quote, quote_spanned};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 
-use super::body::{Body, body};
-use super::document::{Documents, force_texts, increment};
-use super::names::{Names, ident};
+use super::document::{force_texts, increment, pointwise_texts, step_texts};
+use super::names::{Names, ident, underscored};
+use super::rank::{POINTWISE, Rank};
 use crate::lower::{Parameter, Read, Source};
 
 /// What all functions share.
@@ -35,116 +35,92 @@ pub(super) struct Printer<'a> {
 impl Printer<'_> {
     /// All functions of `Potential` for a conservative law.
     pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
-        let Documents {
-            texts:
-                [potential, gradient, hessian, discrete, jacobian, kick_doc, gradient_kick_doc, implicit_doc, exact_doc],
-        } = Documents::new(self.graph, kernels);
-        let pointwise = self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian]);
-        let kick = self.kick(&kernels.kick);
-        let gradient_kick = self.gradient_kick(&kernels.gradient_kick);
+        let pointwise = self.pointwise(kernels);
+        let [kick_doc, gradient_kick_doc, implicit_doc, exact_doc] = step_texts(kernels);
+        let kick = self.kick(&kick_doc, &kernels.kick);
+        let gradient_kick = self.gradient_kick(&gradient_kick_doc, &kernels.gradient_kick);
         let implicit = self.step("implicit_increment", &kernels.implicit, false);
         let exact = self.step("discrete_increment", &kernels.discrete, true);
         quote! {
             #pointwise
-            #(#[doc = #kick_doc])* #kick
-            #(#[doc = #gradient_kick_doc])* #gradient_kick
-            #(#[doc = #implicit_doc])* #implicit
-            #(#[doc = #exact_doc])* #exact
+            #kick
+            #gradient_kick
+            #[doc = #implicit_doc] #implicit
+            #[doc = #exact_doc] #exact
         }
     }
 
     /// v − c times what acts.
-    pub(super) fn kick(&self, program: &Program) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
-        self.function("kick", &arguments, &[variables.c], quote!([#scalar; #d]), Shape::Vector, program)
+    fn kick(&self, doc: &str, program: &Program) -> TokenStream {
+        let function = self.function("kick", &self.motion(), &[self.variables.c], Rank::Vector, program);
+        quote!(#[doc = #doc] #function)
     }
 
     /// v − c times what acts, and e times its change along itself.
-    fn gradient_kick(&self, program: &Program) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
-        let coefficients = [variables.c, variables.e];
-        self.function("gradient_kick", &arguments, &coefficients, quote!([#scalar; #d]), Shape::Vector, program)
+    fn gradient_kick(&self, doc: &str, program: &Program) -> TokenStream {
+        let coefficients = [self.variables.c, self.variables.e];
+        let function = self.function("gradient_kick", &self.motion(), &coefficients, Rank::Vector, program);
+        quote!(#[doc = #doc] #function)
+    }
+
+    /// Position and velocity.
+    fn motion(&self) -> [(&'static str, &[Symbol]); 2] {
+        [("q", &self.variables.q), ("v", &self.variables.v)]
     }
 
     /// The functions of `Potential` that are taken at a point, or between two.
     pub(super) fn pointwise(&self, kernels: &Kernels) -> TokenStream {
-        let [potential, gradient, hessian, discrete, jacobian, ..] = Documents::new(self.graph, kernels).texts;
-        self.pointwise_with(kernels, [potential, gradient, hessian, discrete, jacobian])
+        self.pointwise_functions("q", kernels.pointwise(), &pointwise_texts(self.graph, kernels))
     }
 
-    fn pointwise_with(&self, kernels: &Kernels, documents: [Vec<String>; 5]) -> TokenStream {
-        let Self { scalar, variables, .. } = self;
-        let d = &self.dimension;
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let q = [("q", &variables.q[..])];
-        let ends = [("a", &variables.a[..]), ("b", &variables.b[..])];
-        let potential = self.function("potential", &q, &[], quote!(#scalar), Shape::Scalar, &kernels.potential);
-        let gradient = self.function("gradient", &q, &[], vector.clone(), Shape::Vector, &kernels.gradient);
-        let hessian = self.function("hessian", &q, &[], matrix.clone(), Shape::Matrix, &kernels.hessian);
-        let discrete =
-            self.function("discrete_gradient", &ends, &[], vector, Shape::Vector, &kernels.discrete_gradient);
-        let jacobian = self.function(
-            "discrete_gradient_jacobian",
-            &ends,
-            &[],
-            matrix,
-            Shape::Matrix,
-            &kernels.discrete_gradient_jacobian,
-        );
-        let [potential_doc, gradient_doc, hessian_doc, discrete_doc, jacobian_doc] = documents;
-        quote! {
-            #(#[doc = #potential_doc])* #potential
-            #(#[doc = #gradient_doc])* #gradient
-            #(#[doc = #hessian_doc])* #hessian
-            #(#[doc = #discrete_doc])* #discrete
-            #(#[doc = #jacobian_doc])* #jacobian
-        }
+    /// The same of the programs, with the name of the point.
+    pub(super) fn pointwise_functions(
+        &self,
+        point: &str,
+        programs: [&Program; 5],
+        documents: &[Vec<String>; 5],
+    ) -> TokenStream {
+        let at = [(point, &self.variables.q[..])];
+        let ends = [("a", &self.variables.a[..]), ("b", &self.variables.b[..])];
+        let list = POINTWISE.iter().zip(programs).zip(documents);
+        let functions = list.map(|((&(name, rank), program), text)| {
+            let arrays = if name.starts_with("discrete") { &ends[..] } else { &at[..] };
+            let function = self.function(name, arrays, &[], rank, program);
+            quote!(#(#[doc = #text])* #function)
+        });
+        functions.collect()
     }
 
     /// The functions of `Force`: they take the time as an argument.
     pub(super) fn force_functions(&self, forced: &ForcedKernels) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
         let time = self.parameters.iter().find(|p| matches!(p.source, Source::Time)).map(|p| p.symbol);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
         let list = [
-            ("force", &vector, Shape::Vector, &forced.force),
-            ("force_dq", &matrix, Shape::Matrix, &forced.force_dq),
-            ("force_dv", &matrix, Shape::Matrix, &forced.force_dv),
+            ("force", Rank::Vector, &forced.force),
+            ("force_dq", Rank::Matrix, &forced.force_dq),
+            ("force_dv", Rank::Matrix, &forced.force_dv),
         ];
-        let functions = list.map(|(name, result, shape, program)| {
+        let functions = list.into_iter().zip(force_texts(self.graph, forced)).map(|((name, rank, program), text)| {
             let used = time.is_some_and(|t| program.symbols().contains(&t));
             let t = underscored(&time.map_or_else(|| ident("t"), |t| self.names.symbol(t)), used);
-            self.signed_function(name, &arguments, &[], Some(&t), result.clone(), shape, program)
+            let function = self.function_of_time(name, &self.motion(), &[], Some(&t), rank, program);
+            quote!(#(#[doc = #text])* #function)
         });
-        let [force, force_dq, force_dv] = functions;
-        let [force_doc, dq_doc, dv_doc] = force_texts(self.graph, forced);
-        quote! {
-            #(#[doc = #force_doc])* #force
-            #(#[doc = #dq_doc])* #force_dq
-            #(#[doc = #dv_doc])* #force_dv
-        }
+        functions.collect()
     }
 
     /// The functions of `Field` that a law with a force needs.
     pub(super) fn field_functions(&self, kernels: &Kernels, forced: &ForcedKernels) -> TokenStream {
-        let (scalar, variables, d) = (&self.scalar, self.variables, &self.dimension);
-        let arguments = [("q", &variables.q[..]), ("v", &variables.v[..])];
-        let vector = quote!([#scalar; #d]);
-        let slope = self.function("slope", &arguments, &[], vector.clone(), Shape::Vector, &forced.slope);
-        let half = self.function("half_force", &arguments, &[], vector, Shape::Vector, &forced.half_force);
+        let slope = self.function("slope", &self.motion(), &[], Rank::Vector, &forced.slope);
+        let half = self.function("half_force", &self.motion(), &[], Rank::Vector, &forced.half_force);
         let potential = self.step("potential_increment", &kernels.discrete, true);
-        let workless = match &forced.discrete {
-            ForcedStep::Mean(_) => TokenStream::new(),
-            ForcedStep::Middle { slope, change } => self.middle_step(slope, change, forced.discrete_is_linear),
+        let (half_doc, workless) = match &forced.discrete {
+            ForcedStep::Mean(_) => (" F/2, the share of the start of a step in the mean force.", None),
+            ForcedStep::Middle { slope, change } => (
+                " Nothing: a force that does no work is taken in the middle of the step.",
+                Some(self.middle_step(slope, change, forced.discrete_is_linear)),
+            ),
         };
         let slope_doc = format!(" ∇Φ − F: minus all that acts. Cost: {}.", forced.slope.cost());
-        let half_doc = match &forced.discrete {
-            ForcedStep::Mean(_) => " F/2, the share of the start of a step in the mean force.",
-            ForcedStep::Middle { .. } => " Nothing: a force that does no work is taken in the middle of the step.",
-        };
         let potential_doc = increment("the potential alone: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete);
         quote! {
             #[doc = #slope_doc] #slope
@@ -171,258 +147,19 @@ impl Printer<'_> {
             ForcedStep::Middle { .. } => self.rounded_middle_step(),
         };
         let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
-        let (kick, implicit) = (self.kick(&forced.kick), self.step("implicit_increment", &trapezoid, false));
-        let kick_doc = format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost());
+        let implicit = self.step("implicit_increment", &trapezoid, false);
+        let kick = self.kick(&format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost()), &forced.kick);
         let gradient_kick = forced.gradient_kick.as_ref().map(|program| {
             let doc = format!(" v − c s + e (∂s/∂q) s, with s = ∇Φ − F. Cost: {}.", program.cost());
-            let function = self.gradient_kick(program);
-            quote!(#[doc = #doc] #function)
+            self.gradient_kick(&doc, program)
         });
         let implicit_doc =
             increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
         quote! {
-            #[doc = #kick_doc] #kick
+            #kick
             #gradient_kick
             #[doc = #implicit_doc] #implicit
             #exact
         }
     }
-
-    pub(super) fn function(
-        &self,
-        name: &str,
-        arrays: &[(&str, &[Symbol])],
-        scalars: &[Symbol],
-        result: TokenStream,
-        shape: Shape,
-        program: &Program,
-    ) -> TokenStream {
-        self.signed_function(name, arrays, scalars, None, result, shape, program)
-    }
-
-    /// A function of arrays; scalars come before them, the time after.
-    #[expect(clippy::too_many_arguments)]
-    fn signed_function(
-        &self,
-        name: &str,
-        arrays: &[(&str, &[Symbol])],
-        scalars: &[Symbol],
-        time: Option<&Ident>,
-        result: TokenStream,
-        shape: Shape,
-        program: &Program,
-    ) -> TokenStream {
-        let (name, scalar, d) = (ident(name), &self.scalar, &self.dimension);
-        let receiver = receiver();
-        let used = program.symbols();
-        let scalars = scalars.iter().map(|&s| {
-            let name = underscored(&self.names.symbol(s), used.contains(&s));
-            quote!(#name: #scalar)
-        });
-        let bound: Vec<_> = arrays.iter().map(|(_, symbols)| self.pattern(symbols, &used)).collect();
-        // A law that is only run counts as used.
-        let mention = self.declared.iter().filter(|_| matches!(shape, Shape::Scalar));
-        let mention = mention.map(|path| quote!(let _ = #path;));
-        let signature = arrays.iter().zip(&bound).map(|(&(array, _), pattern)| {
-            let array = underscored(&ident(array), pattern.is_some());
-            quote!(#array: [#scalar; #d])
-        });
-        let unpack = arrays.iter().zip(&bound).filter_map(|(&(array, _), pattern)| {
-            let (array, pattern) = (ident(array), pattern.as_ref()?);
-            Some(quote!(let #pattern = #array;))
-        });
-        let parameters = self.bind_parameters(&used, time.is_some());
-        let time = time.map(|t| quote!(, #t: #scalar));
-        let Body { statements, outputs } = body(program, &self.names, scalar);
-        let value = shape.gather(&outputs, self.variables.q.len());
-        let inline = self.inline();
-        quote! {
-            #inline
-            fn #name(&#receiver, #(#scalars,)* #(#signature),* #time) -> #result {
-                #(#mention)*
-                #(#unpack)*
-                #parameters
-                #statements
-                #value
-            }
-        }
-    }
-
-    /// A law between two bodies stands in the loop over all pairs, whose registers it must share.
-    fn inline(&self) -> TokenStream {
-        if self.between { quote!(#[inline(always)]) } else { quote!(#[inline]) }
-    }
-
-    /// `let [x, _] = …` with the names of the symbols that are used; none if none is.
-    pub(super) fn pattern(&self, symbols: &[Symbol], used: &[Symbol]) -> Option<TokenStream> {
-        if !symbols.iter().any(|s| used.contains(s)) {
-            return None;
-        }
-        let names = symbols.iter().map(|s| {
-            let name = self.names.symbol(*s);
-            if used.contains(s) { quote!(#name) } else { quote!(_) }
-        });
-        Some(quote!([#(#names),*]))
-    }
-
-    pub(super) fn bind_parameters(&self, used: &[Symbol], time_is_given: bool) -> TokenStream {
-        let scalar = &self.scalar;
-        let used = self.parameters.iter().filter(|p| used.contains(&p.symbol));
-        used.map(|parameter| {
-            let name = self.names.symbol(parameter.symbol);
-            match &parameter.source {
-                Source::Law(tokens) => {
-                    let value = on_law(tokens.clone(), &self.law);
-                    quote!(let #name = #scalar::from_f64(#value);)
-                }
-                Source::Mass => {
-                    let receiver = receiver();
-                    quote!(let #name = #receiver.mass;)
-                }
-                Source::Body(body, read) => {
-                    let (receiver, body) = (receiver(), ident(body.name()));
-                    let i = self.layout.iter().position(|other| other.is_same(read)).unwrap_or_default();
-                    let i = proc_macro2::Literal::usize_unsuffixed(i);
-                    quote!(let #name = #receiver.#body[#i];)
-                }
-                Source::Time if time_is_given => TokenStream::new(),
-                Source::Time => {
-                    let receiver = receiver();
-                    quote!(let #name = #receiver.t;)
-                }
-            }
-        })
-        .collect()
-    }
-
-    fn step(&self, name: &str, step: &Step, between: bool) -> TokenStream {
-        let Self { scalar, runtime, variables, dimension: d, .. } = self;
-        let (name, receiver) = (ident(name), receiver());
-        let equation = ident("equation");
-        let program = match step {
-            Step::Linear(program) | Step::Newton(program) | Step::Central(program) => program,
-        };
-        let used = program.symbols();
-        let parameters = self.bind_parameters(&used, false);
-        let Body { statements, outputs } = body(program, &self.names, scalar);
-        let solution = if let Step::Central(_) = step {
-            let solver = ident(if between { "discrete" } else { "implicit" });
-            let arguments = if between { vec![variables.s_a, variables.s_b] } else { vec![variables.s] };
-            let arguments = arguments.into_iter().map(|s| underscored(&self.names.symbol(s), used.contains(&s)));
-            quote! {
-                #runtime::newton::central::#solver(#equation, |#(#arguments: #scalar),*| {
-                    #statements
-                    [#(#outputs),*]
-                })
-            }
-        } else {
-            let solver = ident(match (step, between) {
-                (Step::Linear(_), false) => "once",
-                (Step::Linear(_), true) => "once_discrete",
-                (_, false) => "drive",
-                (_, true) => "drive_discrete",
-            });
-            let mut arrays = vec![("delta", &variables.delta), ("b", &variables.b)];
-            if between {
-                arrays.insert(0, ("a", &variables.a));
-            }
-            let bound: Vec<_> =
-                arrays.iter().map(|(array, symbols)| (ident(array), self.pattern(symbols, &used))).collect();
-            let arguments = bound.iter().map(|(array, pattern)| underscored(array, pattern.is_some()));
-            let unpack = bound.iter().filter_map(|(array, pattern)| {
-                let pattern = pattern.as_ref()?;
-                Some(quote!(let #pattern = #array;))
-            });
-            let known = self.pattern(&variables.rhs, &used).map(|pattern| quote!(let #pattern = #equation.known();));
-            let velocities = [("v", &variables.v), ("drift", &variables.drift)].map(|(field, symbols)| {
-                let field = ident(field);
-                self.pattern(symbols, &used).map(|pattern| quote!(let #pattern = #equation.#field;))
-            });
-            let scalars = [variables.g, variables.rate, variables.t_end].map(|symbol| {
-                let name = self.names.symbol(symbol);
-                used.contains(&symbol).then(|| quote!(let #name = #equation.#name;))
-            });
-            let needs_equation = known.is_some() || velocities.iter().chain(&scalars).any(Option::is_some);
-            let closure_equation = underscored(&equation, needs_equation);
-            // δ, then G + J δ or both apart.
-            let constructor = ident(if between { "in_parts" } else { "rounded" });
-            let vectors = outputs.chunks(variables.q.len());
-            quote! {
-                #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
-                    #(#unpack)*
-                    #known
-                    #(#velocities)*
-                    #(#scalars)*
-                    #statements
-                    #runtime::newton::Correction::#constructor(#([#(#vectors),*]),*)
-                })
-            }
-        };
-        // Without `always` the equation and its solution go through memory.
-        quote! {
-            #[inline(always)]
-            fn #name(
-                &#receiver,
-                #equation: &#runtime::newton::Equation<#d, #scalar>,
-            ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
-                #parameters
-                #solution
-            }
-        }
-    }
-}
-
-/// What the results of a program are gathered into.
-#[derive(Clone, Copy)]
-pub(super) enum Shape {
-    Scalar,
-    Vector,
-    Matrix,
-    /// Several, one after the other.
-    Matrices,
-}
-
-impl Shape {
-    fn gather(self, outputs: &[TokenStream], dimension: usize) -> TokenStream {
-        match self {
-            Self::Scalar => outputs[0].clone(),
-            Self::Vector => quote!([#(#outputs),*]),
-            Self::Matrix => {
-                let rows = outputs.chunks(dimension).map(|row| quote!([#(#row),*]));
-                quote!([#(#rows),*])
-            }
-            Self::Matrices => {
-                let matrices = outputs.chunks(dimension * dimension).map(|m| Self::Matrix.gather(m, dimension));
-                quote!([#(#matrices),*])
-            }
-        }
-    }
-}
-
-/// `self`, as the user's own tokens see it.
-pub(super) fn receiver() -> Ident {
-    Ident::new("self", Span::call_site())
-}
-
-pub(super) fn underscored(name: &Ident, used: bool) -> Ident {
-    if used { name.clone() } else { ident(&format!("_{name}")) }
-}
-
-/// The user's `self.gm` with `self` replaced by what reaches the law.
-pub(super) fn on_law(tokens: TokenStream, law: &TokenStream) -> TokenStream {
-    tokens
-        .into_iter()
-        .flat_map(|tree| match tree {
-            TokenTree::Ident(ident) if ident == "self" => {
-                let span = ident.span();
-                quote_spanned!(span=> #law).into_iter().collect::<Vec<_>>()
-            }
-            TokenTree::Group(group) => {
-                let mut inner = proc_macro2::Group::new(group.delimiter(), on_law(group.stream(), law));
-                inner.set_span(group.span());
-                vec![TokenTree::Group(inner)]
-            }
-            other => vec![other],
-        })
-        .collect()
 }

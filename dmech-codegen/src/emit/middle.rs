@@ -4,9 +4,9 @@ use dmech_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::body::{Body, body};
-use super::kernels::{Printer, receiver, underscored};
-use super::names::ident;
+use super::body::{Printed, body};
+use super::kernels::Printer;
+use super::names::{ident, receiver, underscored};
 
 impl Printer<'_> {
     /// One correction in two parts, with the residual between them formed of the force as computed:
@@ -40,8 +40,8 @@ impl Printer<'_> {
         let closure_b = underscored(&b, self.pattern(&variables.b, &used).is_some());
         let residual = self.pattern(&variables.rhs, &used);
         let residual = residual.map(|p| quote!(let #p = #equation.residual(#delta, #first);));
-        let Body { statements, outputs } = body(slope, &self.names, scalar);
-        let Body { statements: solve, outputs: solution } = body(change, &self.names, scalar);
+        let Printed { statements, outputs } = body(slope, &self.names, scalar);
+        let Printed { statements: solve, outputs: solution } = body(change, &self.names, scalar);
         let (changes, turns) = solution.split_at(variables.q.len());
         let solver = ident(if linear { "once_middle" } else { "drive_middle" });
         let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };

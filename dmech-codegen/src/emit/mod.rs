@@ -3,6 +3,7 @@
 mod author;
 mod body;
 mod document;
+mod function;
 mod implementation;
 mod kernels;
 mod middle;
@@ -10,9 +11,11 @@ mod names;
 mod operation;
 mod pair;
 mod pair_document;
+mod rank;
 mod region;
 mod shared_test;
 mod stand_in;
+mod step;
 mod withheld;
 
 pub(crate) use implementation::implementation;

@@ -19,6 +19,15 @@ pub(super) fn runtime() -> Ident {
     ident("dmech_v1")
 }
 
+/// `self`, as the user's own tokens see it.
+pub(super) fn receiver() -> Ident {
+    Ident::new("self", Span::call_site())
+}
+
+pub(super) fn underscored(name: &Ident, used: bool) -> Ident {
+    if used { name.clone() } else { ident(&format!("_{name}")) }
+}
+
 /// The identifiers of a law's symbols.
 pub(super) struct Names {
     of: HashMap<Symbol, String>,

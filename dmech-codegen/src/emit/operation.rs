@@ -7,7 +7,7 @@ use quote::quote;
 
 /// How tightly an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Binding {
+pub(super) enum Precedence {
     Sum,
     Product,
     Prefix,
@@ -18,18 +18,18 @@ pub(super) enum Binding {
 #[derive(Clone, Debug)]
 pub(super) struct Fragment {
     pub(super) tokens: TokenStream,
-    pub(super) binding: Binding,
+    pub(super) binding: Precedence,
     /// How many operations it has: long expressions are cut into `let`s.
     pub(super) size: usize,
 }
 
 impl Fragment {
     pub(super) fn atom(tokens: TokenStream) -> Self {
-        Self { tokens, binding: Binding::Atom, size: 0 }
+        Self { tokens, binding: Precedence::Atom, size: 0 }
     }
 
     /// In parentheses, unless it binds at least as tightly as asked.
-    fn at_least(self, binding: Binding) -> TokenStream {
+    fn at_least(self, binding: Precedence) -> TokenStream {
         let tokens = self.tokens;
         if self.binding >= binding { tokens } else { quote!((#tokens)) }
     }
@@ -52,8 +52,8 @@ pub(super) fn number(x: f64, scalar: &Ident) -> TokenStream {
 
 /// The operation on fragments; choices are printed elsewhere.
 pub(super) fn fragment(operation: &Operation, scalar: &Ident, of: &mut dyn FnMut(Value) -> Fragment) -> Fragment {
-    use Binding::{Prefix, Product, Sum};
-    let mut infix = |u: Value, w: Value, sign: TokenStream, left: Binding, right: Binding| {
+    use Precedence::{Prefix, Product, Sum};
+    let mut infix = |u: Value, w: Value, sign: TokenStream, left: Precedence, right: Precedence| {
         let (u, w) = (of(u), of(w));
         let size = u.size + w.size + 1;
         let (u, w) = (u.at_least(left), w.at_least(right));
@@ -88,10 +88,10 @@ pub(super) fn fragment(operation: &Operation, scalar: &Ident, of: &mut dyn FnMut
 
 fn call(receiver: Fragment, method: &str, arguments: Vec<Fragment>) -> Fragment {
     let size = 1 + receiver.size + arguments.iter().map(|a| a.size).sum::<usize>();
-    let receiver = receiver.at_least(Binding::Atom);
+    let receiver = receiver.at_least(Precedence::Atom);
     let method = super::names::ident(method);
     let arguments = arguments.into_iter().map(|a| a.tokens);
-    Fragment { tokens: quote!(#receiver.#method(#(#arguments),*)), binding: Binding::Atom, size }
+    Fragment { tokens: quote!(#receiver.#method(#(#arguments),*)), binding: Precedence::Atom, size }
 }
 
 /// A condition as a mask.

@@ -1,17 +1,18 @@
 //! The impl blocks of a law between two bodies.
 
 use dmech_symbolic::expression::Symbol;
-use dmech_symbolic::kernel::{PairForce, PairPotential, Radial, Separation};
+use dmech_symbolic::kernel::{PairForce, PairFormulas, PairPotential};
 use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use syn::parse_quote;
 
-use super::body::{Body, body};
+use super::body::{Printed, body};
 use super::implementation::{dimension, generic_name, hidden_lifetime, module, parameters_of, scalar_name};
-use super::kernels::{Printer, Shape, receiver, underscored};
-use super::names::{Names, ident, runtime};
-use super::pair_document::{self, Documents};
+use super::kernels::Printer;
+use super::names::{Names, ident, receiver, runtime, underscored};
+use super::pair_document::{self, force_texts, potential_texts};
+use super::rank::{POINTWISE, Rank};
 use crate::PairDerivation;
 use crate::lower::{LoweredPair, Read, Source, data};
 use crate::model::Model;
@@ -41,16 +42,12 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         layout,
         law: quote!(#receiver.law),
     };
-    let documents = Documents::new(derivation);
     let text = pair_document::derivation(derivation);
-    let (constants, functions) = potential(&printer, &kernels.potential, derivation, &documents);
-    let force = kernels.force.as_ref().map(|force| printer.pair_force(force, derivation, &documents));
-    let acts = match (&kernels.potential, &kernels.force) {
-        (PairPotential::None, _) => quote!(
-            const POTENTIAL: bool = false;
-        ),
-        _ => TokenStream::new(),
-    };
+    let (constants, functions) = potential(&printer, derivation);
+    let force = kernels.force.as_ref().map(|force| printer.pair_force(force, derivation));
+    let acts = kernels.potential.is_none().then(|| {
+        quote! { const POTENTIAL: bool = false; }
+    });
     let symmetric = kernels.symmetric.then(|| {
         quote! {
             #[automatically_derived]
@@ -141,6 +138,8 @@ struct Generics {
     with_data: TokenStream,
     /// The same without the scalar.
     author: TokenStream,
+    /// The same without the dimension.
+    reads: TokenStream,
     data: TokenStream,
     dimension: TokenStream,
 }
@@ -159,6 +158,7 @@ impl Generics {
         };
         let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
         let parameters: Vec<_> = parameters_of(model).collect();
+        let last_data = any_data.then(|| quote!(#data));
         let any_data = any_data.then(|| quote!(#data,));
         Self {
             own: quote!(<#(#parameters),*>),
@@ -166,6 +166,7 @@ impl Generics {
             foreign: quote!(<#any_dimension #scalar: #runtime::Real>),
             with_data: quote!(<#(#parameters,)* #any_dimension #any_data #scalar: #runtime::Real>),
             author: quote!(<#(#parameters,)* #any_dimension #any_data>),
+            reads: quote!(<#(#parameters,)* #last_data>),
             scalar,
             data,
             dimension,
@@ -176,10 +177,7 @@ impl Generics {
 /// What the law reads of a body.
 fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]) -> TokenStream {
     let (runtime, self_ty, where_clause) = (&printer.runtime, &model.self_ty, &model.generics.where_clause);
-    let parameters: Vec<_> = parameters_of(model).collect();
-    let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
-    let data_type = &names.data;
-    let any_data = any_data.then(|| quote!(#data_type));
+    let Generics { data: data_type, reads, .. } = names;
     let count = Literal::usize_unsuffixed(layout.len());
     let (mass, data) = (ident("mass"), data());
     let reads_mass = layout.iter().any(|read| matches!(read, Read::Mass));
@@ -192,7 +190,7 @@ fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]
     });
     quote! {
         #[automatically_derived]
-        impl <#(#parameters,)* #any_data> #runtime::Reads<#data_type> for #self_ty #where_clause {
+        impl #reads #runtime::Reads<#data_type> for #self_ty #where_clause {
             type Numbers = [::core::primitive::f64; #count];
             #[inline(always)]
             fn numbers(&self, #mass_argument: ::core::primitive::f64, #data_argument: &#data_type) -> Self::Numbers {
@@ -203,35 +201,27 @@ fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]
 }
 
 /// The constants and functions of `Potential`.
-fn potential(
-    printer: &Printer<'_>,
-    potential: &PairPotential,
-    derivation: &PairDerivation,
-    documents: &Documents,
-) -> (TokenStream, TokenStream) {
-    let (central, linear, piecewise) = match potential {
-        PairPotential::None => (true, true, false),
-        PairPotential::Radial(radial) => (true, radial.linear, radial.piecewise),
-        PairPotential::Separation(separation) => (false, separation.linear, separation.piecewise),
-    };
+fn potential(printer: &Printer<'_>, derivation: &PairDerivation) -> (TokenStream, TokenStream) {
+    let (potential, force) = (derivation.kernels.potential.as_ref(), derivation.kernels.force.as_ref());
+    let is_radial = |p: &PairPotential| matches!(p.formulas, PairFormulas::Radial(_));
     // As for one body: with a force beside it nothing follows from the potential alone.
-    let alone = derivation.kernels.force.is_none();
-    let (central, linear) = (central && alone, linear && alone);
-    let piecewise = piecewise || derivation.kernels.force.as_ref().is_some_and(|force| force.piecewise);
+    let alone = force.is_none();
+    let (central, linear) = (alone && potential.is_none_or(is_radial), alone && potential.is_none_or(|p| p.linear));
+    let piecewise = potential.is_some_and(|p| p.piecewise) || force.is_some_and(|force| force.piecewise);
     let piecewise = piecewise.then(|| {
-        quote!(
-            const PIECEWISE: bool = true;
-        )
+        quote! { const PIECEWISE: bool = true; }
     });
     let constants = quote! {
         const CENTRAL: bool = #central;
         const LINEAR: bool = #linear;
         #piecewise
     };
-    let functions = match potential {
-        PairPotential::None => printer.no_potential(),
-        PairPotential::Radial(radial) => printer.radial(radial, derivation, documents),
-        PairPotential::Separation(separation) => printer.separation(separation, documents),
+    let Some(potential) = potential else { return (constants, printer.no_potential()) };
+    let documents = potential_texts(derivation, potential);
+    let functions = if is_radial(potential) {
+        printer.radial(potential, derivation, &documents)
+    } else {
+        printer.pointwise_functions("d", potential.pointwise(), &documents)
     };
     (constants, functions)
 }
@@ -240,58 +230,45 @@ impl Printer<'_> {
     /// A force alone.
     fn no_potential(&self) -> TokenStream {
         let (scalar, d, receiver) = (&self.scalar, &self.dimension, receiver());
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let zeros = [quote!([#scalar::ZERO; #d]), quote!([[#scalar::ZERO; #d]; #d])];
-        let [zero, zero_matrix] = &zeros;
-        let (q, a, b) = (ident("_d"), ident("_a"), ident("_b"));
-        let mention = &self.declared;
-        quote! {
-            #[inline(always)]
-            fn potential(&#receiver, #q: #vector) -> #scalar {
-                #(let _ = #mention;)*
-                #scalar::ZERO
+        let functions = POINTWISE.map(|(name, rank)| {
+            let result = rank.array(scalar, d);
+            let (mention, zero) = match rank {
+                Rank::Scalar => (&self.declared[..], quote!(#scalar::ZERO)),
+                Rank::Vector => (&[][..], quote!([#scalar::ZERO; #d])),
+                Rank::Matrix | Rank::Matrices => (&[][..], quote!([[#scalar::ZERO; #d]; #d])),
+            };
+            let arguments = if name.starts_with("discrete") { &["_a", "_b"][..] } else { &["_d"] };
+            let (name, arguments) = (ident(name), arguments.iter().map(|argument| ident(argument)));
+            quote! {
+                #[inline(always)]
+                fn #name(&#receiver, #(#arguments: [#scalar; #d]),*) -> #result {
+                    #(let _ = #mention;)*
+                    #zero
+                }
             }
-            #[inline(always)]
-            fn gradient(&#receiver, #q: #vector) -> #vector { #zero }
-            #[inline(always)]
-            fn hessian(&#receiver, #q: #vector) -> #matrix { #zero_matrix }
-            #[inline(always)]
-            fn discrete_gradient(&#receiver, #a: #vector, #b: #vector) -> #vector { #zero }
-            #[inline(always)]
-            fn discrete_gradient_jacobian(&#receiver, #a: #vector, #b: #vector) -> #matrix { #zero_matrix }
-        }
+        });
+        quote!(#(#functions)*)
     }
 
     /// A potential of the distance.
-    fn radial(&self, radial: &Radial, derivation: &PairDerivation, documents: &Documents) -> TokenStream {
-        let (scalar, d) = (&self.scalar, &self.dimension);
-        let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
+    fn radial(&self, radial: &PairPotential, derivation: &PairDerivation, documents: &[Vec<String>; 5]) -> TokenStream {
         let pair = &derivation.pair.variables;
-        let q = [("d", pair.s)];
         let ends = [("a", pair.s_a), ("b", pair.s_b)];
-        let functions = [
-            self.radial_function("potential", &q, quote!(#scalar), &radial.energy),
-            self.radial_function("gradient", &q, vector.clone(), &radial.gradient),
-            self.radial_function("hessian", &q, matrix.clone(), &radial.hessian),
-            self.radial_function("discrete_gradient", &ends, vector, &radial.discrete_gradient),
-            self.radial_function("discrete_gradient_jacobian", &ends, matrix, &radial.discrete_gradient_jacobian),
-        ];
-        let documented = functions.iter().zip(&documents.potential).map(|(f, text)| quote!(#(#[doc = #text])* #f));
-        quote!(#(#documented)*)
+        let list = POINTWISE.iter().zip(radial.pointwise()).zip(documents);
+        let functions = list.map(|((&(name, rank), program), text)| {
+            let arguments = if name.starts_with("discrete") { &ends[..] } else { &[("d", pair.s)] };
+            let function = self.radial_function(name, arguments, rank, program);
+            quote!(#(#[doc = #text])* #function)
+        });
+        functions.collect()
     }
 
     /// One function of separations, of which the program sees the squares.
-    fn radial_function(
-        &self,
-        name: &str,
-        arguments: &[(&str, Symbol)],
-        result: TokenStream,
-        program: &Program,
-    ) -> TokenStream {
+    fn radial_function(&self, name: &str, arguments: &[(&str, Symbol)], rank: Rank, program: &Program) -> TokenStream {
         let (scalar, d, runtime) = (&self.scalar, &self.dimension, &self.runtime);
         let used = program.symbols();
         let arrays: Vec<_> = arguments.iter().map(|(array, _)| ident(array)).collect();
-        let is_energy = name == "potential";
+        let is_energy = matches!(rank, Rank::Scalar);
         let needed = |s: &Symbol| !is_energy || used.contains(s);
         let signature = arguments.iter().map(|(array, s)| {
             let array = underscored(&ident(array), needed(s));
@@ -302,16 +279,13 @@ impl Printer<'_> {
             quote!(let #s = #runtime::radial::square(#array);)
         });
         let parameters = self.bind_parameters(&used, false);
-        let Body { statements, outputs } = body(program, &self.names, scalar);
+        let Printed { statements, outputs } = body(program, &self.names, scalar);
         let mention = self.declared.iter().filter(|_| is_energy);
+        let (name, receiver, result) = (ident(name), receiver(), rank.array(scalar, d));
         let value = match is_energy {
             true => outputs[0].clone(),
-            false => {
-                let function = ident(name);
-                quote!(#runtime::radial::#function(#(#outputs,)* #(#arrays),*))
-            }
+            false => quote!(#runtime::radial::#name(#(#outputs,)* #(#arrays),*)),
         };
-        let (name, receiver) = (ident(name), receiver());
         quote! {
             #[inline(always)]
             fn #name(&#receiver, #(#signature),*) -> #result {
@@ -324,37 +298,14 @@ impl Printer<'_> {
         }
     }
 
-    /// A potential of the separation.
-    fn separation(&self, separation: &Separation, documents: &Documents) -> TokenStream {
-        let (scalar, d, variables) = (&self.scalar, &self.dimension, self.variables);
-        let (number, vector, matrix) = (quote!(#scalar), quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-        let q = vec![("d", &variables.q[..])];
-        let ends = vec![("a", &variables.a[..]), ("b", &variables.b[..])];
-        let jacobian = &separation.discrete_gradient_jacobian;
-        let list = [
-            ("potential", &q, &number, Shape::Scalar, &separation.energy),
-            ("gradient", &q, &vector, Shape::Vector, &separation.gradient),
-            ("hessian", &q, &matrix, Shape::Matrix, &separation.hessian),
-            ("discrete_gradient", &ends, &vector, Shape::Vector, &separation.discrete_gradient),
-            ("discrete_gradient_jacobian", &ends, &matrix, Shape::Matrix, jacobian),
-        ];
-        let functions = list.iter().zip(&documents.potential).map(|(&(name, arrays, result, shape, program), text)| {
-            let function = self.function(name, arrays, &[], result.clone(), shape, program);
-            quote!(#(#[doc = #text])* #function)
-        });
-        quote!(#(#functions)*)
-    }
-
     /// What `Between` says of a law with a force.
-    fn pair_force(&self, force: &PairForce, derivation: &PairDerivation, documents: &Documents) -> TokenStream {
-        let (scalar, d) = (&self.scalar, &self.dimension);
+    fn pair_force(&self, force: &PairForce, derivation: &PairDerivation) -> TokenStream {
         let pair = &derivation.pair.variables;
         let arrays = [("d", &self.variables.q[..]), ("va", &pair.va[..]), ("vb", &pair.vb[..])];
-        let (vector, matrices) = (quote!([#scalar; #d]), quote!([[[#scalar; #d]; #d]; 3]));
-        let [force_doc, jacobians_doc] = &documents.force;
+        let [force_doc, jacobians_doc] = force_texts(derivation, force);
         let reciprocal = force.reciprocal;
-        let jacobians = self.function("force_jacobians", &arrays, &[], matrices, Shape::Matrices, &force.jacobians);
-        let force = self.function("force", &arrays, &[], vector, Shape::Vector, &force.force);
+        let jacobians = self.function("force_jacobians", &arrays, &[], Rank::Matrices, &force.jacobians);
+        let force = self.function("force", &arrays, &[], Rank::Vector, &force.force);
         quote! {
             const FORCED: bool = true;
             const RECIPROCAL: bool = #reciprocal;
@@ -366,10 +317,8 @@ impl Printer<'_> {
 
 /// What acts between two bodies without content, for a law that has errors.
 pub(super) fn pair_stub(model: &Model) -> TokenStream {
-    let Generics { scalar, own, foreign, with_data, data, dimension: d, .. } = Generics::of(model);
+    let Generics { scalar, own, foreign, with_data, reads, data, dimension: d, .. } = Generics::of(model);
     let (runtime, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
-    let parameters: Vec<_> = parameters_of(model).collect();
-    let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none()).then(|| quote!(#data));
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
     let (held, numbers, q) = (hidden_lifetime(model), ident("_numbers"), ident("_d"));
     let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
@@ -385,7 +334,7 @@ pub(super) fn pair_stub(model: &Model) -> TokenStream {
             #[automatically_derived]
             impl #own #runtime::Symmetric for #self_ty #where_clause {}
             #[automatically_derived]
-            impl <#(#parameters,)* #any_data> #runtime::Reads<#data> for #self_ty #where_clause {
+            impl #reads #runtime::Reads<#data> for #self_ty #where_clause {
                 type Numbers = [::core::primitive::f64; 0];
                 fn numbers(&self, _: ::core::primitive::f64, _: &#data) -> Self::Numbers #unreachable
             }

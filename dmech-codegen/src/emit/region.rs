@@ -29,10 +29,12 @@ impl Regions {
             }
         }
         let values: Vec<Value> = program.values().collect();
+        let mut is_output = vec![false; count];
+        program.outputs.iter().for_each(|v| is_output[v.index()] = true);
         let mut regions = Self { of: vec![None; count] };
         for i in (0..count).rev() {
             let shared = matches!(program.operations[i], Operation::Symbol(_) | Operation::Number(_));
-            if shared || program.outputs.contains(&values[i]) {
+            if shared || is_output[i] {
                 continue;
             }
             let mut wanted = uses[i].iter().map(|&(user, branch)| match branch {

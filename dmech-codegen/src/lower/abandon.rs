@@ -14,7 +14,7 @@ impl<'m> Interpreter<'m> {
         collect_assigned(code.to_token_stream(), &mut assigned);
         for name in assigned {
             if let Some(found) = self.scope.find(&name) {
-                self.scope.bindings[found].value = Value::Unknown;
+                self.scope.locals[found].value = Value::Unknown;
             }
         }
     }

@@ -1,55 +1,21 @@
 //! `+ - * / %` on numbers, integers and vectors, unary minus, casts.
 
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 use syn::{BinOp, Expr, ExprBinary, ExprCast, ExprUnary, UnOp};
 
 use crate::diagnostics::body;
 use crate::model::{Known, known_type};
 
-use super::assign::compound;
-use super::branch::Comparison;
-use super::interpreter::{Formula, Interpreter};
+use super::interpreter::{Expression, Interpreter};
+use super::operator::{Comparison, Operator};
 use super::value::{Truth, Value};
-
-/// The operators of arithmetic.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Operator {
-    Add,
-    Sub,
-    Mul,
-    Div,
-    Rem,
-}
-
-impl Operator {
-    fn of(op: &BinOp) -> Option<Self> {
-        match op {
-            BinOp::Add(_) => Some(Self::Add),
-            BinOp::Sub(_) => Some(Self::Sub),
-            BinOp::Mul(_) => Some(Self::Mul),
-            BinOp::Div(_) => Some(Self::Div),
-            BinOp::Rem(_) => Some(Self::Rem),
-            _ => None,
-        }
-    }
-
-    pub(super) fn sign(self) -> &'static str {
-        match self {
-            Self::Add => "+",
-            Self::Sub => "-",
-            Self::Mul => "*",
-            Self::Div => "/",
-            Self::Rem => "%",
-        }
-    }
-}
 
 impl<'m> Interpreter<'m> {
     pub(super) fn binary_expression(&mut self, binary: &'m ExprBinary, e: &'m Expr) -> Value {
         if Operator::of(&binary.op).is_some() {
-            return self.chain(e);
+            return self.left_to_right(e);
         }
-        if let Some(operator) = compound(&binary.op) {
+        if let Some(operator) = Operator::of_assignment(&binary.op) {
             return self.compound_assignment(binary, operator, e);
         }
         match &binary.op {
@@ -63,7 +29,7 @@ impl<'m> Interpreter<'m> {
     }
 
     /// a + b − c + …, which the parser nests to the left, without recursion.
-    fn chain(&mut self, e: &'m Expr) -> Value {
+    fn left_to_right(&mut self, e: &'m Expr) -> Value {
         let mut links = vec![];
         let mut first = e;
         while let Expr::Binary(binary) = first
@@ -133,7 +99,7 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    fn numbers(&mut self, operator: Operator, left: Formula, right: Formula) -> Formula {
+    fn numbers(&mut self, operator: Operator, left: Expression, right: Expression) -> Expression {
         match operator {
             Operator::Add => self.graph.add(&[left, right]),
             Operator::Sub => self.graph.sub(left, right),
@@ -142,7 +108,7 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    fn componentwise(&mut self, operator: Operator, u: &[Formula], w: &[Formula]) -> Value {
+    fn componentwise(&mut self, operator: Operator, u: &[Expression], w: &[Expression]) -> Value {
         Value::Vector(u.iter().zip(w).map(|(&x, &y)| self.numbers(operator, x, y)).collect())
     }
 
@@ -208,21 +174,13 @@ fn is_scalar(value: &Value) -> bool {
 }
 
 fn in_range(n: i128, ty: &str) -> bool {
-    match ty {
-        "u8" => u8::try_from(n).is_ok(),
-        "i8" => i8::try_from(n).is_ok(),
-        "u16" => u16::try_from(n).is_ok(),
-        "i16" => i16::try_from(n).is_ok(),
-        "u32" => u32::try_from(n).is_ok(),
-        "i32" => i32::try_from(n).is_ok(),
-        "u64" | "usize" => u64::try_from(n).is_ok(),
-        "i64" | "isize" => i64::try_from(n).is_ok(),
-        "u128" => n >= 0,
-        _ => true,
+    macro_rules! fits {
+        ($($ty:ident)*) => {
+            match ty.replace("size", "64").as_str() {
+                $(stringify!($ty) => $ty::try_from(n).is_ok(),)*
+                _ => true,
+            }
+        };
     }
-}
-
-/// `self.n as f64` as tokens.
-pub(super) fn cast_tokens(inner: &proc_macro2::TokenStream, ty: &syn::Type) -> proc_macro2::TokenStream {
-    quote!((#inner as #ty))
+    fits!(u8 i8 u16 i16 u32 i32 u64 i64 u128)
 }

@@ -1,13 +1,13 @@
 //! `=`, `+=` and the like, and what can stand left of them.
 
-use syn::{BinOp, Expr, ExprAssign, ExprBinary, Member, UnOp};
+use syn::{Expr, ExprAssign, ExprBinary, Member, UnOp};
 
 use crate::diagnostics::body;
 
-use super::arithmetic::Operator;
-use super::interpreter::Interpreter;
+use super::code::component;
+use super::interpreter::{Expression, Interpreter};
+use super::operator::Operator;
 use super::value::Value;
-use super::vector::component;
 
 /// A variable, or a part of one.
 struct Place {
@@ -57,14 +57,14 @@ impl<'m> Interpreter<'m> {
 
     fn store(&mut self, left: &'m Expr, value: Value, right: &'m Expr) {
         let Some(place) = self.place(left) else { return };
-        let mut slot = &mut self.scope.bindings[place.binding].value;
+        let mut slot = &mut self.scope.locals[place.binding].value;
         for (i, &step) in place.path.iter().enumerate() {
             slot = match slot {
                 Value::Array(parts) | Value::Tuple(parts) if step < parts.len() => &mut parts[step],
                 Value::Vector(components) if step < components.len() && i + 1 == place.path.len() => {
                     let number = self.number(value, right);
                     // The number may have been noted as wrong; then the whole vector is not known.
-                    let slot = &mut self.scope.bindings[place.binding].value;
+                    let slot = &mut self.scope.locals[place.binding].value;
                     store_component(slot, &place.path, number);
                     return;
                 }
@@ -141,7 +141,7 @@ impl<'m> Interpreter<'m> {
     }
 
     fn part(&self, place: &Place) -> Option<&Value> {
-        let mut value = &self.scope.bindings[place.binding].value;
+        let mut value = &self.scope.locals[place.binding].value;
         for &step in &place.path {
             value = match value {
                 Value::Array(parts) | Value::Tuple(parts) => parts.get(step)?,
@@ -161,7 +161,7 @@ fn length(value: &Value) -> Option<usize> {
 }
 
 /// Stores a component of a vector; without a number, the vector is no longer known.
-fn store_component(mut slot: &mut Value, path: &[usize], number: Option<super::interpreter::Formula>) {
+fn store_component(mut slot: &mut Value, path: &[usize], number: Option<Expression>) {
     for &step in &path[..path.len() - 1] {
         slot = match slot {
             Value::Array(parts) | Value::Tuple(parts) => &mut parts[step],
@@ -171,17 +171,5 @@ fn store_component(mut slot: &mut Value, path: &[usize], number: Option<super::i
     match (slot, number, path.last()) {
         (Value::Vector(components), Some(number), Some(&i)) => components[i] = number,
         (slot, ..) => *slot = Value::Unknown,
-    }
-}
-
-/// The operator behind `+=`.
-pub(super) fn compound(op: &BinOp) -> Option<Operator> {
-    match op {
-        BinOp::AddAssign(_) => Some(Operator::Add),
-        BinOp::SubAssign(_) => Some(Operator::Sub),
-        BinOp::MulAssign(_) => Some(Operator::Mul),
-        BinOp::DivAssign(_) => Some(Operator::Div),
-        BinOp::RemAssign(_) => Some(Operator::Rem),
-        _ => None,
     }
 }

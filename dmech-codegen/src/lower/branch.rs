@@ -1,51 +1,16 @@
 //! `if`, comparisons, `&&`, `||`.
 
 use dmech_symbolic::expression::{Condition, Relation};
-use syn::{BinOp, Expr, ExprBinary, ExprIf};
+use syn::{Expr, ExprBinary, ExprIf};
 
 use crate::diagnostics::body;
 
 use super::budget::MAX_COMPARISONS;
+use super::code::result_of;
 use super::interpreter::Interpreter;
 use super::merge::unknown_if_changed;
-use super::statement::result_of;
+use super::operator::Comparison;
 use super::value::{Truth, Value};
-
-/// How two values are compared.
-#[derive(Clone, Copy)]
-pub(super) enum Comparison {
-    Less,
-    LessOrEqual,
-    Greater,
-    GreaterOrEqual,
-    Equal,
-    NotEqual,
-}
-
-impl Comparison {
-    pub(super) fn of(op: &BinOp) -> Option<Self> {
-        match op {
-            BinOp::Lt(_) => Some(Self::Less),
-            BinOp::Le(_) => Some(Self::LessOrEqual),
-            BinOp::Gt(_) => Some(Self::Greater),
-            BinOp::Ge(_) => Some(Self::GreaterOrEqual),
-            BinOp::Eq(_) => Some(Self::Equal),
-            BinOp::Ne(_) => Some(Self::NotEqual),
-            _ => None,
-        }
-    }
-
-    fn holds<T: PartialOrd>(self, left: T, right: T) -> bool {
-        match self {
-            Self::Less => left < right,
-            Self::LessOrEqual => left <= right,
-            Self::Greater => left > right,
-            Self::GreaterOrEqual => left >= right,
-            Self::Equal => left == right,
-            Self::NotEqual => left != right,
-        }
-    }
-}
 
 impl<'m> Interpreter<'m> {
     pub(super) fn comparison(&mut self, comparison: Comparison, binary: &'m ExprBinary, e: &'m Expr) -> Value {
@@ -149,10 +114,10 @@ impl<'m> Interpreter<'m> {
         let no = self.else_branch(branch);
         let after_no = std::mem::take(&mut self.scope);
         self.scope = before;
-        let pairs = after_yes.bindings.into_iter().zip(after_no.bindings);
+        let pairs = after_yes.locals.into_iter().zip(after_no.locals);
         for (binding, (yes, no)) in pairs.enumerate() {
-            let before = std::mem::replace(&mut self.scope.bindings[binding].value, Value::Unknown);
-            self.scope.bindings[binding].value = match &condition {
+            let before = std::mem::replace(&mut self.scope.locals[binding].value, Value::Unknown);
+            self.scope.locals[binding].value = match &condition {
                 Some(condition) => {
                     let merged = self.merge(condition, Some(&before), yes.value, no.value);
                     merged.unwrap_or_else(|_| self.refuse(body::branches_differ_in(&branch.if_token, &yes.name)))

@@ -2,6 +2,8 @@
 
 use dmech_symbolic::expression::{Binary, Expr, Graph, Node, Unary};
 
+use crate::diagnostics::body::Excess;
+
 /// How many turns all loops together may take.
 pub(super) const MAX_TURNS: usize = 10_000;
 /// How many expressions may be stored on the way.
@@ -34,20 +36,6 @@ pub(super) struct Budget {
     pub(super) depth: usize,
     /// Set once, when a bound is passed; then nothing more is read.
     pub(super) exhausted: bool,
-}
-
-/// Which bound was passed.
-#[derive(Clone, Copy)]
-pub(crate) enum Excess {
-    Turns,
-    Expressions,
-    Steps,
-    Terms,
-    /// Of the finished potential.
-    Size,
-    Height,
-    Tower,
-    Choices,
 }
 
 /// The bound that a finished potential passes, if any.

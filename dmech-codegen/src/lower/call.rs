@@ -6,17 +6,10 @@ use syn::{Expr, ExprCall, ExprMethodCall, ExprPath, FnArg, ImplItemFn, ReceiverK
 use crate::diagnostics::{body, nearest, pair};
 use crate::model::{Sibling, vector_alias};
 
+use super::code::{bare, is_sequence_method, is_vector_method, result_of, thrown_away};
+use super::function::arity;
 use super::interpreter::Interpreter;
-use super::pattern::bare;
-use super::statement::{result_of, thrown_away};
-use super::value::{At, Owner, Value};
-
-/// An argument of a call, with the code to point at.
-#[derive(Clone)]
-pub(super) struct Given<'m> {
-    pub(super) value: Value,
-    pub(super) at: &'m Expr,
-}
+use super::value::{At, Given, Owner, Value};
 
 impl<'m> Interpreter<'m> {
     pub(super) fn method_call(&mut self, call: &'m ExprMethodCall, e: &'m Expr) -> Value {
@@ -42,14 +35,12 @@ impl<'m> Interpreter<'m> {
         match &receiver.value {
             Value::Array(_) | Value::Items(_) => self.sequence_method(receiver, call, e),
             Value::Vector(_) => self.vector_method(receiver, call, e),
-            Value::Field(_) if super::vector::is_vector_method(&text) => self.vector_method(receiver, call, e),
-            Value::Field(_) if super::sequence::is_sequence_method(&text) => {
-                self.refuse(body::field_of_unknown_length(&call.receiver))
-            }
-            Value::Field(field) if field.of != Owner::Law && super::function::arity(&text).is_none() => {
+            Value::Field(_) if is_vector_method(&text) => self.vector_method(receiver, call, e),
+            Value::Field(_) if is_sequence_method(&text) => self.refuse(body::field_of_unknown_length(&call.receiver)),
+            Value::Field(field) if field.of != Owner::Law && arity(&text).is_none() => {
                 self.refuse(pair::method_of_data(name))
             }
-            Value::Number(_) | Value::Field(_) if super::function::arity(&text).is_none() => {
+            Value::Number(_) | Value::Field(_) if arity(&text).is_none() => {
                 self.report(body::unknown_function(name));
                 self.read_for_errors(call)
             }
@@ -127,7 +118,7 @@ impl<'m> Interpreter<'m> {
     fn call_name(&mut self, path: &'m ExprPath) -> Value {
         let name = name_of(path);
         if let Some(found) = self.scope.find(&name) {
-            let known_wrong = self.scope.bindings[found].value.is_unknown();
+            let known_wrong = self.scope.locals[found].value.is_unknown();
             return if known_wrong { Value::Unknown } else { self.refuse(body::not_a_function(path)) };
         }
         let is_own =

@@ -1,9 +1,5 @@
 //! What the law reads of itself: `self.k`, `self.k[2]`, `self.spring.k`, `Self::G`. Each becomes one parameter.
 
-use std::collections::HashSet;
-
-use dmech_symbolic::expression::Graph;
-use dmech_symbolic::kernel::{PairVariables, Variables};
 use proc_macro2::{Ident, Literal, Span};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
@@ -11,21 +7,10 @@ use syn::{ExprField, Member, Type};
 
 use crate::diagnostics::body;
 
-use super::arithmetic::cast_tokens;
-use super::interpreter::{Formula, Interpreter};
+use super::code::{cast_tokens, component};
+use super::interpreter::{Expression, Interpreter};
 use super::lowered::{Parameter, Read, Source};
 use super::value::{At, Field, Owner, Value};
-use super::vector::component;
-
-/// Names that a parameter cannot have in formulas.
-pub(super) fn reserved_names(graph: &Graph, variables: &Variables, pair: Option<&PairVariables>) -> HashSet<String> {
-    let Variables { q, v, a, b, .. } = variables;
-    let coordinates = [q, v, a, b].into_iter().flatten().map(|&symbol| graph.name(symbol).to_owned());
-    let of_two = pair.into_iter().flat_map(|pair| pair.va.iter().chain(&pair.vb));
-    let of_two = of_two.map(|&symbol| graph.name(symbol).to_owned());
-    let arguments: &[&str] = if pair.is_some() { &["ma", "mb", "t", "r", "ra", "rb"] } else { &["m", "t"] };
-    coordinates.chain(of_two).chain(arguments.iter().map(|&name| name.to_owned())).collect()
-}
 
 impl<'m> Interpreter<'m> {
     pub(super) fn field_expression(&mut self, field: &'m ExprField) -> Value {
@@ -99,7 +84,7 @@ impl<'m> Interpreter<'m> {
     }
 
     /// The components of a vector of dimension n.
-    pub(super) fn field_vector(&mut self, base: &Field, n: usize) -> Vec<Formula> {
+    pub(super) fn field_vector(&mut self, base: &Field, n: usize) -> Vec<Expression> {
         let components = self.field_elements(base, n);
         let as_number = |value| match value {
             Value::Field(field) => self.field_number(&field),
@@ -116,12 +101,12 @@ impl<'m> Interpreter<'m> {
     }
 
     /// A field where a number is needed.
-    pub(super) fn field_number(&mut self, field: &Field) -> Formula {
+    pub(super) fn field_number(&mut self, field: &Field) -> Expression {
         self.parameter(&field.key, &field.name, field.of.source(field.tokens.clone()))
     }
 
     /// The parameter with that key, new if need be.
-    pub(super) fn parameter(&mut self, key: &str, name: &str, source: Source) -> Formula {
+    pub(super) fn parameter(&mut self, key: &str, name: &str, source: Source) -> Expression {
         if let Some(&found) = self.known.get(key) {
             return found;
         }

@@ -10,10 +10,9 @@ use crate::diagnostics::body;
 use crate::model::Sibling;
 
 use super::budget::MAX_EXPONENT;
-use super::call::Given;
-use super::interpreter::{Formula, Interpreter};
-use super::pattern::bare;
-use super::value::Value;
+use super::code::bare;
+use super::interpreter::{Expression, Interpreter};
+use super::value::{Given, Value};
 
 /// Functions of one argument, by their name in Rust.
 fn unary(name: &str) -> Option<Unary> {
@@ -60,7 +59,7 @@ impl<'m> Interpreter<'m> {
         }
         let places: Vec<_> = arguments.iter().map(|a| a.at).collect();
         let others: Vec<_> = arguments.into_iter().map(|a| self.number(a.value, a.at)).collect();
-        let others: Option<Vec<Formula>> = others.into_iter().collect();
+        let others: Option<Vec<Expression>> = others.into_iter().collect();
         let (Some(x), Some(others)) = (x, others) else { return Value::Unknown };
         if let ("clamp", &[low, high], &[low_at, high_at]) = (text.as_str(), &others[..], &places[..])
             && let (Some(low), Some(high)) = (self.known_number(low, low_at), self.known_number(high, high_at))
@@ -103,7 +102,7 @@ impl<'m> Interpreter<'m> {
         })
     }
 
-    fn integer_power(&mut self, x: Option<Formula>, exponent: &Given<'m>, e: &Expr) -> Value {
+    fn integer_power(&mut self, x: Option<Expression>, exponent: &Given<'m>, e: &Expr) -> Value {
         let n = match &exponent.value {
             Value::Integer(n) => *n,
             Value::Unknown => return Value::Unknown,
@@ -116,7 +115,7 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    fn real_power(&mut self, x: Option<Formula>, exponent: &Given<'m>) -> Value {
+    fn real_power(&mut self, x: Option<Expression>, exponent: &Given<'m>) -> Value {
         let known = self.named_constant(exponent.at);
         let p = match (known, &exponent.value) {
             (Some(p), _) => Some(p),
@@ -133,13 +132,13 @@ impl<'m> Interpreter<'m> {
     }
 
     /// The value of an expression that does not depend on anything, as far as the macro can see it.
-    fn known_number(&mut self, e: Formula, at: &'m Expr) -> Option<f64> {
+    fn known_number(&mut self, e: Expression, at: &'m Expr) -> Option<f64> {
         let named = self.named_constant(at);
         self.graph.as_number(named.unwrap_or(e))
     }
 
     /// `Self::P`: powers become roots and products where the exponent is known.
-    fn named_constant(&mut self, at: &'m Expr) -> Option<Formula> {
+    fn named_constant(&mut self, at: &'m Expr) -> Option<Expression> {
         let Expr::Path(path) = bare(at) else { return None };
         let mut segments = path.path.segments.iter();
         let (owner, name) = (segments.next()?, segments.next()?);

@@ -3,7 +3,7 @@
 use dmech_symbolic::expression::{Condition, Node};
 
 use super::budget::MAX_COMPARISONS;
-use super::interpreter::{Formula, Interpreter};
+use super::interpreter::{Expression, Interpreter};
 use super::value::{Truth, Value};
 
 /// A merged value, or what the two branches are called where they do not go together.
@@ -61,7 +61,7 @@ impl Interpreter<'_> {
         })
     }
 
-    fn as_number(&mut self, value: Value) -> Option<Formula> {
+    fn as_number(&mut self, value: Value) -> Option<Expression> {
         match value {
             Value::Number(number) => Some(number),
             Value::Field(field) => Some(self.field_number(&field)),
@@ -85,7 +85,13 @@ impl Interpreter<'_> {
     }
 
     /// s + {f if c, else 0} rather than {s + f if c, else s}: sums that collect terms under conditions stay flat.
-    fn select_change(&mut self, condition: &Condition, before: Formula, yes: Formula, no: Formula) -> Formula {
+    fn select_change(
+        &mut self,
+        condition: &Condition,
+        before: Expression,
+        yes: Expression,
+        no: Expression,
+    ) -> Expression {
         let (gain_yes, gain_no) = (self.graph.sub(yes, before), self.graph.sub(no, before));
         let held = self.terms(before);
         let is_part = |this: &Self, sum, gain| this.terms(gain) + held == this.terms(sum);
@@ -97,7 +103,7 @@ impl Interpreter<'_> {
     }
 
     /// How many terms a sum has.
-    fn terms(&self, e: Formula) -> usize {
+    fn terms(&self, e: Expression) -> usize {
         match self.graph.node(e) {
             Node::Number(x) => usize::from(x.value() != 0.0),
             Node::Sum { constant, terms } => terms.len() + usize::from(constant.value() != 0.0),

@@ -2,7 +2,8 @@
 //!
 //! | file | what it reads |
 //! |---|---|
-//! | [`interpreter`] | any expression: finds the right rule |
+//! | [`law`] | the bodies of a law |
+//! | [`expression`] | any expression: finds the right rule |
 //! | [`statement`] | blocks, `let`, loops |
 //! | [`pattern`] | what `let` and arguments bind; type annotations |
 //! | [`assign`] | `=`, `+=` and their places |
@@ -17,6 +18,10 @@
 //! | [`abandon`] | nothing: what refused code leaves behind |
 //! | [`pair`] | the arguments of a law between two bodies |
 //! | [`field`] | `self.k`, `self.k[2]`, `Self::G` |
+//! | [`operator`], [`code`] | what is written, before it has a value |
+//!
+//! The rules are methods of one [`interpreter`], spread over these files: an expression has statements in it and a statement
+//! expressions, so that they call each other in a circle. No file needs another for its types or its functions in a circle.
 //!
 //! Loops are unrolled, helpers inlined, branches merged with a selection. Every error is noted and its value replaced
 //! by [`Value::Unknown`](value::Value), which silences whatever follows from it, so that one run finds all of them.
@@ -27,12 +32,16 @@ mod assign;
 mod branch;
 mod budget;
 mod call;
+mod code;
+mod expression;
 mod field;
 mod function;
 mod interpreter;
+mod law;
 mod lowered;
 mod merge;
 mod name;
+mod operator;
 mod pair;
 mod pattern;
 mod scope;
@@ -47,7 +56,6 @@ mod tests;
 use crate::diagnostics::Mistakes;
 use crate::model::Model;
 
-pub(crate) use budget::Excess;
 pub use lowered::{Lowered, LoweredPair, Parameter, Read, Source};
 pub(crate) use pair::data;
 

@@ -5,7 +5,8 @@ use quote::quote_spanned;
 use syn::{Expr, ExprPath, GenericParam, ImplItemConst};
 
 use crate::diagnostics::{body, law, nearest, pair};
-use crate::model::{ArgumentRole, Known, PairArgument, Role, Sibling, known_type};
+use crate::model::{Known, PairArgument, Quantity, Sibling, known_type};
+use crate::role::Role;
 
 use super::interpreter::Interpreter;
 use super::value::{At, Field, Owner, Value};
@@ -32,7 +33,7 @@ impl<'m> Interpreter<'m> {
     fn variable(&mut self, name: &Ident) -> Value {
         let text = name.to_string();
         if let Some(found) = self.scope.find(&text) {
-            return match &self.scope.bindings[found].value {
+            return match &self.scope.locals[found].value {
                 Value::Unset => self.refuse(body::unset_variable(name)),
                 value => value.clone(),
             };
@@ -59,7 +60,7 @@ impl<'m> Interpreter<'m> {
         use PairArgument::{Distance, Separation};
         let text = name.to_string();
         let is_field = self.model.fields.iter().flatten().any(|(field, _)| *field == text);
-        let variables = self.scope.bindings.iter().map(|binding| binding.name.as_str());
+        let variables = self.scope.locals.iter().map(|local| local.name.as_str());
         let near = nearest(&text, variables).filter(|_| !is_field);
         if self.calls.len() > 1 {
             return body::unknown_in_helper(name, near);
@@ -67,26 +68,29 @@ impl<'m> Interpreter<'m> {
         let formula =
             self.model.formulas().find(|formula| self.calls.first().is_some_and(|call| formula.ident == *call));
         let Some(formula) = formula else { return body::unknown_name(name, None, near) };
-        let declares = |role: fn(ArgumentRole) -> bool| formula.arguments.iter().any(|argument| role(argument.role));
+        let declares = |is: fn(Quantity) -> bool| formula.arguments.iter().any(|argument| is(argument.quantity));
         let other_of_two = match text.as_str() {
-            "r" => declares(|role| matches!(role, ArgumentRole::Pair(Separation(_)))),
-            "d" => declares(|role| role == ArgumentRole::Pair(Distance)),
+            "r" => declares(|quantity| matches!(quantity, Quantity::Pair(Separation(_)))),
+            "d" => declares(|quantity| quantity == Quantity::Pair(Distance)),
             _ => false,
         };
         if other_of_two && formula.role == Role::Pair {
             return pair::distance_and_separation(name);
         }
         match formula.role.arguments().iter().find(|known| known.name == text) {
-            Some(known) => body::undeclared_argument(name, known, &formula.ident, self.model),
+            Some(known) => {
+                let data = self.model.pair.as_ref().and_then(|pair| pair.data.as_ref());
+                body::undeclared_argument(name, known, &formula.ident, self.model.dimension, data)
+            }
             None => law::argument_of_another_role(name, formula.role).unwrap_or_else(|| {
-                let place = |role| match role {
-                    ArgumentRole::Pair(Distance) => Some("r"),
-                    ArgumentRole::Position(_) | ArgumentRole::Pair(Separation(_)) | ArgumentRole::Refused => {
+                let place = |quantity| match quantity {
+                    Quantity::Pair(Distance) => Some("r"),
+                    Quantity::Position(_) | Quantity::Pair(Separation(_)) | Quantity::Refused => {
                         Some(formula.role.place().name)
                     }
                     _ => None,
                 };
-                body::unknown_name(name, formula.arguments.iter().find_map(|argument| place(argument.role)), near)
+                body::unknown_name(name, formula.arguments.iter().find_map(|argument| place(argument.quantity)), near)
             }),
         }
     }
@@ -164,39 +168,25 @@ fn reads_as_number(known: &Known) -> bool {
 
 /// `std::f64::consts::PI`, `core::f64::consts::PI`, `consts::PI`, `f64::EPSILON`.
 pub(super) fn float_constant(names: &[String]) -> Option<f64> {
-    use std::f64::consts::*;
+    macro_rules! named {
+        ($name:expr, $module:path, $($constant:ident)*) => {{
+            use $module as module;
+            $(if $name == stringify!($constant) {
+                return Some(module::$constant);
+            })*
+            None
+        }};
+    }
     let names: Vec<_> = names.iter().map(String::as_str).collect();
-    let (parent, name) = match names[..] {
-        ["consts", name] | ["f64", "consts", name] | ["std" | "core", "f64", "consts", name] => ("consts", name),
-        ["f64", name] | ["std" | "core", "f64", name] => ("f64", name),
-        _ => return None,
-    };
-    Some(match (parent, name) {
-        ("consts", "PI") => PI,
-        ("consts", "TAU") => TAU,
-        ("consts", "E") => E,
-        ("consts", "SQRT_2") => SQRT_2,
-        ("consts", "FRAC_1_SQRT_2") => FRAC_1_SQRT_2,
-        ("consts", "FRAC_2_SQRT_PI") => FRAC_2_SQRT_PI,
-        ("consts", "FRAC_1_PI") => FRAC_1_PI,
-        ("consts", "FRAC_2_PI") => FRAC_2_PI,
-        ("consts", "FRAC_PI_2") => FRAC_PI_2,
-        ("consts", "FRAC_PI_3") => FRAC_PI_3,
-        ("consts", "FRAC_PI_4") => FRAC_PI_4,
-        ("consts", "FRAC_PI_6") => FRAC_PI_6,
-        ("consts", "FRAC_PI_8") => FRAC_PI_8,
-        ("consts", "LN_2") => LN_2,
-        ("consts", "LN_10") => LN_10,
-        ("consts", "LOG2_E") => LOG2_E,
-        ("consts", "LOG10_E") => LOG10_E,
-        ("consts", "LOG2_10") => LOG2_10,
-        ("consts", "LOG10_2") => LOG10_2,
-        ("f64", "EPSILON") => f64::EPSILON,
-        ("f64", "MAX") => f64::MAX,
-        ("f64", "MIN") => f64::MIN,
-        ("f64", "MIN_POSITIVE") => f64::MIN_POSITIVE,
-        _ => return None,
-    })
+    match names[..] {
+        ["consts", name] | ["f64", "consts", name] | ["std" | "core", "f64", "consts", name] => named!(
+            name, std::f64::consts,
+            PI TAU E SQRT_2 FRAC_1_SQRT_2 FRAC_2_SQRT_PI FRAC_1_PI FRAC_2_PI FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6
+            FRAC_PI_8 LN_2 LN_10 LOG2_E LOG10_E LOG2_10 LOG10_2
+        ),
+        ["f64", name] | ["std" | "core", "f64", name] => named!(name, std::f64, EPSILON MAX MIN MIN_POSITIVE),
+        _ => None,
+    }
 }
 
 fn is_not_finite(names: &[String]) -> bool {

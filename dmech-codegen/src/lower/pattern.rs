@@ -1,7 +1,7 @@
 //! What patterns bind, and what type annotations say about a value.
 
 use syn::punctuated::Punctuated;
-use syn::{Expr, Pat, PatStruct, Token, Type};
+use syn::{Pat, PatStruct, Token, Type};
 
 use crate::diagnostics::body;
 use crate::model::{Known, known_type};
@@ -171,15 +171,5 @@ fn is_rest(pattern: &Pat) -> bool {
         Pat::Rest(_) => true,
         Pat::Ident(name) => matches!(&name.subpat, Some((_, sub)) if matches!(**sub, Pat::Rest(_))),
         _ => false,
-    }
-}
-
-/// The innermost expression of brackets and references.
-pub(super) fn bare(e: &Expr) -> &Expr {
-    match e {
-        Expr::Paren(inner) => bare(&inner.expr),
-        Expr::Group(inner) => bare(&inner.expr),
-        Expr::Reference(inner) => bare(&inner.expr),
-        e => e,
     }
 }

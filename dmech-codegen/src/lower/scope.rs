@@ -4,7 +4,7 @@ use super::value::Value;
 
 /// A variable.
 #[derive(Clone)]
-pub(super) struct Binding {
+pub(super) struct Local {
     pub(super) name: String,
     pub(super) value: Value,
 }
@@ -12,26 +12,26 @@ pub(super) struct Binding {
 /// The variables of one function, the innermost last.
 #[derive(Clone, Default)]
 pub(super) struct Scope {
-    pub(super) bindings: Vec<Binding>,
+    pub(super) locals: Vec<Local>,
 }
 
 impl Scope {
     pub(super) fn bind(&mut self, name: String, value: Value) {
-        self.bindings.push(Binding { name, value });
+        self.locals.push(Local { name, value });
     }
 
     /// The place of the innermost variable of that name.
     pub(super) fn find(&self, name: &str) -> Option<usize> {
-        self.bindings.iter().rposition(|binding| binding.name == name)
+        self.locals.iter().rposition(|local| local.name == name)
     }
 
     /// How many variables there are, to return to later.
     pub(super) fn mark(&self) -> usize {
-        self.bindings.len()
+        self.locals.len()
     }
 
     /// Forgets what was bound after the mark.
     pub(super) fn reset(&mut self, mark: usize) {
-        self.bindings.truncate(mark);
+        self.locals.truncate(mark);
     }
 }

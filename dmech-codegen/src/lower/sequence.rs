@@ -6,17 +6,11 @@ use syn::{Expr, ExprIndex, ExprMethodCall, ExprRange, ExprRepeat, GenericArgumen
 use crate::diagnostics::body;
 use crate::model::{Known, known_type};
 
-use super::arithmetic::Operator;
-use super::budget::{Excess, MAX_TURNS};
-use super::call::Given;
+use super::budget::MAX_TURNS;
+use super::code::{bare, is_vector_method};
 use super::interpreter::Interpreter;
-use super::pattern::bare;
-use super::value::Value;
-
-/// Methods that need the length of an array.
-pub(super) fn is_sequence_method(name: &str) -> bool {
-    ["iter", "into_iter", "map", "len", "windows", "fold", "zip", "sum", "product"].contains(&name)
-}
+use super::operator::Operator;
+use super::value::{Given, Value};
 
 impl<'m> Interpreter<'m> {
     /// `[x; 3]`
@@ -26,7 +20,7 @@ impl<'m> Interpreter<'m> {
         let Some(n) = self.integer(n, &*repeat.len) else { return Value::Unknown };
         match usize::try_from(n) {
             Ok(n) if n <= MAX_TURNS => Value::Array(vec![value; n]),
-            _ => self.refuse(body::excess(&repeat.len, Excess::Turns)),
+            _ => self.refuse(body::excess(&repeat.len, body::Excess::Turns)),
         }
     }
 
@@ -42,7 +36,7 @@ impl<'m> Interpreter<'m> {
         }
         match end.checked_sub(start) {
             Some(n) if n <= MAX_TURNS as i128 => Value::Items((start..end).map(Value::Integer).collect()),
-            _ => self.refuse(body::excess(e, Excess::Turns)),
+            _ => self.refuse(body::excess(e, body::Excess::Turns)),
         }
     }
 
@@ -141,7 +135,7 @@ impl<'m> Interpreter<'m> {
             return self.refuse(match text.as_str() {
                 "iter_mut" => body::iter_mut(name),
                 _ if is_adaptor(&text) => body::array_is_no_iterator(name),
-                _ if super::vector::is_vector_method(&text) => body::vector_function_of_array(name, items.len()),
+                _ if is_vector_method(&text) => body::vector_function_of_array(name, items.len()),
                 _ => body::unknown_array_function(name),
             });
         }

@@ -1,31 +1,12 @@
 //! Blocks, `let`, `for`.
 
-use syn::{Attribute, Block, Expr, ExprForLoop, Item, Local, Pat, Stmt, Token, UseTree};
+use syn::{Attribute, Block, Expr, ExprForLoop, Item, Local, Pat, Stmt, UseTree};
 
 use crate::diagnostics::body;
 
 use super::interpreter::Interpreter;
 use super::name::float_constant;
 use super::value::{At, Value};
-
-/// The expression that gives a block its value, where it has one.
-pub(super) fn result_of(block: &Block) -> Option<&Expr> {
-    match block.stmts.last()? {
-        Stmt::Expr(Expr::Return(leave), _) => leave.expr.as_deref(),
-        Stmt::Expr(Expr::Block(inner), None) => result_of(&inner.block),
-        Stmt::Expr(e, None) => Some(e),
-        _ => None,
-    }
-}
-
-/// The `;` behind the last expression of a block, which throws its value away.
-pub(super) fn thrown_away(block: &Block) -> Option<&Token![;]> {
-    match block.stmts.last()? {
-        Stmt::Expr(Expr::Assign(_) | Expr::ForLoop(_) | Expr::While(_) | Expr::Return(_), _) => None,
-        Stmt::Expr(_, semicolon) => semicolon.as_ref(),
-        _ => None,
-    }
-}
 
 impl<'m> Interpreter<'m> {
     /// The body of a function, where `return` may come last.

@@ -64,6 +64,13 @@ pub(super) enum Owner {
     Body(Body),
 }
 
+/// An argument of a call, with the code to point at.
+#[derive(Clone)]
+pub(super) struct Given<'m> {
+    pub(super) value: Value,
+    pub(super) at: &'m syn::Expr,
+}
+
 /// The code that a value comes from, to point at.
 #[derive(Clone, Copy)]
 pub(super) enum At<'a> {

@@ -9,21 +9,8 @@ use dmech_symbolic::expression::Unary;
 use crate::diagnostics::body;
 use crate::model::{Known, Length, VectorAlias, vector_alias};
 
-use super::call::Given;
-use super::interpreter::{Formula, Interpreter};
-use super::value::Value;
-
-/// The place of `x`, `y`, `z`, `w`, `a`, `b`.
-pub(super) fn component(name: &str) -> Option<usize> {
-    ["x", "y", "z", "w", "a", "b"].iter().position(|&c| c == name)
-}
-
-/// Methods that only a vector has.
-pub(super) fn is_vector_method(name: &str) -> bool {
-    let own =
-        ["norm", "norm_squared", "magnitude", "magnitude_squared", "dot", "cross", "normalize", "metric_distance"];
-    own.contains(&name) || ["component_mul", "component_div"].contains(&name)
-}
+use super::interpreter::{Expression, Interpreter};
+use super::value::{Given, Value};
 
 impl<'m> Interpreter<'m> {
     pub(super) fn vector_method(&mut self, receiver: Given<'m>, call: &'m ExprMethodCall, e: &'m Expr) -> Value {
@@ -89,7 +76,7 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    fn function_of_vector(&mut self, name: &str, u: Vec<Formula>) -> Value {
+    fn function_of_vector(&mut self, name: &str, u: Vec<Expression>) -> Value {
         match name {
             "sum" => Value::Number(self.graph.add(&u)),
             "abs" => Value::Vector(u.into_iter().map(|x| self.graph.unary(Unary::Abs, x)).collect()),
@@ -102,7 +89,7 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    fn function_of_vectors(&mut self, name: &Ident, u: Vec<Formula>, w: Vec<Formula>) -> Value {
+    fn function_of_vectors(&mut self, name: &Ident, u: Vec<Expression>, w: Vec<Expression>) -> Value {
         let graph = &mut self.graph;
         match name.to_string().as_str() {
             "dot" => Value::Number(self.dot(&u, &w)),
@@ -125,12 +112,12 @@ impl<'m> Interpreter<'m> {
         }
     }
 
-    fn dot(&mut self, u: &[Formula], w: &[Formula]) -> Formula {
+    fn dot(&mut self, u: &[Expression], w: &[Expression]) -> Expression {
         let products: Vec<_> = u.iter().zip(w).map(|(&x, &y)| self.graph.mul(&[x, y])).collect();
         self.graph.add(&products)
     }
 
-    fn norm(&mut self, u: &[Formula]) -> Formula {
+    fn norm(&mut self, u: &[Expression]) -> Expression {
         let square = self.dot(u, u);
         self.graph.unary(Unary::Sqrt, square)
     }

@@ -7,9 +7,9 @@ use syn::{Attribute, Block, Expr, ExprClosure, Fields, Item, ItemStruct, Meta, P
 use syn::{parse_quote, token};
 
 use crate::diagnostics::{Mistakes, law};
+use crate::role::Role;
 
-use super::roles::Role;
-use super::{Argument, ArgumentRole, Formula, Model, Parsed, arguments, finish, nesting, signature};
+use super::{Argument, Formula, Model, Parsed, Quantity, attribute, finish, nesting, options, signature};
 
 /// Reads the struct that the derive stands on.
 pub(crate) fn from_derive(item: TokenStream) -> Parsed {
@@ -24,7 +24,7 @@ fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {
         Ok(Item::Struct(item)) => Some(model(item, errors)),
         Ok(other) => {
             errors.push(law::not_a_struct(&other));
-            Model::of_declared(other, arguments::default_crate())
+            Model::of_declared(other, options::default_crate())
         }
         Err(error) => {
             errors.push(error);
@@ -34,13 +34,13 @@ fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {
 }
 
 fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
-    let mut krate = arguments::default_crate();
+    let mut krate = options::default_crate();
     let mut potential = None;
     let mut other_role = false;
     for attribute in &item.attrs {
         if attribute.path().is_ident("dmech") {
             match attribute.meta.require_list() {
-                Ok(list) => krate = arguments::parse(list.tokens.clone(), errors),
+                Ok(list) => krate = options::parse(list.tokens.clone(), errors),
                 Err(_) => errors.push(law::bare_option(attribute)),
             }
         } else if attribute.path().is_ident("potential") {
@@ -49,7 +49,7 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
             } else {
                 potential = Some((attribute, closure(attribute, errors)));
             }
-        } else if let Some(role) = Role::of(attribute) {
+        } else if let Some(role) = attribute::role(attribute) {
             errors.push(law::role_on_a_struct(attribute, &item.ident, role));
             other_role = true;
         }
@@ -68,8 +68,8 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
     let typed: Vec<PatType> = closure.inputs.iter().filter_map(|input| typed(input, errors)).collect();
     let mut arguments = signature::arguments(typed.iter(), Role::Potential, &BTreeMap::new(), errors);
     let untyped = closure.inputs.iter().filter(|input| !matches!(input, Pat::Type(_)));
-    arguments.list.extend(untyped.map(|pattern| Argument { role: ArgumentRole::Refused, pattern: pattern.clone() }));
-    if arguments.dimension == 0 && !arguments.names(ArgumentRole::Refused) {
+    arguments.list.extend(untyped.map(|pattern| Argument { quantity: Quantity::Refused, pattern: pattern.clone() }));
+    if arguments.dimension == 0 && !arguments.names(Quantity::Refused) {
         errors.push(law::no_position(&closure));
     }
     Model {
@@ -77,8 +77,8 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
         krate,
         name,
         dimension: arguments.dimension,
-        names_mass: arguments.names(ArgumentRole::Mass),
-        names_time: arguments.names(ArgumentRole::Time),
+        names_mass: arguments.names(Quantity::Mass),
+        names_time: arguments.names(Quantity::Time),
         docs: item.attrs.iter().filter(|a| a.path().is_ident("doc")).cloned().collect(),
         potential: Some(Formula {
             role: Role::Potential,

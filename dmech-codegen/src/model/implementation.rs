@@ -6,22 +6,22 @@ use proc_macro2::TokenStream;
 use syn::{Attribute, ImplItem, ImplItemFn, Item, ItemImpl, Path, Type};
 
 use crate::diagnostics::{self, Mistakes, law};
+use crate::role::Role;
 
-use super::roles::{self, Role};
 use super::{
-    ArgumentRole, Formula, Model, PairSignature, Parsed, Sibling, arguments, finish, nesting, pair, signature,
+    Formula, Model, PairSignature, Parsed, Quantity, Sibling, attribute, finish, nesting, options, pair, signature,
 };
 
 /// Reads the block that the attribute stands on.
-pub(crate) fn from_impl(attribute: TokenStream, item: TokenStream) -> Parsed {
+pub(crate) fn from_impl(options: TokenStream, item: TokenStream) -> Parsed {
     let mut mistakes = Mistakes::default();
-    let krate = arguments::parse(attribute, &mut mistakes.errors);
+    let krate = options::parse(options, &mut mistakes.errors);
     let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item.clone()));
     let misspelt = match &parsed {
         Ok(Item::Impl(block)) => Misspelt::of(block),
         _ => None,
     };
-    let item = roles::strip(item, misspelt.as_ref().map(|misspelt| misspelt.name.as_str()));
+    let item = attribute::strip(item, misspelt.as_ref().map(|misspelt| misspelt.name.as_str()));
     let model = match parsed {
         Ok(Item::Impl(block)) => model(block, misspelt, krate, &mut mistakes),
         Ok(other) => {
@@ -82,7 +82,7 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
             (None, other) => data = other,
             _ => {}
         }
-        names.extend(checked.list.iter().map(|argument| argument.role));
+        names.extend(checked.list.iter().map(|argument| argument.quantity));
         let formula =
             Formula { role, ident: method.sig.ident, arguments: checked.list, body: method.block, closure: None };
         (formula, checked.result)
@@ -96,8 +96,8 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
         krate,
         name,
         dimension,
-        names_mass: names.contains(&ArgumentRole::Mass),
-        names_time: names.contains(&ArgumentRole::Time),
+        names_mass: names.contains(&Quantity::Mass),
+        names_time: names.contains(&Quantity::Time),
         docs,
         pair: role_is_pair.then_some(PairSignature { data }),
         potential,
@@ -145,11 +145,11 @@ impl Misspelt {
             _ => None,
         });
         let attributes: Vec<_> = methods.flat_map(|method| &method.attrs).collect();
-        if attributes.iter().any(|attribute| Role::of(attribute).is_some()) {
+        if attributes.iter().any(|attribute| attribute::role(attribute).is_some()) {
             return None;
         }
         attributes.into_iter().find_map(|attribute| {
-            let role = Role::meant_by(attribute)?;
+            let role = attribute::meant_role(attribute)?;
             Some(Self { name: attribute.path().get_ident()?.to_string(), role })
         })
     }
@@ -176,7 +176,7 @@ impl Members {
             if let Some(misspelt) = misspelt {
                 errors.push(law::misspelt_role(attribute, misspelt.role));
             }
-            let Some(role) = Role::of(attribute).or(misspelt.map(|misspelt| misspelt.role)) else { continue };
+            let Some(role) = attribute::role(attribute).or(misspelt.map(|misspelt| misspelt.role)) else { continue };
             self.had_role = true;
             if attribute.meta.require_path_only().is_err() {
                 errors.push(law::role_arguments(attribute));

@@ -1,13 +1,14 @@
 //! From tokens to one checked [`Model`]: which type, which potential, in which coordinates, with which helpers.
 //!
-//! Nothing is known here of what the body of the potential computes; that is the business of [`crate::lower`].
+//! Nothing is known here of what the body of the potential computes; that is the business of the stage after this one.
 
-mod arguments;
+mod argument;
+mod attribute;
 mod derived;
 mod implementation;
 mod nesting;
+mod options;
 mod pair;
-mod roles;
 mod signature;
 mod types;
 
@@ -17,29 +18,35 @@ mod tests;
 use std::collections::BTreeMap;
 
 use proc_macro2::TokenStream;
-use syn::{
-    Attribute, Block, ExprClosure, Generics, Ident, ImplItemConst, ImplItemFn, Item, Pat, Path, Type, parse_quote,
-};
+use syn::{Attribute, Block, ExprClosure, Generics, Ident, ImplItemConst, ImplItemFn, Item, Path, Type, parse_quote};
 
 use crate::diagnostics::Mistakes;
-use crate::lower;
+use crate::role::Role;
 
+pub use argument::Body;
 pub(crate) use derived::from_derive;
 pub(crate) use implementation::from_impl;
-pub use pair::{Body, PairSignature};
+pub use pair::PairSignature;
 
-pub(crate) use pair::PairArgument;
-pub(crate) use roles::{Kind, KnownArgument, Role};
+pub(crate) use argument::{Argument, PairArgument, Quantity, Shape};
 pub(crate) use types::{Known, Length, VectorAlias, known_type, vector_alias};
 
 /// What was read, and the user's item as it is to be emitted again.
 pub(crate) struct Parsed {
     /// The item without the attributes of roles; empty for the derive, where the compiler keeps the item itself.
     pub(crate) item: TokenStream,
-    /// The law, or everything that is wrong with it.
-    pub(crate) model: Result<Model, Mistakes>,
-    /// What could be read of a law that is wrong: what its author calls need not look missing.
-    pub(crate) refused: Option<Box<Model>>,
+    /// The law, or what is wrong with it.
+    pub(crate) model: Result<Model, Refused>,
+}
+
+/// A law that is wrong.
+pub(crate) struct Refused {
+    /// What is wrong with it.
+    pub(crate) mistakes: Mistakes,
+    /// What could be read of it: what its author calls need not look missing.
+    pub(crate) model: Option<Box<Model>>,
+    /// What of it is wrong.
+    pub(crate) refusal: Refusal,
 }
 
 /// What of a law is wrong.
@@ -97,42 +104,6 @@ pub(crate) struct Formula {
     pub(crate) closure: Option<Box<ExprClosure>>,
 }
 
-/// An argument of the potential.
-pub(crate) struct Argument {
-    /// What it stands for.
-    pub(crate) role: ArgumentRole,
-    /// Its name in the body.
-    pub(crate) pattern: Pat,
-}
-
-/// What an argument stands for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ArgumentRole {
-    /// The position, `q`.
-    Position(Shape),
-    /// The velocity, `v`.
-    Velocity(Shape),
-    /// The mass, `m`.
-    Mass,
-    /// The time, `t`.
-    Time,
-    /// An argument of a law between two bodies.
-    Pair(PairArgument),
-    /// Refused; its value silences further errors.
-    Refused,
-}
-
-/// How a position, a velocity or a force is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shape {
-    /// `f64`
-    Number,
-    /// `[f64; D]`
-    Array,
-    /// nalgebra's `SVector<f64, D>`
-    Vector,
-}
-
 /// Something else in the block.
 pub(crate) enum Sibling<T> {
     /// The only one of its name.
@@ -175,6 +146,12 @@ impl Model {
         Some(Self::unread(self_ty, generics, krate, ident.to_string()))
     }
 
+    /// What can be relied on where the signature is wrong: not what it says of coordinates and data.
+    pub(crate) fn without_signature(self) -> Self {
+        let pair = self.pair.map(|_| PairSignature { data: None });
+        Self { dimension: 0, pair, ..self }
+    }
+
     /// The methods with a role.
     pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
         self.potential.iter().chain(self.force.iter().map(|(force, _)| force))
@@ -186,17 +163,10 @@ impl Model {
     }
 }
 
-/// The body of a law that is refused is read all the same, so that its mistakes show in the same run. What its signature
-/// says of coordinates and data is not relied on.
-fn finish(item: TokenStream, model: Option<Model>, mut mistakes: Mistakes) -> Parsed {
-    match model {
-        Some(model) if mistakes.errors.is_empty() => Parsed { item, model: Ok(model), refused: None },
-        Some(model) => {
-            mistakes.extend(lower::mistakes(&model));
-            let pair = model.pair.as_ref().map(|_| PairSignature { data: None });
-            let refused = Model { dimension: 0, pair, ..model };
-            Parsed { item, model: Err(mistakes), refused: Some(Box::new(refused)) }
-        }
-        None => Parsed { item, model: Err(mistakes), refused: None },
-    }
+fn finish(item: TokenStream, model: Option<Model>, mistakes: Mistakes) -> Parsed {
+    let model = match model {
+        Some(model) if mistakes.errors.is_empty() => Ok(model),
+        model => Err(Refused { mistakes, model: model.map(Box::new), refusal: Refusal::Signature }),
+    };
+    Parsed { item, model }
 }

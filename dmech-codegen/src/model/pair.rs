@@ -4,10 +4,9 @@ use quote::ToTokens;
 use syn::{Pat, Type};
 
 use crate::diagnostics::pair;
+use crate::role::Role;
 
-use super::roles::Role;
-use super::signature::Arguments;
-use super::{ArgumentRole, Shape};
+use super::argument::{Arguments, Body, PairArgument, Quantity};
 
 /// A law between two bodies, beside its formulas.
 pub struct PairSignature {
@@ -15,52 +14,14 @@ pub struct PairSignature {
     pub data: Option<Type>,
 }
 
-/// Which of the two bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Body {
-    /// The one that the separation points to.
-    A,
-    /// The other.
-    B,
-}
-
-/// What an argument of a law between two bodies stands for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PairArgument {
-    /// The distance, `r`.
-    Distance,
-    /// The separation, `d`.
-    Separation(Shape),
-    /// `va`, `vb`
-    Velocity(Body, Shape),
-    /// `ma`, `mb`
-    Mass(Body),
-    /// `a`, `b`
-    Data(Body),
-}
-
-impl Body {
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::A => "a",
-            Self::B => "b",
-        }
-    }
-}
-
 /// Reads `a: &Charge`.
-pub(super) fn data_argument(
-    pat: &Pat,
-    ty: &Type,
-    of: Body,
-    arguments: &mut Arguments,
-) -> Result<ArgumentRole, syn::Error> {
+pub(super) fn data_argument(pat: &Pat, ty: &Type, of: Body, arguments: &mut Arguments) -> Result<Quantity, syn::Error> {
     let data = data(pat, ty)?;
     match &arguments.data {
         Some(other) if !same(other, data) => return Err(pair::two_data_types(ty, other)),
         _ => arguments.data = Some(data.clone()),
     }
-    Ok(ArgumentRole::Pair(PairArgument::Data(of)))
+    Ok(Quantity::Pair(PairArgument::Data(of)))
 }
 
 /// `Charge` of `&Charge`.
@@ -81,14 +42,14 @@ pub(super) fn same(one: &Type, other: &Type) -> bool {
 
 /// Checks what only all arguments together can show.
 pub(super) fn check(arguments: &Arguments, whole: &impl ToTokens, of: Role, errors: &mut Vec<syn::Error>) {
-    if arguments.names(ArgumentRole::Refused) {
+    if arguments.names(Quantity::Refused) {
         return;
     }
     let is = |wanted: fn(PairArgument) -> bool| {
-        arguments.list.iter().find(|argument| matches!(argument.role, ArgumentRole::Pair(role) if wanted(role)))
+        arguments.list.iter().find(|argument| matches!(argument.quantity, Quantity::Pair(of_two) if wanted(of_two)))
     };
-    let distance = is(|role| role == PairArgument::Distance);
-    let separation = is(|role| matches!(role, PairArgument::Separation(_)));
+    let distance = is(|of_two| of_two == PairArgument::Distance);
+    let separation = is(|of_two| matches!(of_two, PairArgument::Separation(_)));
     match (of, distance, separation) {
         (Role::Pair, None, None) => errors.push(pair::no_separation(whole)),
         (Role::Pair, Some(distance), Some(_)) => errors.push(pair::distance_and_separation(&distance.pattern)),

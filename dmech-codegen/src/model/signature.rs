@@ -8,29 +8,14 @@ use syn::{
 };
 
 use crate::diagnostics::law;
+use crate::role::Role;
 
-use super::roles::Role;
+use super::argument::{Argument, Arguments, Body, PairArgument, Quantity, Shape};
 use super::types::Length;
-use super::{Argument, ArgumentRole, Body, Known, PairArgument, Shape, Sibling, known_type, pair};
+use super::{Known, Sibling, known_type, pair};
 
 /// A symbolic Hessian of more coordinates than this is no help to anyone.
 const MAX_DIMENSION: usize = 64;
-
-/// The arguments, and the number of coordinates; 0 where the position is refused.
-pub(super) struct Arguments {
-    pub(super) list: Vec<Argument>,
-    pub(super) dimension: usize,
-    /// How the value is written.
-    pub(super) result: Shape,
-    /// The type of the data of two bodies.
-    pub(super) data: Option<Type>,
-}
-
-impl Arguments {
-    pub(super) fn names(&self, role: ArgumentRole) -> bool {
-        self.list.iter().any(|argument| argument.role == role)
-    }
-}
 
 /// Checks that a method can be a potential, or a force.
 pub(super) fn check(
@@ -70,7 +55,7 @@ pub(super) fn check(
     let mut arguments = arguments(typed, role, constants, errors);
     if role.is_of_two() {
         pair::check(&arguments, &signature.ident, role, errors);
-    } else if arguments.dimension == 0 && !arguments.names(ArgumentRole::Refused) {
+    } else if arguments.dimension == 0 && !arguments.names(Quantity::Refused) {
         let missing = if role.is_force() { law::no_position_or_velocity } else { law::no_position };
         errors.push(missing(&signature.ident));
     }
@@ -134,20 +119,20 @@ pub(super) fn arguments<'a>(
     }
     for PatType { pat, ty, .. } in typed {
         if apart.iter().any(|&coordinate| std::ptr::eq(coordinate, &**pat)) {
-            arguments.list.push(Argument { role: ArgumentRole::Refused, pattern: (**pat).clone() });
+            arguments.list.push(Argument { quantity: Quantity::Refused, pattern: (**pat).clone() });
             continue;
         }
-        let role = match argument(pat, ty, role, constants, &mut arguments) {
-            Ok(role) => role,
+        let quantity = match argument(pat, ty, role, constants, &mut arguments) {
+            Ok(quantity) => quantity,
             Err(error) => {
                 say_once(error, errors);
-                ArgumentRole::Refused
+                Quantity::Refused
             }
         };
-        if role != ArgumentRole::Refused && arguments.names(role) {
+        if quantity != Quantity::Refused && arguments.names(quantity) {
             errors.push(law::named_twice(pat));
         }
-        arguments.list.push(Argument { role, pattern: (**pat).clone() });
+        arguments.list.push(Argument { quantity, pattern: (**pat).clone() });
     }
     arguments
 }
@@ -182,7 +167,7 @@ fn argument(
     of: Role,
     constants: &BTreeMap<String, Sibling<ImplItemConst>>,
     arguments: &mut Arguments,
-) -> Result<ArgumentRole, syn::Error> {
+) -> Result<Quantity, syn::Error> {
     let name = match pat {
         Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => &name.ident,
         Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::place_in_pieces(pat, of)),
@@ -201,16 +186,16 @@ fn argument(
         Ok(shape)
     };
     Ok(match text.as_str() {
-        "q" => ArgumentRole::Position(vector()?),
-        "v" => ArgumentRole::Velocity(vector()?),
-        "m" => number(ty, "mass", &text).map(|()| ArgumentRole::Mass)?,
-        "t" => number(ty, "time", &text).map(|()| ArgumentRole::Time)?,
-        "r" => number(ty, "distance", &text).map(|()| ArgumentRole::Pair(PairArgument::Distance))?,
-        "d" => ArgumentRole::Pair(PairArgument::Separation(vector()?)),
-        "va" => ArgumentRole::Pair(PairArgument::Velocity(Body::A, vector()?)),
-        "vb" => ArgumentRole::Pair(PairArgument::Velocity(Body::B, vector()?)),
-        "ma" => number(ty, "mass", &text).map(|()| ArgumentRole::Pair(PairArgument::Mass(Body::A)))?,
-        "mb" => number(ty, "mass", &text).map(|()| ArgumentRole::Pair(PairArgument::Mass(Body::B)))?,
+        "q" => Quantity::Position(vector()?),
+        "v" => Quantity::Velocity(vector()?),
+        "m" => number(ty, "mass", &text).map(|()| Quantity::Mass)?,
+        "t" => number(ty, "time", &text).map(|()| Quantity::Time)?,
+        "r" => number(ty, "distance", &text).map(|()| Quantity::Pair(PairArgument::Distance))?,
+        "d" => Quantity::Pair(PairArgument::Separation(vector()?)),
+        "va" => Quantity::Pair(PairArgument::Velocity(Body::A, vector()?)),
+        "vb" => Quantity::Pair(PairArgument::Velocity(Body::B, vector()?)),
+        "ma" => number(ty, "mass", &text).map(|()| Quantity::Pair(PairArgument::Mass(Body::A)))?,
+        "mb" => number(ty, "mass", &text).map(|()| Quantity::Pair(PairArgument::Mass(Body::B)))?,
         "a" => pair::data_argument(pat, ty, Body::A, arguments)?,
         "b" => pair::data_argument(pat, ty, Body::B, arguments)?,
         _ => return Err(law::unknown_argument(pat, of)),

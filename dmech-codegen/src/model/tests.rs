@@ -21,8 +21,11 @@ fn marked(text: &str) -> (String, Vec<std::ops::Range<usize>>) {
 
 fn assert_refused(text: &str, messages: &[&str], read: impl Fn(TokenStream) -> Parsed) {
     let (plain, ranges) = marked(text);
-    let Err(mistakes) = read(plain.parse().unwrap()).model else { panic!("accepted: {text}") };
-    let mut said: Vec<_> = mistakes.errors.iter().map(|error| (error.span().byte_range(), error.to_string())).collect();
+    let Err(refused) = read(plain.parse().unwrap()).model.map_err(crate::with_bodies) else {
+        panic!("accepted: {text}")
+    };
+    let mut said: Vec<_> =
+        refused.mistakes.errors.iter().map(|error| (error.span().byte_range(), error.to_string())).collect();
     said.sort_by_key(|(range, _)| (range.start, range.end));
     assert_eq!(said.len(), messages.len(), "{text}: {said:#?}");
     assert_eq!(ranges.len(), messages.len(), "{text}: as many marks as messages");
@@ -43,7 +46,9 @@ fn refused_derive(text: &str, messages: &[&str]) {
 }
 
 fn model(text: &str) -> Model {
-    from_impl(TokenStream::new(), text.parse().unwrap()).model.unwrap_or_else(|errors| panic!("{text}: {errors:?}"))
+    from_impl(TokenStream::new(), text.parse().unwrap())
+        .model
+        .unwrap_or_else(|refused| panic!("{text}: {:?}", refused.mistakes))
 }
 
 fn text(tokens: &impl ToTokens) -> String {
@@ -78,7 +83,7 @@ fn what_a_derived_model_says() {
         pub(crate) struct Spring<'a, T: Copy = f64, const N: usize = 2> { k: f64, other: &'a [T; N] }";
     let parsed = from_derive(item.parse().unwrap());
     assert!(parsed.item.is_empty());
-    let model = parsed.model.unwrap_or_else(|errors| panic!("{errors:?}"));
+    let model = parsed.model.unwrap_or_else(|refused| panic!("{:?}", refused.mistakes));
     assert_eq!(text(&model.self_ty), "Spring<'a,T,N>");
     assert_eq!(text(&model.krate), "crate::facade");
     assert_eq!((model.name.as_str(), model.dimension), ("Spring", 1));
@@ -91,18 +96,17 @@ fn the_crate_can_be_somewhere_else() {
     let item = || "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { q } }".parse().unwrap();
     for (arguments, expected) in [("", "::dmech"), ("crate = my::mechanics", "my::mechanics"), ("crate = ::d,", "::d")]
     {
-        let model =
-            from_impl(arguments.parse().unwrap(), item()).model.unwrap_or_else(|e| panic!("{arguments}: {e:?}"));
+        let model = from_impl(arguments.parse().unwrap(), item())
+            .model
+            .unwrap_or_else(|refused| panic!("{arguments}: {:?}", refused.mistakes));
         assert_eq!(text(&model.krate), expected);
     }
     for (arguments, expected) in [
         ("krate = x", "`krate` is no option of the macro; the only one is `crate = path::to::dmech`"),
         ("\"x\"", "this is no option of the macro; the only one is `crate = path::to::dmech`"),
     ] {
-        let Err(mistakes) = from_impl(arguments.parse().unwrap(), item()).model else {
-            panic!("accepted: {arguments}")
-        };
-        assert_eq!(mistakes.errors.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
+        let Err(refused) = from_impl(arguments.parse().unwrap(), item()).model else { panic!("accepted: {arguments}") };
+        assert_eq!(refused.mistakes.errors.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
     }
 }
 

@@ -85,16 +85,11 @@ pub(crate) enum VectorAlias {
 
 /// The vector type of that name.
 pub(crate) fn vector_alias(name: &str) -> Option<VectorAlias> {
-    match name {
-        "SVector" => Some(VectorAlias::Any),
-        "Vector1" => Some(VectorAlias::Fixed(1)),
-        "Vector2" => Some(VectorAlias::Fixed(2)),
-        "Vector3" => Some(VectorAlias::Fixed(3)),
-        "Vector4" => Some(VectorAlias::Fixed(4)),
-        "Vector5" => Some(VectorAlias::Fixed(5)),
-        "Vector6" => Some(VectorAlias::Fixed(6)),
-        _ => None,
+    if name == "SVector" {
+        return Some(VectorAlias::Any);
     }
+    let length = ["Vector1", "Vector2", "Vector3", "Vector4", "Vector5", "Vector6"].iter().position(|&n| n == name)?;
+    Some(VectorAlias::Fixed(length + 1))
 }
 
 /// `Vector2`, `na::Vector2`, `nalgebra::Vector2`, `dmech::nalgebra::Vector2`.

@@ -1,8 +1,7 @@
 //! Gradients by reverse accumulation.
 
-use std::collections::HashMap;
-
 use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Root, Symbol, Unary};
+use crate::hash::Map;
 
 /// ∂e/∂xᵢ for each symbol: one walk from the expression down to the symbols.
 pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
@@ -22,7 +21,7 @@ struct Walk<'a> {
     /// The expression is a slope.
     of_slope: bool,
     /// The slopes of the branches of a choice, which may be wanted in many places.
-    choices: HashMap<Expr, [Vec<Expr>; 2]>,
+    choices: Map<Expr, [Vec<Expr>; 2]>,
     /// Which expressions contain a symbol, as far as they have been looked at.
     depends: Vec<bool>,
     /// Which are made with a choice: the place where a step crosses a seam is.
@@ -31,7 +30,7 @@ struct Walk<'a> {
 
 impl<'a> Walk<'a> {
     fn new(symbols: &'a [Symbol], of_slope: bool) -> Self {
-        Self { symbols, of_slope, choices: HashMap::new(), depends: vec![], chosen: vec![] }
+        Self { symbols, of_slope, choices: Map::default(), depends: vec![], chosen: vec![] }
     }
 
     fn gradient(&mut self, graph: &mut Graph, e: Expr) -> Vec<Expr> {
@@ -41,7 +40,7 @@ impl<'a> Walk<'a> {
         let order = graph.reachable(&[e]);
         // What arrives at a node: the derivative of e with respect to its value, as a list of summands. Nested choices have
         // many small walks in one large store.
-        let mut arriving: HashMap<Expr, Vec<Expr>> = HashMap::new();
+        let mut arriving: Map<Expr, Vec<Expr>> = Map::default();
         arriving.insert(e, vec![graph.one()]);
         let mut found = vec![graph.zero(); symbols.len()];
         for &node in order.iter().rev() {

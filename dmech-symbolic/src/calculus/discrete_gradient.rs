@@ -3,11 +3,14 @@
 //! The walk is that of reverse-mode differentiation; the local factor of a node is its divided difference in place of
 //! its derivative. Because the secant identity holds at every node, Δnode = Σ factor·Δchild, it holds for the whole:
 //! ∇̄Φ(a, b)·(b − a) = Φ(b) − Φ(a). Because every factor is symmetric in a and b, so is ∇̄Φ.
+//!
+//! A choice has the discrete gradients of its branches, in which there may be choices: this file and [`piecewise`] call each
+//! other, as far down as choices are nested.
 
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::expression::{Binary, Condition, Expr, Graph, Node, Substitution, Symbol, Unary};
+use crate::hash::Map;
 
 use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_power, of_root};
 use super::piecewise::{self, Placed};
@@ -23,7 +26,7 @@ pub struct TwoPoints {
     at_a: Substitution,
     at_b: Substitution,
     /// Choices that have been taken apart before.
-    pub(super) choices: HashMap<Expr, Rc<Placed>>,
+    pub(super) choices: Map<Expr, Rc<Placed>>,
 }
 
 impl TwoPoints {
@@ -34,7 +37,7 @@ impl TwoPoints {
             Substitution::new(graph, pairs)
         };
         let (at_a, at_b) = (end(a), end(b));
-        let choices = HashMap::new();
+        let choices = Map::default();
         Self { coordinates: coordinates.to_vec(), a: a.to_vec(), b: b.to_vec(), at_a, at_b, choices }
     }
 

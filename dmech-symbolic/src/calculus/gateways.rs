@@ -14,9 +14,8 @@
 //! condition or is a sum of coordinates; nor is anything that need not be a number where the other branch is taken.
 //! What stands in both is one: a potential of r with a field beyond a wall has the variables r² and z.
 
-use std::collections::HashMap;
-
 use crate::expression::{Choice, Expr, Graph, Node, Number, Substitution, Symbol};
+use crate::hash::Map;
 
 /// Inner expressions, each with a variable that stands for it.
 pub(super) struct Gateways {
@@ -179,7 +178,7 @@ impl Network {
             unbounded: coordinates.len() + 1,
             parts: vec![],
         };
-        let mut index: HashMap<Expr, usize> = HashMap::new();
+        let mut index: Map<Expr, usize> = Map::default();
         for (k, roots) in [choice.condition.operands(), vec![choice.yes, choice.no]].into_iter().enumerate() {
             let moving = roots.into_iter().filter(|&e| moves(e));
             network.grow(graph, moving.map(|e| (SOURCE, e)).collect(), &moves, &sums, &mut index);
@@ -197,7 +196,7 @@ impl Network {
         mut open: Vec<(usize, Expr)>,
         moves: &dyn Fn(Expr) -> bool,
         sums: &[Expr],
-        index: &mut HashMap<Expr, usize>,
+        index: &mut Map<Expr, usize>,
     ) {
         while let Some((from, e)) = open.pop() {
             if let Some(&i) = index.get(&e) {

@@ -1,6 +1,6 @@
 //! Choices: expressions that are one thing here and another there.
 
-use super::{Binary, Condition, Expr, Graph, Node, Number, Symbol, Unary};
+use super::{Binary, Condition, Expr, Graph, Node, Number, Relation, Symbol, Unary};
 
 /// `yes` where the condition holds, `no` elsewhere: `if`, `min` or `max`.
 #[derive(Clone, Debug)]
@@ -22,7 +22,55 @@ impl Choice {
     }
 }
 
+impl Condition {
+    /// A square, or a higher power, is so small that its inverse is lost. (In binary64; the bound is 0 in binary32.)
+    pub(crate) fn lost(graph: &mut Graph, power: Expr) -> Self {
+        let (zero, least) = (graph.zero(), graph.number(1e-307));
+        Self::equal(power, zero).or(Self::less(power, least))
+    }
+
+    /// Its truth where both sides are numbers.
+    fn decided(&self, graph: &Graph) -> Option<bool> {
+        match self {
+            Self::Compare(relation, left, right) => {
+                let (left, right) = (graph.as_number(*left)?, graph.as_number(*right)?);
+                Some(match relation {
+                    Relation::Less => left < right,
+                    Relation::LessOrEqual => left <= right,
+                    Relation::Equal => left == right,
+                })
+            }
+            Self::Not(inner) => inner.decided(graph).map(|truth| !truth),
+            Self::And(one, two) => match (one.decided(graph), two.decided(graph)) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (Some(true), Some(true)) => Some(true),
+                _ => None,
+            },
+            Self::Or(one, two) => match (one.decided(graph), two.decided(graph)) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (Some(false), Some(false)) => Some(false),
+                _ => None,
+            },
+        }
+    }
+}
+
 impl Graph {
+    /// The first expression where the condition holds, the second elsewhere.
+    ///
+    /// Rules, on all of the domain: a condition between numbers is decided; equal branches need none.
+    pub fn select(&mut self, condition: Condition, yes: Expr, no: Expr) -> Expr {
+        match condition.decided(self) {
+            Some(true) => yes,
+            Some(false) => no,
+            None if yes == no => yes,
+            None => match condition {
+                Condition::Not(inner) => self.intern(Node::Select(*inner, no, yes)),
+                condition => self.intern(Node::Select(condition, yes, no)),
+            },
+        }
+    }
+
     /// The expression as a choice between two others, if it is one.
     pub fn choice(&self, e: Expr) -> Option<Choice> {
         match self.node(e) {
@@ -39,11 +87,9 @@ impl Graph {
 
     /// For every expression that has been stored since, whether it is made with a choice.
     pub(crate) fn extend_choosing(&self, chosen: &mut Vec<bool>) {
-        for i in chosen.len()..self.len() {
-            let e = Expr(i as u32);
-            let is_choice = matches!(self.node(e), Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..));
-            chosen.push(is_choice || self.children(e).iter().any(|c| chosen[c.index()]));
-        }
+        self.extend_marks(chosen, |node| {
+            matches!(node, Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..))
+        });
     }
 
     /// The terms that both branches of an `if` have, if there are any, and the choice between what is left of the branches.

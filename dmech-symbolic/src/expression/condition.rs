@@ -1,6 +1,8 @@
 //! Conditions of piecewise expressions.
 
-use super::{Expr, Graph};
+use dmech_scalar::{Mask, Real};
+
+use super::Expr;
 
 /// How two values are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -13,18 +15,18 @@ pub enum Relation {
     Equal,
 }
 
-/// A condition on values of expressions. Conditions that are joined, and sides that are compared for equality, stand in a
-/// fixed order, so that it does not matter in which they were given.
+/// A condition on expressions, or on the values of a program. Conditions that are joined, and sides that are compared for
+/// equality, stand in a fixed order, so that it does not matter in which they were given.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Condition {
-    /// A comparison of two expressions.
-    Compare(Relation, Expr, Expr),
+pub enum Condition<T = Expr> {
+    /// A comparison of two of them.
+    Compare(Relation, T, T),
     /// The opposite.
-    Not(Box<Condition>),
+    Not(Box<Self>),
     /// Both.
-    And(Box<Condition>, Box<Condition>),
+    And(Box<Self>, Box<Self>),
     /// At least one.
-    Or(Box<Condition>, Box<Condition>),
+    Or(Box<Self>, Box<Self>),
 }
 
 impl Condition {
@@ -41,12 +43,6 @@ impl Condition {
     /// left = right
     pub fn equal(left: Expr, right: Expr) -> Self {
         Self::Compare(Relation::Equal, left.min(right), left.max(right))
-    }
-
-    /// A square, or a higher power, is so small that its inverse is lost. (In binary64; the bound is 0 in binary32.)
-    pub(crate) fn lost(graph: &mut Graph, power: Expr) -> Self {
-        let (zero, least) = (graph.zero(), graph.number(1e-307));
-        Self::equal(power, zero).or(Self::less(power, least))
     }
 
     /// Both conditions.
@@ -69,19 +65,6 @@ impl Condition {
         }
     }
 
-    /// The expressions compared.
-    pub fn operands(&self) -> Vec<Expr> {
-        match self {
-            Self::Compare(_, left, right) => vec![*left, *right],
-            Self::Not(inner) => inner.operands(),
-            Self::And(one, two) | Self::Or(one, two) => {
-                let mut operands = one.operands();
-                operands.extend(two.operands());
-                operands
-            }
-        }
-    }
-
     /// The same condition on other expressions.
     pub fn map(&self, f: &mut impl FnMut(Expr) -> Expr) -> Self {
         match self {
@@ -92,41 +75,37 @@ impl Condition {
             Self::Or(one, two) => one.map(f).or(two.map(f)),
         }
     }
+}
 
-    /// Whether it holds, given the values of the expressions.
-    pub fn holds(&self, value: &impl Fn(Expr) -> f64) -> bool {
+impl<T: Copy> Condition<T> {
+    /// What is compared.
+    pub fn operands(&self) -> Vec<T> {
         match self {
-            Self::Compare(Relation::Less, left, right) => value(*left) < value(*right),
-            Self::Compare(Relation::LessOrEqual, left, right) => value(*left) <= value(*right),
-            Self::Compare(Relation::Equal, left, right) => value(*left) == value(*right),
-            Self::Not(inner) => !inner.holds(value),
-            Self::And(one, two) => one.holds(value) && two.holds(value),
-            Self::Or(one, two) => one.holds(value) || two.holds(value),
+            Self::Compare(_, left, right) => vec![*left, *right],
+            Self::Not(inner) => inner.operands(),
+            Self::And(one, two) | Self::Or(one, two) => [one.operands(), two.operands()].concat(),
         }
     }
 
-    /// Its truth where both sides are numbers.
-    pub(super) fn decided(&self, graph: &Graph) -> Option<bool> {
+    /// The same condition on what stands for the operands, in the same order.
+    pub(crate) fn with<U>(&self, f: &mut impl FnMut(T) -> U) -> Condition<U> {
         match self {
-            Self::Compare(relation, left, right) => {
-                let (left, right) = (graph.as_number(*left)?, graph.as_number(*right)?);
-                Some(match relation {
-                    Relation::Less => left < right,
-                    Relation::LessOrEqual => left <= right,
-                    Relation::Equal => left == right,
-                })
-            }
-            Self::Not(inner) => inner.decided(graph).map(|truth| !truth),
-            Self::And(one, two) => match (one.decided(graph), two.decided(graph)) {
-                (Some(false), _) | (_, Some(false)) => Some(false),
-                (Some(true), Some(true)) => Some(true),
-                _ => None,
-            },
-            Self::Or(one, two) => match (one.decided(graph), two.decided(graph)) {
-                (Some(true), _) | (_, Some(true)) => Some(true),
-                (Some(false), Some(false)) => Some(false),
-                _ => None,
-            },
+            Self::Compare(relation, left, right) => Condition::Compare(*relation, f(*left), f(*right)),
+            Self::Not(inner) => Condition::Not(Box::new(inner.with(f))),
+            Self::And(one, two) => Condition::And(Box::new(one.with(f)), Box::new(two.with(f))),
+            Self::Or(one, two) => Condition::Or(Box::new(one.with(f)), Box::new(two.with(f))),
+        }
+    }
+
+    /// Where it holds, given the values of the operands.
+    pub(crate) fn mask<R: Real>(&self, value: &impl Fn(T) -> R) -> R::Mask {
+        match self {
+            Self::Compare(Relation::Less, left, right) => value(*left).less(value(*right)),
+            Self::Compare(Relation::LessOrEqual, left, right) => value(*left).less_or_equal(value(*right)),
+            Self::Compare(Relation::Equal, left, right) => value(*left).equal(value(*right)),
+            Self::Not(inner) => inner.mask(value).not(),
+            Self::And(one, two) => one.mask(value).and(two.mask(value)),
+            Self::Or(one, two) => one.mask(value).or(two.mask(value)),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Formatter};
 
-use super::{Binary, Condition, Expr, Graph, Node, Relation, Role, Unary};
+use super::{Binary, Condition, Expr, Graph, Node, Relation, Unary, Variable};
 
 /// Shows an expression.
 #[derive(Clone, Copy, Debug)]
@@ -13,23 +13,26 @@ pub struct Display<'a> {
 
 /// How tightly the surroundings bind.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Binding {
+enum Precedence {
     Sum,
     Product,
     Power,
 }
 
-impl<'a> Display<'a> {
-    pub(super) fn new(graph: &'a Graph, root: Expr) -> Self {
-        Self { graph, root }
+impl Graph {
+    /// The expression in readable mathematics.
+    pub fn display(&self, e: Expr) -> Display<'_> {
+        Display { graph: self, root: e }
     }
+}
 
-    fn write(self, f: &mut Formatter<'_>, e: Expr, within: Binding) -> fmt::Result {
+impl<'a> Display<'a> {
+    fn write(self, f: &mut Formatter<'_>, e: Expr, within: Precedence) -> fmt::Result {
         match self.graph.node(e) {
             Node::Number(n) => self.write_number(f, n.value(), within),
             Node::Symbol(s) => f.write_str(self.graph.name(*s)),
             Node::Sum { constant, terms } => {
-                let parenthesised = within > Binding::Sum;
+                let parenthesised = within > Precedence::Sum;
                 if parenthesised {
                     f.write_str("(")?;
                 }
@@ -41,7 +44,7 @@ impl<'a> Display<'a> {
                 }
                 if constant.value() != 0.0 {
                     f.write_str(if constant.value() < 0.0 { " − " } else { " + " })?;
-                    self.write_number(f, constant.value().abs(), Binding::Sum)?;
+                    self.write_number(f, constant.value().abs(), Precedence::Sum)?;
                 }
                 if parenthesised {
                     f.write_str(")")?;
@@ -50,7 +53,7 @@ impl<'a> Display<'a> {
             }
             Node::Product { coefficient, .. } => {
                 let negative = coefficient.value() < 0.0;
-                let parenthesised = within > Binding::Product || (negative && within > Binding::Sum);
+                let parenthesised = within > Precedence::Product || (negative && within > Precedence::Sum);
                 if parenthesised {
                     f.write_str("(")?;
                 }
@@ -65,33 +68,33 @@ impl<'a> Display<'a> {
             }
             Node::Unary(function, u) => self.write_unary(f, *function, *u, within),
             Node::Binary(Binary::Powf, u, p) => {
-                self.write(f, *u, Binding::Power)?;
+                self.write(f, *u, Precedence::Power)?;
                 f.write_str("^")?;
-                self.write(f, *p, Binding::Power)
+                self.write(f, *p, Precedence::Power)
             }
             Node::Binary(function, u, w) => {
                 write!(f, "{}(", function.method())?;
-                self.write(f, *u, Binding::Sum)?;
+                self.write(f, *u, Precedence::Sum)?;
                 f.write_str(", ")?;
-                self.write(f, *w, Binding::Sum)?;
+                self.write(f, *w, Precedence::Sum)?;
                 f.write_str(")")
             }
             Node::Select(condition, yes, no) => {
                 f.write_str("{")?;
-                self.write(f, *yes, Binding::Sum)?;
+                self.write(f, *yes, Precedence::Sum)?;
                 f.write_str(" if ")?;
                 self.write_condition(f, condition)?;
                 f.write_str(", else ")?;
-                self.write(f, *no, Binding::Sum)?;
+                self.write(f, *no, Precedence::Sum)?;
                 f.write_str("}")
             }
         }
     }
 
-    fn write_number(self, f: &mut Formatter<'_>, x: f64, within: Binding) -> fmt::Result {
+    fn write_number(self, f: &mut Formatter<'_>, x: f64, within: Precedence) -> fmt::Result {
         let size = x.abs();
         let digits = if x == 0.0 || (1e-5..1e16).contains(&size) { format!("{size}") } else { format!("{size:e}") };
-        match (x < 0.0 && within > Binding::Sum, x < 0.0) {
+        match (x < 0.0 && within > Precedence::Sum, x < 0.0) {
             (true, _) => write!(f, "(−{digits})"),
             (false, true) => write!(f, "−{digits}"),
             (false, false) => write!(f, "{digits}"),
@@ -116,14 +119,14 @@ impl<'a> Display<'a> {
         // Numbers and parameters before what moves: 3·gm·x.
         factors.sort_by_key(|(f, _)| match self.graph.node(*f) {
             Node::Number(_) => 0,
-            Node::Symbol(s) if self.graph.role(*s) == Role::Parameter => 1,
+            Node::Symbol(s) if self.graph.variable(*s) == Variable::Parameter => 1,
             _ => 2,
         });
         let numbers = |above: bool| factors.iter().filter(move |(_, n)| (*n > 0) == above);
         let (above, below) = (numbers(true).count(), numbers(false).count());
         let mut dot = false;
         if c != 1.0 || above == 0 {
-            self.write_number(f, c, Binding::Product)?;
+            self.write_number(f, c, Precedence::Product)?;
             dot = true;
         }
         for &(factor, n) in numbers(true) {
@@ -149,9 +152,9 @@ impl<'a> Display<'a> {
 
     fn write_power(self, f: &mut Formatter<'_>, base: Expr, n: i32, in_product: bool) -> fmt::Result {
         if n == 1 {
-            return self.write(f, base, if in_product { Binding::Product } else { Binding::Sum });
+            return self.write(f, base, if in_product { Precedence::Product } else { Precedence::Sum });
         }
-        self.write(f, base, Binding::Power)?;
+        self.write(f, base, Precedence::Power)?;
         for digit in n.to_string().chars() {
             let raised = match digit {
                 '1' => '¹',
@@ -166,28 +169,28 @@ impl<'a> Display<'a> {
         Ok(())
     }
 
-    fn write_unary(self, f: &mut Formatter<'_>, function: Unary, u: Expr, within: Binding) -> fmt::Result {
+    fn write_unary(self, f: &mut Formatter<'_>, function: Unary, u: Expr, within: Precedence) -> fmt::Result {
         match function {
             Unary::Abs => {
                 f.write_str("|")?;
-                self.write(f, u, Binding::Sum)?;
+                self.write(f, u, Precedence::Sum)?;
                 f.write_str("|")
             }
             Unary::Sqrt | Unary::Cbrt => {
-                let parenthesised = within == Binding::Power;
+                let parenthesised = within == Precedence::Power;
                 f.write_str(if parenthesised { "(" } else { "" })?;
                 f.write_str(if function == Unary::Sqrt { "√" } else { "∛" })?;
-                self.write(f, u, Binding::Power)?;
+                self.write(f, u, Precedence::Power)?;
                 f.write_str(if parenthesised { ")" } else { "" })
             }
             Unary::Exp => {
                 f.write_str("exp(")?;
-                self.write(f, u, Binding::Sum)?;
+                self.write(f, u, Precedence::Sum)?;
                 f.write_str(")")
             }
             _ => {
                 write!(f, "{}(", function.method())?;
-                self.write(f, u, Binding::Sum)?;
+                self.write(f, u, Precedence::Sum)?;
                 f.write_str(")")
             }
         }
@@ -196,13 +199,13 @@ impl<'a> Display<'a> {
     fn write_condition(self, f: &mut Formatter<'_>, condition: &Condition) -> fmt::Result {
         match condition {
             Condition::Compare(relation, left, right) => {
-                self.write(f, *left, Binding::Sum)?;
+                self.write(f, *left, Precedence::Sum)?;
                 f.write_str(match relation {
                     Relation::Less => " < ",
                     Relation::LessOrEqual => " ≤ ",
                     Relation::Equal => " = ",
                 })?;
-                self.write(f, *right, Binding::Sum)
+                self.write(f, *right, Precedence::Sum)
             }
             Condition::Not(inner) => {
                 f.write_str("not (")?;
@@ -222,6 +225,6 @@ impl<'a> Display<'a> {
 
 impl fmt::Display for Display<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.write(f, self.root, Binding::Sum)
+        self.write(f, self.root, Precedence::Sum)
     }
 }

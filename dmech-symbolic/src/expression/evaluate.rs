@@ -1,8 +1,8 @@
 //! The interpreter of expressions: the oracle that everything else is held against.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::Real;
 
-use super::{Condition, Expr, Graph, Node, Relation, Symbol};
+use super::{Expr, Graph, Node, Symbol};
 
 /// The value of one expression, given those of the symbols.
 pub fn evaluate<R: Real>(graph: &Graph, e: Expr, symbol: impl Fn(Symbol) -> R) -> R {
@@ -28,19 +28,8 @@ pub fn evaluate_all<R: Real>(graph: &Graph, roots: &[Expr], symbol: impl Fn(Symb
             }
             Node::Unary(f, u) => f.apply(value(*u)),
             Node::Binary(f, u, w) => f.apply(value(*u), value(*w)),
-            Node::Select(condition, yes, no) => R::select(mask(condition, &value), || value(*yes), || value(*no)),
+            Node::Select(condition, yes, no) => R::select(condition.mask(&value), || value(*yes), || value(*no)),
         };
     }
     roots.iter().map(|r| values[r.index()]).collect()
-}
-
-fn mask<R: Real>(condition: &Condition, value: &impl Fn(Expr) -> R) -> R::Mask {
-    match condition {
-        Condition::Compare(Relation::Less, left, right) => value(*left).less(value(*right)),
-        Condition::Compare(Relation::LessOrEqual, left, right) => value(*left).less_or_equal(value(*right)),
-        Condition::Compare(Relation::Equal, left, right) => value(*left).equal(value(*right)),
-        Condition::Not(inner) => mask(inner, value).not(),
-        Condition::And(one, two) => mask(one, value).and(mask(two, value)),
-        Condition::Or(one, two) => mask(one, value).or(mask(two, value)),
-    }
 }

@@ -1,68 +1,17 @@
 //! The store of expressions.
 
-use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
-use super::{Binary, Condition, Display, Number, Unary};
+use crate::hash::Map;
 
-/// An expression: an index into its [`Graph`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Expr(pub(crate) u32);
-
-/// A variable: an index into the table of names of its [`Graph`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Symbol(pub(crate) u32);
-
-impl Expr {
-    /// Its position in the store; children come before parents.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-}
-
-/// What a symbol stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Role {
-    /// Something that moves: a component of a position, an increment.
-    Coordinate,
-    /// Something that does not change along a step: a parameter of the law, a mass, a step size.
-    Parameter,
-}
-
-/// One node in normal form.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
-    /// A number.
-    Number(Number),
-    /// A variable.
-    Symbol(Symbol),
-    /// constant + Σ cᵢ tᵢ, terms sorted; no term is a number or a sum; cᵢ ≠ 0.
-    Sum {
-        /// The constant term.
-        constant: Number,
-        /// The other terms with their coefficients.
-        terms: Box<[(Number, Expr)]>,
-    },
-    /// c Π fᵢ^nᵢ, factors sorted; no factor is a product; nᵢ ≠ 0; c ≠ 0.
-    Product {
-        /// The numerical coefficient.
-        coefficient: Number,
-        /// The factors with their integer exponents.
-        factors: Box<[(Expr, i32)]>,
-    },
-    /// A function of one argument.
-    Unary(Unary, Expr),
-    /// A function of two arguments.
-    Binary(Binary, Expr, Expr),
-    /// The first expression where the condition holds, the second elsewhere.
-    Select(Condition, Expr, Expr),
-}
+use super::{Expr, Node, Number, Symbol, Variable};
 
 /// A store of hash-consed expressions and the names of their variables.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
-    names: Vec<(String, Role)>,
+    index: Map<Node, Expr>,
+    names: Vec<(String, Variable)>,
 }
 
 impl Graph {
@@ -73,16 +22,16 @@ impl Graph {
 
     /// A new variable that moves.
     pub fn coordinate(&mut self, name: &str) -> Symbol {
-        self.new_symbol(name, Role::Coordinate)
+        self.new_symbol(name, Variable::Coordinate)
     }
 
     /// A new variable that is constant along a step.
     pub fn parameter(&mut self, name: &str) -> Symbol {
-        self.new_symbol(name, Role::Parameter)
+        self.new_symbol(name, Variable::Parameter)
     }
 
-    fn new_symbol(&mut self, name: &str, role: Role) -> Symbol {
-        self.names.push((name.to_owned(), role));
+    fn new_symbol(&mut self, name: &str, stands_for: Variable) -> Symbol {
+        self.names.push((name.to_owned(), stands_for));
         Symbol(u32::try_from(self.names.len() - 1).expect("fewer than 2³² symbols"))
     }
 
@@ -92,7 +41,7 @@ impl Graph {
     }
 
     /// What a variable stands for.
-    pub fn role(&self, symbol: Symbol) -> Role {
+    pub fn variable(&self, symbol: Symbol) -> Variable {
         self.names[symbol.0 as usize].1
     }
 
@@ -112,13 +61,14 @@ impl Graph {
     }
 
     pub(super) fn intern(&mut self, node: Node) -> Expr {
-        if let Some(&found) = self.index.get(&node) {
-            return found;
+        match self.index.entry(node) {
+            Entry::Occupied(found) => *found.get(),
+            Entry::Vacant(place) => {
+                let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
+                self.nodes.push(place.key().clone());
+                *place.insert(e)
+            }
         }
-        let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
-        self.nodes.push(node.clone());
-        self.index.insert(node, e);
-        e
     }
 
     /// The number x.
@@ -146,21 +96,6 @@ impl Graph {
         symbols.iter().map(|&symbol| self.symbol(symbol)).collect()
     }
 
-    /// The first expression where the condition holds, the second elsewhere.
-    ///
-    /// Rules, on all of the domain: a condition between numbers is decided; equal branches need none.
-    pub fn select(&mut self, condition: Condition, yes: Expr, no: Expr) -> Expr {
-        match condition.decided(self) {
-            Some(true) => yes,
-            Some(false) => no,
-            None if yes == no => yes,
-            None => match condition {
-                Condition::Not(inner) => self.intern(Node::Select(*inner, no, yes)),
-                condition => self.intern(Node::Select(condition, yes, no)),
-            },
-        }
-    }
-
     /// The number, if the expression is one.
     pub fn as_number(&self, e: Expr) -> Option<f64> {
         match self.node(e) {
@@ -176,16 +111,21 @@ impl Graph {
 
     /// The expressions that this one is made of.
     pub fn children(&self, e: Expr) -> Vec<Expr> {
+        let mut children = vec![];
+        self.each_child(e, |c| children.push(c));
+        children
+    }
+
+    /// Visits them, without a list.
+    pub(crate) fn each_child(&self, e: Expr, mut visit: impl FnMut(Expr)) {
         match self.node(e) {
-            Node::Number(_) | Node::Symbol(_) => Vec::new(),
-            Node::Sum { terms, .. } => terms.iter().map(|&(_, t)| t).collect(),
-            Node::Product { factors, .. } => factors.iter().map(|&(f, _)| f).collect(),
-            Node::Unary(_, u) => vec![*u],
-            Node::Binary(_, u, w) => vec![*u, *w],
+            Node::Number(_) | Node::Symbol(_) => {}
+            Node::Sum { terms, .. } => terms.iter().for_each(|&(_, t)| visit(t)),
+            Node::Product { factors, .. } => factors.iter().for_each(|&(f, _)| visit(f)),
+            Node::Unary(_, u) => visit(*u),
+            Node::Binary(_, u, w) => [*u, *w].into_iter().for_each(visit),
             Node::Select(condition, yes, no) => {
-                let mut children = condition.operands();
-                children.extend([*yes, *no]);
-                children
+                condition.operands().into_iter().chain([*yes, *no]).for_each(visit);
             }
         }
     }
@@ -197,7 +137,7 @@ impl Graph {
         let mut stack: Vec<Expr> = roots.to_vec();
         while let Some(e) = stack.pop() {
             if !std::mem::replace(&mut seen[e.index()], true) {
-                stack.extend(self.children(e));
+                self.each_child(e, |c| stack.push(c));
             }
         }
         (0..end).filter(|&i| seen[i]).map(|i| Expr(i as u32)).collect()
@@ -212,21 +152,20 @@ impl Graph {
 
     /// The same for the expressions that have been stored since.
     pub(crate) fn extend_dependence(&self, depends: &mut Vec<bool>, symbols: &[Symbol]) {
-        for i in depends.len()..self.nodes.len() {
-            depends.push(match &self.nodes[i] {
-                Node::Symbol(s) => symbols.contains(s),
-                _ => self.children(Expr(i as u32)).iter().any(|c| depends[c.index()]),
-            });
+        self.extend_marks(depends, |node| matches!(node, Node::Symbol(s) if symbols.contains(s)));
+    }
+
+    /// Marks what has been stored since: what is marked itself, and all that is made of it.
+    pub(super) fn extend_marks(&self, marks: &mut Vec<bool>, marked: impl Fn(&Node) -> bool) {
+        for i in marks.len()..self.nodes.len() {
+            let mut any = marked(&self.nodes[i]);
+            self.each_child(Expr(i as u32), |c| any |= marks[c.index()]);
+            marks.push(any);
         }
     }
 
     /// Whether the expression contains one of the symbols.
     pub fn depends_on(&self, e: Expr, symbols: &[Symbol]) -> bool {
         self.reachable(&[e]).iter().any(|&n| matches!(self.node(n), Node::Symbol(s) if symbols.contains(s)))
-    }
-
-    /// The expression in readable mathematics.
-    pub fn display(&self, e: Expr) -> Display<'_> {
-        Display::new(self, e)
     }
 }

@@ -7,12 +7,15 @@
 //! Numbers are folded only where the result is exact in binary64, so that an expression means the same for every
 //! scalar type; nothing is ever expanded, because a·(b + c) and a·b + a·c round differently and structure would be lost.
 
+mod application;
 mod choice;
 mod condition;
 mod display;
 mod evaluate;
 mod function;
 mod graph;
+mod index;
+mod node;
 mod number;
 mod power;
 mod product;
@@ -24,7 +27,9 @@ pub use condition::{Condition, Relation};
 pub use display::Display;
 pub use evaluate::{evaluate, evaluate_all};
 pub use function::{Binary, Unary};
-pub use graph::{Expr, Graph, Node, Role, Symbol};
+pub use graph::Graph;
+pub use index::{Expr, Symbol, Variable};
+pub use node::Node;
 pub use number::Number;
 pub(crate) use power::Root;
 pub use substitute::Substitution;

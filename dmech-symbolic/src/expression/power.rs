@@ -1,6 +1,6 @@
 //! Reading a product as a power.
 
-use std::collections::HashMap;
+use crate::hash::Map;
 
 use super::{Expr, Graph, Node, Number, Unary};
 
@@ -54,11 +54,11 @@ impl Graph {
 
     /// c e, within the branches if e is a choice: where a branch is 0, c may be infinite.
     pub(crate) fn mul_within(&mut self, c: Expr, e: Expr) -> Expr {
-        if c == self.one() { e } else { self.mul_within_known(c, e, &mut HashMap::new()) }
+        if c == self.one() { e } else { self.mul_within_known(c, e, &mut Map::default()) }
     }
 
     /// The branches of one choice may be those of many others.
-    fn mul_within_known(&mut self, c: Expr, e: Expr, known: &mut HashMap<Expr, Expr>) -> Expr {
+    fn mul_within_known(&mut self, c: Expr, e: Expr, known: &mut Map<Expr, Expr>) -> Expr {
         if let Some(&product) = known.get(&e) {
             return product;
         }

@@ -72,6 +72,12 @@ impl Gathering {
         if n == 0 {
             return;
         }
+        // Most factors, and large ones, are taken as they are.
+        match graph.node(f) {
+            Node::Symbol(_) => return self.raise(f, n),
+            Node::Sum { terms, .. } if terms[0].0.value() >= 0.0 => return self.raise(f, n),
+            _ => {}
+        }
         match graph.node(f).clone() {
             Node::Number(c) => match c.exact_power(n) {
                 Some(power) => self.numbers.push(power),

@@ -1,13 +1,13 @@
 //! Replacing symbols by expressions.
 
-use std::collections::HashMap;
+use crate::hash::Map;
 
 use super::{Expr, Graph, Node, Symbol};
 
 /// A replacement of symbols, remembered for every expression it has been applied to.
 #[derive(Clone, Debug, Default)]
 pub struct Substitution {
-    done: HashMap<Expr, Expr>,
+    done: Map<Expr, Expr>,
 }
 
 impl Substitution {
@@ -35,13 +35,18 @@ impl Substitution {
                 missing.pop();
                 continue;
             }
-            let open: Vec<_> = graph.children(top).into_iter().filter(|c| !self.done.contains_key(c)).collect();
-            if open.is_empty() {
+            let known = missing.len();
+            graph.each_child(top, |c| {
+                if !self.done.contains_key(&c) {
+                    missing.push(c);
+                }
+            });
+            if missing.len() == known {
                 let image = self.rebuild(graph, top);
                 self.done.insert(top, image);
                 missing.pop();
             } else {
-                missing.extend(open.into_iter().rev());
+                missing[known..].reverse();
             }
         }
         self.done[&e]

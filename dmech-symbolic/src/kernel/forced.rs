@@ -8,7 +8,8 @@ use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
-use super::{Force, Variables, correction};
+use super::newton::{Force, correction, dot, newton_matrix};
+use super::variables::Variables;
 
 /// Everything generated for a force.
 #[derive(Clone, Debug)]
@@ -219,16 +220,10 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
 
 /// δ and J δ with (1 + g J) δ = rhs.
 fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
-    let matrix = super::newton_matrix(graph, jacobian, variables);
+    let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
     let delta = linear::solve(graph, &matrix, &residual, false);
-    let turned: Vec<_> = jacobian
-        .iter()
-        .map(|row| {
-            let terms: Vec<_> = row.iter().zip(&delta).map(|(&j, &delta)| graph.mul(&[j, delta])).collect();
-            graph.add(&terms)
-        })
-        .collect();
+    let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     Program::schedule(graph, &[delta, turned].concat())
 }
 

@@ -1,51 +1,20 @@
 //! The programs that schemes need of a law, made for its structure.
 
 mod forced;
+mod newton;
 mod pair;
+mod variables;
 
 pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};
-pub use pair::{PairForce, PairKernels, PairLaw, PairPotential, PairVariables, Radial, Separation};
+pub use pair::{PairForce, PairFormulas, PairKernels, PairLaw, PairPotential, PairVariables, Radial};
+pub use variables::{Variables, exchange};
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};
-use crate::linear;
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
-/// The variables that programs read besides the parameters of the law.
-#[derive(Clone, Debug)]
-pub struct Variables {
-    /// Position.
-    pub q: Vec<Symbol>,
-    /// Velocity.
-    pub v: Vec<Symbol>,
-    /// The coefficient of a kick, h/m.
-    pub c: Symbol,
-    /// The coefficient of H ∇Φ in a kick, in units of h³/m².
-    pub e: Symbol,
-    /// The ends of a step.
-    pub a: Vec<Symbol>,
-    /// The other end.
-    pub b: Vec<Symbol>,
-    /// The increment q′ − q.
-    pub delta: Vec<Symbol>,
-    /// The right-hand side of the increment's equation.
-    pub rhs: Vec<Symbol>,
-    /// The coefficient of the unknown force.
-    pub g: Symbol,
-    /// h v: the part of the increment that the velocity makes.
-    pub drift: Vec<Symbol>,
-    /// 2/h, so that the velocity at the end of a step is v + (2/h)(Δ − h v).
-    pub rate: Symbol,
-    /// The time at the end of a step.
-    pub t_end: Symbol,
-    /// Squared distances from the centre: of a position, of the two ends.
-    pub s: Symbol,
-    /// |a|².
-    pub s_a: Symbol,
-    /// |b|².
-    pub s_b: Symbol,
-}
+use newton::{Force, correction, dot};
 
 /// How an implicit step is solved.
 #[derive(Clone, Debug)]
@@ -101,36 +70,13 @@ pub struct Formulas {
     pub discrete_gradient_jacobian: Vec<Vec<Expr>>,
 }
 
-impl Variables {
-    /// Variables for D coordinates: x, y, z up to three, q0, q1, … above.
-    pub fn new(graph: &mut Graph, dimension: usize) -> Self {
-        let letter = |i: usize| ["x", "y", "z"][i].to_owned();
-        let coordinate_name = |i: usize| if dimension <= 3 { letter(i) } else { format!("q{i}") };
-        let end_name = |end: &str, i: usize| if dimension <= 3 { letter(i) + end } else { format!("{end}{i}") };
-        let mut list = |name: &dyn Fn(usize) -> String| -> Vec<Symbol> {
-            (0..dimension).map(|i| graph.coordinate(&name(i))).collect()
-        };
-        let q = list(&coordinate_name);
-        let v = list(&|i| if dimension <= 3 { format!("v{}", letter(i)) } else { format!("v{i}") });
-        let (a, b) = (list(&|i| end_name("a", i)), list(&|i| end_name("b", i)));
-        let (delta, rhs) = (list(&|i| format!("delta{i}")), list(&|i| format!("rhs{i}")));
-        let drift = list(&|i| format!("drift{i}"));
-        let [s, s_a, s_b] = ["s", "sa", "sb"].map(|name| graph.coordinate(name));
-        let [c, e, g, rate, t_end] = ["c", "e", "g", "rate", "t_end"].map(|name| graph.parameter(name));
-        Self { q, v, c, e, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b }
-    }
-}
-
 impl Kernels {
     /// Derives everything from Φ, written in `variables.q`.
     pub fn new(graph: &mut Graph, phi: Expr, variables: &Variables) -> Self {
         let gradient = calculus::gradient(graph, phi, &variables.q);
         let hessian = calculus::hessian(graph, phi, &variables.q);
         let structure = Structure::of(graph, phi, &hessian, &variables.q);
-        let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
-        let discrete_gradient = calculus::discrete_gradient(graph, phi, &mut ends);
-        let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
-        let formulas = Formulas { potential: phi, gradient, hessian, discrete_gradient, discrete_gradient_jacobian };
+        let formulas = Formulas::new(graph, phi, gradient, hessian, variables);
         let implicit = implicit_step(graph, &formulas, &structure, variables);
         let discrete = discrete_step(graph, &formulas, &structure, variables);
         let kick = kick(graph, &formulas.gradient, variables);
@@ -153,16 +99,27 @@ impl Kernels {
             structure,
         }
     }
+
+    /// The programs at a point, or between two: potential, gradient, Hessian, discrete gradient and its Jacobian.
+    pub fn pointwise(&self) -> [&Program; 5] {
+        let Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian, .. } = self;
+        [potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian]
+    }
 }
 
-/// a ↔ b.
-pub fn exchange(graph: &mut Graph, variables: &Variables) -> Substitution {
-    let mut pairs = vec![];
-    for (&a, &b) in variables.a.iter().zip(&variables.b) {
-        pairs.push((a, graph.symbol(b)));
-        pairs.push((b, graph.symbol(a)));
+impl Formulas {
+    fn new(
+        graph: &mut Graph,
+        potential: Expr,
+        gradient: Vec<Expr>,
+        hessian: Vec<Vec<Expr>>,
+        variables: &Variables,
+    ) -> Self {
+        let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
+        let discrete_gradient = calculus::discrete_gradient(graph, potential, &mut ends);
+        let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
+        Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian }
     }
-    Substitution::new(graph, pairs)
 }
 
 fn kick(graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> Program {
@@ -205,12 +162,6 @@ fn jacobian_kick(graph: &mut Graph, slope: &[Expr], jacobian: &[Vec<Expr>], vari
     kick_and_turn(graph, slope, &turned, variables)
 }
 
-/// x·y.
-fn dot(graph: &mut Graph, x: &[Expr], y: &[Expr]) -> Expr {
-    let terms: Vec<_> = x.iter().zip(y).map(|(&x, &y)| graph.mul(&[x, y])).collect();
-    graph.add(&terms)
-}
-
 /// v − c s + e w.
 fn kick_and_turn(graph: &mut Graph, slope: &[Expr], turned: &[Expr], variables: &Variables) -> Program {
     let [c, e] = [variables.c, variables.e].map(|s| graph.symbol(s));
@@ -239,14 +190,7 @@ fn central_gradient_kick(graph: &mut Graph, central: Central, variables: &Variab
     let change = graph.mul(&[e, radial]);
     let length = graph.sub(c, change);
     let factor = graph.mul(&[f, length]);
-    let squares: Vec<_> = variables
-        .q
-        .iter()
-        .map(|&q| {
-            let q = graph.symbol(q);
-            graph.square(q)
-        })
-        .collect();
+    let squares = crate::structure::squares(graph, &variables.q);
     let squared_distance = graph.add(&squares);
     let factor = Substitution::new(graph, [(central.s, squared_distance)]).apply(graph, factor);
     let coordinates = variables.v.iter().zip(&variables.q);
@@ -292,63 +236,5 @@ fn with_two_derivatives(graph: &mut Graph, f: Expr, symbol: Symbol, name: Symbol
     let new_name = graph.symbol(name);
     let mut renamed = Substitution::new(graph, [(symbol, new_name)]);
     let outputs = [f, first, second].map(|e| renamed.apply(graph, e));
-    Program::schedule(graph, &outputs)
-}
-
-/// 1 + g J.
-fn newton_matrix(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Vec<Vec<Expr>> {
-    let n = jacobian.len();
-    let g = graph.symbol(variables.g);
-    let one = graph.one();
-    (0..n)
-        .map(|i| {
-            (0..n)
-                .map(|j| {
-                    let scaled = graph.mul(&[g, jacobian[i][j]]);
-                    if i == j { graph.add(&[one, scaled]) } else { scaled }
-                })
-                .collect()
-        })
-        .collect()
-}
-
-/// How the force after a correction is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Force {
-    /// G + J δ.
-    Rounded,
-    /// G and J δ, which may be less than half an ulp of G: what conserves the energy must not lose it.
-    InParts,
-}
-
-/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it.
-fn correction(
-    graph: &mut Graph,
-    force: &[Expr],
-    jacobian: &[Vec<Expr>],
-    symmetric: bool,
-    given: Force,
-    variables: &Variables,
-) -> Program {
-    let n = force.len();
-    let g = graph.symbol(variables.g);
-    let matrix = newton_matrix(graph, jacobian, variables);
-    let residual: Vec<_> = (0..n)
-        .map(|i| {
-            let (rhs, delta) = (graph.symbol(variables.rhs[i]), graph.symbol(variables.delta[i]));
-            let pull = graph.mul(&[g, force[i]]);
-            let difference = graph.sub(rhs, pull);
-            graph.sub(difference, delta)
-        })
-        .collect();
-    let delta = linear::solve(graph, &matrix, &residual, symmetric);
-    let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
-    let outputs = match given {
-        Force::InParts => [delta, force.to_vec(), turned].concat(),
-        Force::Rounded => {
-            let updated = force.iter().zip(&turned).map(|(&force, &turned)| graph.add(&[force, turned])).collect();
-            [delta, updated].concat()
-        }
-    };
     Program::schedule(graph, &outputs)
 }

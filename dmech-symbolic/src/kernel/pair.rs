@@ -3,13 +3,14 @@
 //! A potential of the distance is one of s = |d|² alone, in any number of dimensions: its gradient is c d with c = 2Φ′(s),
 //! its discrete gradient C·(d₀ + d₁) with C = Φ[s₀, s₁], and only the coefficients need programs.
 
-use crate::calculus::{self, TwoPoints};
+use crate::calculus;
 use crate::expression::{Expr, Graph, Substitution, Symbol, Unary};
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
+use super::Formulas;
 use super::forced::expand;
-use super::{Formulas, Variables, exchange};
+use super::variables::{Variables, exchange};
 
 /// The variables of a pair law besides those of a potential in d.
 #[derive(Clone, Debug)]
@@ -40,27 +41,46 @@ pub struct PairLaw {
 /// Everything generated for a law between two bodies.
 #[derive(Clone, Debug)]
 pub struct PairKernels {
-    /// Programs of the potential.
-    pub potential: PairPotential,
-    /// Programs of the force.
+    /// The potential, if there is one.
+    pub potential: Option<PairPotential>,
+    /// The force, if there is one.
     pub force: Option<PairForce>,
     /// Φ(d; a, b) = Φ(−d; b, a).
     pub symmetric: bool,
 }
 
-/// Programs of the potential of two bodies.
+/// The potential of two bodies.
 #[derive(Clone, Debug)]
-pub enum PairPotential {
-    /// There is none.
-    None,
-    /// It depends on the distance alone.
-    Radial(Box<Radial>),
-    /// It depends on the separation.
-    Separation(Box<Separation>),
+pub struct PairPotential {
+    /// What it depends on, as expressions.
+    pub formulas: PairFormulas,
+    /// Φ.
+    pub potential: Program,
+    /// ∇Φ, or c.
+    pub gradient: Program,
+    /// The Hessian, row by row, or c, c′.
+    pub hessian: Program,
+    /// ∇̄Φ(a, b), or C, symmetric to the bit.
+    pub discrete_gradient: Program,
+    /// ∂∇̄Φ/∂b, row by row, or C, ∂C/∂s_b.
+    pub discrete_gradient_jacobian: Program,
+    /// The force is linear in d: the Hessian does not depend on it.
+    pub linear: bool,
+    /// The potential is a choice between branches: its gradient may jump.
+    pub piecewise: bool,
+}
+
+/// What a potential of two bodies depends on.
+#[derive(Clone, Debug)]
+pub enum PairFormulas {
+    /// The distance alone.
+    Radial(Radial),
+    /// The separation.
+    Separation(Formulas),
 }
 
 /// A potential of the distance.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Radial {
     /// Φ(s).
     pub potential: Expr,
@@ -68,41 +88,6 @@ pub struct Radial {
     pub coefficient: Expr,
     /// C(s_a, s_b) = Φ[s_a, s_b].
     pub discrete_coefficient: Expr,
-    /// Φ.
-    pub energy: Program,
-    /// c.
-    pub gradient: Program,
-    /// c, c′.
-    pub hessian: Program,
-    /// C, symmetric to the bit.
-    pub discrete_gradient: Program,
-    /// C, ∂C/∂s_b.
-    pub discrete_gradient_jacobian: Program,
-    /// c does not depend on s: the force is linear in d.
-    pub linear: bool,
-    /// The potential is a choice between branches: its gradient may jump.
-    pub piecewise: bool,
-}
-
-/// A potential of the separation.
-#[derive(Clone, Debug)]
-pub struct Separation {
-    /// Expressions, for display and tests.
-    pub formulas: Formulas,
-    /// Φ(d).
-    pub energy: Program,
-    /// ∇Φ(d).
-    pub gradient: Program,
-    /// The Hessian, row by row.
-    pub hessian: Program,
-    /// ∇̄Φ(a, b), symmetric to the bit.
-    pub discrete_gradient: Program,
-    /// ∂∇̄Φ/∂b, row by row.
-    pub discrete_gradient_jacobian: Program,
-    /// The Hessian does not depend on d.
-    pub linear: bool,
-    /// The potential is a choice between branches: its gradient may jump.
-    pub piecewise: bool,
 }
 
 /// The force on a from b.
@@ -159,10 +144,7 @@ impl PairVariables {
 impl PairKernels {
     /// Derives everything.
     pub fn new(graph: &mut Graph, law: &PairLaw, variables: &Variables, pair: &PairVariables) -> Self {
-        let potential = match law.potential {
-            Some(phi) => PairPotential::new(graph, phi, variables, pair),
-            None => PairPotential::None,
-        };
+        let potential = law.potential.map(|phi| PairPotential::new(graph, phi, variables, pair));
         let mut exchanged = exchange_bodies(graph, law, variables, pair);
         let symmetric = law.potential.is_none_or(|phi| {
             let other = exchanged.apply(graph, phi);
@@ -178,34 +160,30 @@ impl PairKernels {
 impl PairPotential {
     fn new(graph: &mut Graph, phi: Expr, variables: &Variables, pair: &PairVariables) -> Self {
         if !graph.depends_on(phi, &variables.q) {
-            return Self::Radial(Box::new(Radial::new(graph, Central { potential: phi, s: pair.s }, pair)));
+            return Self::of_distance(graph, Central { potential: phi, s: pair.s }, pair);
         }
         let gradient = calculus::gradient(graph, phi, &variables.q);
         let hessian = calculus::hessian(graph, phi, &variables.q);
         let structure = Structure::of(graph, phi, &hessian, &variables.q);
         if let Some(central) = structure.central {
-            return Self::Radial(Box::new(Radial::new(graph, central, pair)));
+            return Self::of_distance(graph, central, pair);
         }
-        let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
-        let discrete_gradient = calculus::discrete_gradient(graph, phi, &mut ends);
-        let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
+        let formulas = Formulas::new(graph, phi, gradient, hessian, variables);
         let exchange = exchange(graph, variables);
-        Self::Separation(Box::new(Separation {
-            energy: Program::schedule(graph, &[phi]),
-            gradient: Program::schedule(graph, &gradient),
-            hessian: Program::schedule(graph, &hessian.concat()),
-            discrete_gradient: Program::schedule_symmetric(graph, &discrete_gradient, exchange),
-            discrete_gradient_jacobian: Program::schedule(graph, &discrete_gradient_jacobian.concat()),
+        Self {
+            potential: Program::schedule(graph, &[phi]),
+            gradient: Program::schedule(graph, &formulas.gradient),
+            hessian: Program::schedule(graph, &formulas.hessian.concat()),
+            discrete_gradient: Program::schedule_symmetric(graph, &formulas.discrete_gradient, exchange),
+            discrete_gradient_jacobian: Program::schedule(graph, &formulas.discrete_gradient_jacobian.concat()),
             linear: structure.constant_hessian,
             piecewise: structure.piecewise,
-            formulas: Formulas { potential: phi, gradient, hessian, discrete_gradient, discrete_gradient_jacobian },
-        }))
+            formulas: PairFormulas::Separation(formulas),
+        }
     }
-}
 
-impl Radial {
     /// From Φ(s), whatever s is called there.
-    fn new(graph: &mut Graph, central: Central, pair: &PairVariables) -> Self {
+    fn of_distance(graph: &mut Graph, central: Central, pair: &PairVariables) -> Self {
         let s = graph.symbol(pair.s);
         let potential = Substitution::new(graph, [(central.s, s)]).apply(graph, central.potential);
         let central = Central { potential, s: pair.s };
@@ -217,10 +195,8 @@ impl Radial {
         let (s_a, s_b) = (graph.symbol(pair.s_a), graph.symbol(pair.s_b));
         let exchange = Substitution::new(graph, [(pair.s_a, s_b), (pair.s_b, s_a)]);
         Self {
-            potential,
-            coefficient,
-            discrete_coefficient,
-            energy: Program::schedule(graph, &[potential]),
+            formulas: PairFormulas::Radial(Radial { potential, coefficient, discrete_coefficient }),
+            potential: Program::schedule(graph, &[potential]),
             gradient: Program::schedule(graph, &[coefficient]),
             hessian: Program::schedule(graph, &[coefficient, slope]),
             discrete_gradient: Program::schedule_symmetric(graph, &[discrete_coefficient], exchange),
@@ -228,6 +204,12 @@ impl Radial {
             linear: !piecewise && !graph.depends_on(coefficient, &[pair.s]),
             piecewise,
         }
+    }
+
+    /// Its programs, in the order of [`Kernels::pointwise`](super::Kernels::pointwise).
+    pub fn pointwise(&self) -> [&Program; 5] {
+        let Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian, .. } = self;
+        [potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian]
     }
 }
 

@@ -4,15 +4,20 @@
 //! side by side rather than in series. Denominators of one product are multiplied first and divided by once, unless
 //! one of their factors is wanted inverted elsewhere too.
 
-use std::collections::{BTreeMap, HashMap};
-
 use crate::expression::{Expr, Graph, Node, Number, Unary};
+use crate::hash::Map;
 
 use super::latency;
 
 /// An index into the table of atoms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Atom(pub u32);
+
+impl Atom {
+    pub(super) fn index(self) -> usize {
+        self.0 as usize
+    }
+}
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum AtomKind {
@@ -34,23 +39,39 @@ pub(super) enum AtomKind {
 pub(super) struct Atoms {
     pub(super) kinds: Vec<AtomKind>,
     pub(super) ready: Vec<u32>,
-    index: HashMap<AtomKind, Atom>,
+    index: Map<AtomKind, Atom>,
 }
 
 /// A product: |coefficient| Π factors.
-pub(super) type ProductKey = (Number, Vec<(Expr, i32)>);
+pub(super) type Factors = (Number, Vec<(Expr, i32)>);
 
 /// Which expressions stand below a fraction stroke, and how.
+#[derive(Default)]
 pub(super) struct Denominators {
-    /// base → the exponents it is inverted to, over all products (a root counts toward its radicand).
-    exponents: BTreeMap<Expr, Vec<i32>>,
-    /// base → the different denominators it is part of.
-    company: BTreeMap<Expr, Vec<Vec<(Expr, i32)>>>,
+    /// base → the exponent it is inverted to, over all products (a root counts toward its radicand).
+    exponents: Map<Expr, Single<i32>>,
+    /// base → the denominator it is part of.
+    company: Map<Expr, Single<Vec<(Expr, i32)>>>,
+}
+
+/// One thing, or several different ones.
+enum Single<T> {
+    One(T),
+    Several,
+}
+
+impl<T: PartialEq + Clone> Single<T> {
+    fn join(known: &mut Map<Expr, Self>, key: Expr, other: &T) {
+        let known = known.entry(key).or_insert_with(|| Self::One(other.clone()));
+        if matches!(known, Self::One(one) if one != other) {
+            *known = Self::Several;
+        }
+    }
 }
 
 impl Denominators {
-    pub(super) fn of<'a>(graph: &Graph, products: impl Iterator<Item = &'a ProductKey>) -> Self {
-        let mut found = Self { exponents: BTreeMap::new(), company: BTreeMap::new() };
+    pub(super) fn of<'a>(graph: &Graph, products: impl Iterator<Item = &'a Factors>) -> Self {
+        let mut found = Self::default();
         for (_, factors) in products {
             let below: Vec<_> = below(factors);
             for &(f, n) in &below {
@@ -58,15 +79,9 @@ impl Denominators {
                     Node::Unary(Unary::Sqrt, s) if n > 1 => (*s, (n + 1) / 2),
                     _ => (f, n),
                 };
-                let exponents = found.exponents.entry(base).or_default();
-                if !exponents.contains(&exponent) {
-                    exponents.push(exponent);
-                }
+                Single::join(&mut found.exponents, base, &exponent);
                 for key in [Some(f), radicand(graph, f)].into_iter().flatten() {
-                    let company = found.company.entry(key).or_default();
-                    if !company.contains(&below) {
-                        company.push(below.clone());
-                    }
+                    Single::join(&mut found.company, key, &below);
                 }
             }
         }
@@ -75,16 +90,13 @@ impl Denominators {
 
     /// Whether this denominator shares no factor with another.
     fn stands_alone(&self, graph: &Graph, below: &[(Expr, i32)]) -> bool {
-        below.iter().all(|&(f, _)| {
-            let own = self.company.get(&f).is_none_or(|c| c.len() == 1);
-            let inner = radicand(graph, f).and_then(|s| self.company.get(&s)).is_none_or(|c| c.len() == 1);
-            own && inner
-        })
+        let alone = |e: Expr| !matches!(self.company.get(&e), Some(Single::Several));
+        below.iter().all(|&(f, _)| alone(f) && radicand(graph, f).is_none_or(alone))
     }
 
     /// Whether 1/base is wanted to one power only.
     pub(super) fn single_exponent(&self, base: Expr) -> bool {
-        self.exponents.get(&base).is_none_or(|e| e.len() == 1)
+        !matches!(self.exponents.get(&base), Some(Single::Several))
     }
 }
 
@@ -101,7 +113,7 @@ fn radicand(graph: &Graph, f: Expr) -> Option<Expr> {
 
 impl Atoms {
     pub(super) fn new() -> Self {
-        Self { kinds: vec![], ready: vec![], index: HashMap::new() }
+        Self { kinds: vec![], ready: vec![], index: Map::default() }
     }
 
     pub(super) fn intern(&mut self, kind: AtomKind, ready_of: &[u32]) -> Atom {
@@ -117,7 +129,7 @@ impl Atoms {
                 let latest = below.iter().map(|(e, n)| latency::power(ready_of[e.index()], *n)).max();
                 latest.unwrap_or(0) + latency::MUL + latency::DIV
             }
-            AtomKind::Pair(one, two) => self.ready[one.0 as usize].max(self.ready[two.0 as usize]) + latency::MUL,
+            AtomKind::Pair(one, two) => self.ready[one.index()].max(self.ready[two.index()]) + latency::MUL,
         };
         let atom = Atom(self.kinds.len() as u32);
         self.kinds.push(kind.clone());
@@ -127,7 +139,7 @@ impl Atoms {
     }
 
     pub(super) fn kind(&self, atom: Atom) -> &AtomKind {
-        &self.kinds[atom.0 as usize]
+        &self.kinds[atom.index()]
     }
 
     /// The atoms of a product, repeated as often as they stand in it. Without a view of the other denominators it is divided by
@@ -135,7 +147,7 @@ impl Atoms {
     pub(super) fn of_product(
         &mut self,
         graph: &Graph,
-        (coefficient, factors): &ProductKey,
+        (coefficient, factors): &Factors,
         denominators: Option<&Denominators>,
         ready: &[u32],
     ) -> Vec<Atom> {

@@ -1,10 +1,10 @@
 //! Running a program without a compiler.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::Real;
 
-use crate::expression::{Relation, Symbol};
+use crate::expression::Symbol;
 
-use super::{Operation, Program, Test, Value};
+use super::{Operation, Program, Value};
 
 impl Program {
     /// The results, given the values of the symbols.
@@ -25,21 +25,10 @@ impl Program {
                 Operation::NegMulAdd(u, w, x) => (-of(u)).mul_add(of(w), of(x)),
                 Operation::Unary(f, u) => f.apply(of(u)),
                 Operation::Binary(f, u, w) => f.apply(of(u), of(w)),
-                Operation::Select(test, yes, no) => R::select(mask(test, &of), || of(yes), || of(no)),
+                Operation::Select(test, yes, no) => R::select(test.mask(&|v| of(&v)), || of(yes), || of(no)),
             };
             values.push(value);
         }
         self.outputs.iter().map(|v| values[v.index()]).collect()
-    }
-}
-
-fn mask<R: Real>(test: &Test, value: &impl Fn(&Value) -> R) -> R::Mask {
-    match test {
-        Test::Compare(Relation::Less, left, right) => value(left).less(value(right)),
-        Test::Compare(Relation::LessOrEqual, left, right) => value(left).less_or_equal(value(right)),
-        Test::Compare(Relation::Equal, left, right) => value(left).equal(value(right)),
-        Test::Not(inner) => mask(inner, value).not(),
-        Test::And(one, two) => mask(one, value).and(mask(two, value)),
-        Test::Or(one, two) => mask(one, value).or(mask(two, value)),
     }
 }

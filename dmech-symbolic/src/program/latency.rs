@@ -8,10 +8,10 @@ pub(super) const DIV: u32 = 13;
 const SQRT: u32 = 21;
 const FUNCTION: u32 = 50;
 
-/// The earliest time at which each expression is known, symbols being known at 0.
-pub(super) fn ready(graph: &Graph) -> Vec<u32> {
+/// The earliest time at which each of the expressions, children before parents, is known, symbols being known at 0.
+pub(super) fn ready(graph: &Graph, order: &[Expr]) -> Vec<u32> {
     let mut ready = vec![0; graph.len()];
-    for e in (0..graph.len()).map(|i| Expr(i as u32)) {
+    for &e in order {
         let of = |c: &Expr| ready[c.index()];
         ready[e.index()] = match graph.node(e) {
             Node::Number(_) | Node::Symbol(_) => 0,

@@ -8,11 +8,14 @@
 mod atom;
 mod interpret;
 mod latency;
-mod lower;
+mod mirror;
 mod naming;
+mod product;
+mod scheduling;
 mod sharing;
+mod sum;
 
-use crate::expression::{Binary, Condition, Expr, Graph, Number, Relation, Substitution, Symbol, Unary};
+use crate::expression::{Binary, Condition, Expr, Graph, Number, Substitution, Symbol, Unary};
 
 /// A value of a program: an index into its list of operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -26,14 +29,7 @@ impl Value {
 }
 
 /// A condition on values.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum Test {
-    Compare(Relation, Value, Value),
-    Not(Box<Test>),
-    And(Box<Test>, Box<Test>),
-    Or(Box<Test>, Box<Test>),
-}
+pub type Test = Condition<Value>;
 
 /// One operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -83,13 +79,13 @@ pub struct Cost {
 impl Program {
     /// Schedules the evaluation of expressions.
     pub fn schedule(graph: &mut Graph, outputs: &[Expr]) -> Self {
-        lower::schedule(graph, outputs, None)
+        scheduling::schedule(graph, outputs, None)
     }
 
     /// The same, symmetric to the bit under the exchange of symbols that the substitution makes (a ↔ b). The outputs
     /// must be symmetric as expressions.
     pub fn schedule_symmetric(graph: &mut Graph, outputs: &[Expr], exchange: Substitution) -> Self {
-        lower::schedule(graph, outputs, Some(exchange))
+        scheduling::schedule(graph, outputs, Some(exchange))
     }
 
     /// All values in order.
@@ -149,42 +145,29 @@ impl Program {
 impl Operation {
     /// The values it reads.
     pub fn operands(&self) -> Vec<Value> {
-        match self {
-            Self::Number(_) | Self::Symbol(_) => vec![],
-            Self::Neg(u) | Self::Recip(u) | Self::Unary(_, u) => vec![*u],
-            Self::Add(u, w) | Self::Sub(u, w) | Self::Mul(u, w) | Self::Div(u, w) | Self::Binary(_, u, w) => {
-                vec![*u, *w]
-            }
-            Self::MulAdd(u, w, x) | Self::NegMulAdd(u, w, x) => vec![*u, *w, *x],
-            Self::Select(test, yes, no) => {
-                let mut operands = test.operands();
-                operands.extend([*yes, *no]);
-                operands
-            }
-        }
-    }
-}
-
-impl Test {
-    /// The values compared.
-    pub fn operands(&self) -> Vec<Value> {
-        match self {
-            Self::Compare(_, left, right) => vec![*left, *right],
-            Self::Not(inner) => inner.operands(),
-            Self::And(one, two) | Self::Or(one, two) => {
-                let mut operands = one.operands();
-                operands.extend(two.operands());
-                operands
-            }
-        }
+        let mut operands = vec![];
+        self.clone().with(&mut |value| {
+            operands.push(value);
+            value
+        });
+        operands
     }
 
-    fn of(condition: &Condition, value: &mut impl FnMut(Expr) -> Value) -> Self {
-        match condition {
-            Condition::Compare(relation, left, right) => Self::Compare(*relation, value(*left), value(*right)),
-            Condition::Not(inner) => Self::Not(Box::new(Self::of(inner, value))),
-            Condition::And(one, two) => Self::And(Box::new(Self::of(one, value)), Box::new(Self::of(two, value))),
-            Condition::Or(one, two) => Self::Or(Box::new(Self::of(one, value)), Box::new(Self::of(two, value))),
+    /// The same operation on what stands for the values.
+    fn with(self, f: &mut impl FnMut(Value) -> Value) -> Self {
+        match self {
+            Self::Number(_) | Self::Symbol(_) => self,
+            Self::Neg(u) => Self::Neg(f(u)),
+            Self::Recip(u) => Self::Recip(f(u)),
+            Self::Unary(function, u) => Self::Unary(function, f(u)),
+            Self::Add(u, w) => Self::Add(f(u), f(w)),
+            Self::Sub(u, w) => Self::Sub(f(u), f(w)),
+            Self::Mul(u, w) => Self::Mul(f(u), f(w)),
+            Self::Div(u, w) => Self::Div(f(u), f(w)),
+            Self::Binary(function, u, w) => Self::Binary(function, f(u), f(w)),
+            Self::MulAdd(u, w, x) => Self::MulAdd(f(u), f(w), f(x)),
+            Self::NegMulAdd(u, w, x) => Self::NegMulAdd(f(u), f(w), f(x)),
+            Self::Select(test, yes, no) => Self::Select(test.with(f), f(yes), f(no)),
         }
     }
 }

@@ -7,7 +7,9 @@ use crate::common::notation::{E, norm, squared, within};
 use crate::common::tracked::Tracked;
 use crate::common::{U, Worst, ratio};
 use dmech_symbolic::expression::{Expr, Graph, Symbol};
-use dmech_symbolic::kernel::{PairForce, PairKernels, PairLaw, PairPotential, PairVariables, Radial, Variables};
+use dmech_symbolic::kernel::{
+    PairForce, PairFormulas, PairKernels, PairLaw, PairPotential, PairVariables, Radial, Variables,
+};
 use dmech_symbolic::program::Program;
 use num_dual::Dual64;
 
@@ -57,9 +59,9 @@ fn law(dimension: usize, potential: Option<AnyPotential<'_>>, force: Option<AnyF
 }
 
 impl Law {
-    fn radial(&self) -> &Radial {
-        match &self.kernels.potential {
-            PairPotential::Radial(radial) => radial,
+    fn radial(&self) -> (&Radial, &PairPotential) {
+        match self.kernels.potential.as_ref().map(|potential| (&potential.formulas, potential)) {
+            Some((PairFormulas::Radial(radial), potential)) => (radial, potential),
             other => panic!("not a potential of the distance: {other:?}"),
         }
     }
@@ -113,8 +115,8 @@ fn the_discrete_coefficient_is_the_divided_difference() {
     let (roundings, formula, growth) = (Worst::new(), Worst::new(), Worst::new());
     for (name, phi) in RADIAL {
         let law = law(0, Some(&phi), None);
-        let radial = law.radial();
-        let exact = |s: f64| law.value(radial.potential, &law.at_squares(&big(s), &big(1.0), &big(1.0)));
+        let (formulas, radial) = law.radial();
+        let exact = |s: f64| law.value(formulas.potential, &law.at_squares(&big(s), &big(1.0), &big(1.0)));
         for s_a in SQUARES {
             let mut apart = 0.0_f64;
             for gap in GAPS {
@@ -126,11 +128,12 @@ fn the_discrete_coefficient_is_the_divided_difference() {
                 let rise: Big = exact(s_b).minus(&exact(s_a));
                 let quotient = rise.over(&big(s_b).minus(&big(s_a)));
                 let ends = [0.0, s_a, s_b].map(Tracked::number);
-                let tracked = law.value(radial.discrete_coefficient, &law.at_squares(&ends[0], &ends[1], &ends[2]));
+                let tracked = law.value(formulas.discrete_coefficient, &law.at_squares(&ends[0], &ends[1], &ends[2]));
                 let error = narrow(&big(computed).minus(&quotient)).abs();
                 roundings.see(ratio(error, U * (tracked.error + tracked.value.abs())), place);
                 let ends = [0.0, s_a, s_b].map(big);
-                let of_formula = law.value(radial.discrete_coefficient, &law.at_squares(&ends[0], &ends[1], &ends[2]));
+                let of_formula =
+                    law.value(formulas.discrete_coefficient, &law.at_squares(&ends[0], &ends[1], &ends[2]));
                 formula.see(narrow(&of_formula.minus(&quotient)).abs() / (tracked.error + 1e-3) * 1e40, place);
                 if gap >= 0.1 {
                     apart = apart.max(tracked.error);
@@ -140,7 +143,7 @@ fn the_discrete_coefficient_is_the_divided_difference() {
             }
             let limit = radial.discrete_gradient.run(law.at_squares(&0.0, &s_a, &s_a))[0];
             let slope = radial.gradient.run(law.at_squares(&s_a, &0.0, &0.0))[0];
-            let scale = law.value(radial.discrete_coefficient, &{
+            let scale = law.value(formulas.discrete_coefficient, &{
                 let s = Tracked::number(s_a);
                 law.at_squares(&s, &s, &s)
             });
@@ -158,7 +161,7 @@ fn coefficients_are_derivatives() {
     let (worst, schedules) = (Worst::new(), Worst::new());
     for (name, phi) in RADIAL {
         let law = law(0, Some(&phi), None);
-        let radial = law.radial();
+        let (formulas, radial) = law.radial();
         let derivative = |e: Expr, s: f64, s_a: f64, moving: f64| {
             let mut s_b = Dual64::from_re(moving);
             s_b.eps = 1.0;
@@ -174,17 +177,17 @@ fn coefficients_are_derivatives() {
             // Two schedules of one formula: the same but for the order of a few products.
             let alone = radial.gradient.run(law.at_squares(&s, &0.0, &0.0))[0];
             schedules.see(ratio((c - alone).abs(), U * (c.abs() + 1.0)), || format!("{name} at {s}: {c} {alone}"));
-            see("c", c, 2.0 * derivative(radial.potential, s, 1.0, 1.0), c.abs() + 1.0);
-            see("c′", slope, derivative(radial.coefficient, s, 1.0, 1.0), slope.abs() + 1.0);
+            see("c", c, 2.0 * derivative(formulas.potential, s, 1.0, 1.0), c.abs() + 1.0);
+            see("c′", slope, derivative(formulas.coefficient, s, 1.0, 1.0), slope.abs() + 1.0);
             for gap in GAPS {
                 let s_b = s * (1.0 + gap);
                 let [_, slope] = radial.discrete_gradient_jacobian.run(law.at_squares(&0.0, &s, &s_b))[..] else {
                     panic!("C and its derivative")
                 };
-                see("∂C/∂s_b", slope, derivative(radial.discrete_coefficient, 0.0, s, s_b), slope.abs() + 1.0);
+                see("∂C/∂s_b", slope, derivative(formulas.discrete_coefficient, 0.0, s, s_b), slope.abs() + 1.0);
             }
         }
-        let c = law.graph.depends_on(radial.coefficient, &[law.pair.s]);
+        let c = law.graph.depends_on(formulas.coefficient, &[law.pair.s]);
         assert_eq!(radial.linear, !c);
         assert_eq!(radial.linear, name == "oscillator", "{name}");
     }
@@ -198,7 +201,7 @@ fn what_a_gradient_costs() {
     let cost = |name: &str| {
         let (_, phi) = RADIAL.into_iter().find(|(other, _)| *other == name).expect("in the list");
         let law = law(0, Some(&phi), None);
-        let costs = [&law.radial().gradient, &law.radial().hessian].map(Program::cost);
+        let costs = [&law.radial().1.gradient, &law.radial().1.hessian].map(Program::cost);
         costs.map(|cost| (cost.roots, cost.divisions, cost.functions))
     };
     assert_eq!(cost("gravity"), [(1, 1, 0); 2]);
@@ -214,12 +217,14 @@ fn the_distance_is_found_in_the_separation() {
     let by_d = law(3, Some(&|p| -p.k * p.a[1] * p.b[1] / norm(&p.d)), None);
     let by_r = law(0, Some(&RADIAL[0].1), None);
     let s = 1.7;
-    let run = |law: &Law| law.radial().gradient.run(law.at_squares(&s, &0.0, &0.0));
+    let run = |law: &Law| law.radial().1.gradient.run(law.at_squares(&s, &0.0, &0.0));
     assert_eq!(run(&by_d), run(&by_r));
     let slanted = law(3, Some(&|p| p.k * (squared(&p.d) + p.d[0].powi(2)).powi(2)), None);
-    assert!(matches!(slanted.kernels.potential, PairPotential::Separation(_)));
+    let of_separation =
+        slanted.kernels.potential.is_some_and(|phi| matches!(phi.formulas, PairFormulas::Separation(_)));
+    assert!(of_separation);
     let alone = law(3, None, Some(&|p| p.d.iter().map(|&d| p.k * d).collect()));
-    assert!(matches!(alone.kernels.potential, PairPotential::None));
+    assert!(alone.kernels.potential.is_none());
 }
 
 /// Φ(d; a, b) = Φ(−d; b, a), decided on the expression.

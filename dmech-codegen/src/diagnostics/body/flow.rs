@@ -4,7 +4,6 @@ use quote::ToTokens;
 use syn::{Error, Ident, Macro, Token};
 
 use crate::diagnostics::{at, counted, text};
-use crate::lower::Excess;
 
 /// The value is missing, or thrown away by a `;` behind it.
 pub(crate) fn no_result(name: &Ident, semicolon: Option<&Token![;]>) -> Error {
@@ -149,6 +148,20 @@ pub(crate) fn not_a_formula(e: &impl ToTokens, what: &str) -> Error {
 
 pub(crate) fn too_deep(e: &impl ToTokens) -> Error {
     at(e, "this is nested too deeply to be read; bind an inner part to a name with `let`")
+}
+
+/// Which bound was passed.
+#[derive(Clone, Copy)]
+pub(crate) enum Excess {
+    Turns,
+    Expressions,
+    Steps,
+    Terms,
+    /// Of the finished potential.
+    Size,
+    Height,
+    Tower,
+    Choices,
 }
 
 pub(crate) fn excess(e: &impl ToTokens, excess: Excess) -> Error {

@@ -2,10 +2,10 @@
 
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::Error;
+use syn::{Error, Type};
 
 use crate::diagnostics::{at, counted, nearest, text};
-use crate::model::{Kind, KnownArgument, Model};
+use crate::role::{Kind, KnownArgument};
 
 pub(crate) fn unknown_name(name: &Ident, place: Option<&str>, near: Option<&str>) -> Error {
     if let Some(near) = near {
@@ -36,11 +36,18 @@ fn looks_constant(name: &Ident) -> bool {
     name.to_string().chars().all(|c| c.is_uppercase() || c.is_ascii_digit() || c == '_')
 }
 
-pub(crate) fn undeclared_argument(name: &Ident, known: &KnownArgument, of: &Ident, law: &Model) -> Error {
+/// With the number of coordinates and the type of a body's data, where they are known.
+pub(crate) fn undeclared_argument(
+    name: &Ident,
+    known: &KnownArgument,
+    of: &Ident,
+    dimension: usize,
+    data: Option<&Type>,
+) -> Error {
     let ty = match known.kind {
-        Kind::Vector if law.dimension == 0 => "[f64; D]".into(),
-        Kind::Vector if law.dimension > 1 => format!("[f64; {}]", law.dimension),
-        Kind::Data => match law.pair.as_ref().and_then(|pair| pair.data.as_ref()) {
+        Kind::Vector if dimension == 0 => "[f64; D]".into(),
+        Kind::Vector if dimension > 1 => format!("[f64; {dimension}]"),
+        Kind::Data => match data {
             Some(data) => format!("&{}", text(data)),
             None => "&P".into(),
         },

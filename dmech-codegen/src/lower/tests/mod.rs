@@ -30,7 +30,9 @@ pub(super) fn lower_derive(text: &str) -> Result<Lowered, Vec<syn::Error>> {
 }
 
 fn lower_parsed(parsed: Parsed) -> Result<Lowered, Vec<syn::Error>> {
-    parsed.model.and_then(|model| super::lower(&model)).map_err(|mistakes| mistakes.errors)
+    let model = parsed.model.map_err(|refused| crate::with_bodies(refused).mistakes);
+    let lowered = model.and_then(|model| super::lower(&model));
+    lowered.map_err(|mistakes| mistakes.errors)
 }
 
 /// A law of D coordinates with this body: `impl Law { #[potential] fn energy(&self, q: [f64; D]) -> f64 { … } }`.

@@ -1,4 +1,4 @@
-//! The arguments of the macro: `crate = path`, nothing else.
+//! The options of the macro: `crate = path`, nothing else.
 
 use proc_macro2::TokenStream;
 use syn::parse::{ParseStream, Parser};
@@ -12,7 +12,7 @@ pub(super) fn default_crate() -> Path {
 }
 
 /// Reads `crate = path`; of several the last one holds.
-pub(super) fn parse(arguments: TokenStream, errors: &mut Vec<syn::Error>) -> Path {
+pub(super) fn parse(options: TokenStream, errors: &mut Vec<syn::Error>) -> Path {
     let parser = |input: ParseStream<'_>| {
         let mut krate = default_crate();
         while !input.is_empty() {
@@ -30,7 +30,7 @@ pub(super) fn parse(arguments: TokenStream, errors: &mut Vec<syn::Error>) -> Pat
         }
         Ok(krate)
     };
-    parser.parse2(arguments).unwrap_or_else(|error| {
+    parser.parse2(options).unwrap_or_else(|error| {
         errors.push(error);
         default_crate()
     })

@@ -1,0 +1,71 @@
+//! One correction of Newton's method.
+
+use crate::expression::{Expr, Graph};
+use crate::linear;
+use crate::program::Program;
+
+use super::variables::Variables;
+
+/// 1 + g J.
+pub(super) fn newton_matrix(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Vec<Vec<Expr>> {
+    let n = jacobian.len();
+    let g = graph.symbol(variables.g);
+    let one = graph.one();
+    (0..n)
+        .map(|i| {
+            (0..n)
+                .map(|j| {
+                    let scaled = graph.mul(&[g, jacobian[i][j]]);
+                    if i == j { graph.add(&[one, scaled]) } else { scaled }
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// How the force after a correction is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Force {
+    /// G + J δ.
+    Rounded,
+    /// G and J δ, which may be less than half an ulp of G: what conserves the energy must not lose it.
+    InParts,
+}
+
+/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it.
+pub(super) fn correction(
+    graph: &mut Graph,
+    force: &[Expr],
+    jacobian: &[Vec<Expr>],
+    symmetric: bool,
+    given: Force,
+    variables: &Variables,
+) -> Program {
+    let n = force.len();
+    let g = graph.symbol(variables.g);
+    let matrix = newton_matrix(graph, jacobian, variables);
+    let residual: Vec<_> = (0..n)
+        .map(|i| {
+            let (rhs, delta) = (graph.symbol(variables.rhs[i]), graph.symbol(variables.delta[i]));
+            let pull = graph.mul(&[g, force[i]]);
+            let difference = graph.sub(rhs, pull);
+            graph.sub(difference, delta)
+        })
+        .collect();
+    let delta = linear::solve(graph, &matrix, &residual, symmetric);
+    let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
+    let outputs = match given {
+        Force::InParts => [delta, force.to_vec(), turned].concat(),
+        Force::Rounded => {
+            let updated = force.iter().zip(&turned).map(|(&force, &turned)| graph.add(&[force, turned])).collect();
+            [delta, updated].concat()
+        }
+    };
+    Program::schedule(graph, &outputs)
+}
+
+/// x·y.
+pub(super) fn dot(graph: &mut Graph, x: &[Expr], y: &[Expr]) -> Expr {
+    let terms: Vec<_> = x.iter().zip(y).map(|(&x, &y)| graph.mul(&[x, y])).collect();
+    graph.add(&terms)
+}

@@ -3,7 +3,22 @@
 
 use dmech_core::newton::{Equation, Increment, NotConverged, central, dense, dense_discrete, once};
 use dmech_core::prelude::*;
-use dmech_core::{Real, newton::Correction};
+use dmech_core::{Field, Real, newton::Correction};
+
+/// A law by hand whose implicit steps are its own too: its field is itself, always.
+macro_rules! its_own_field {
+    ([$($generics:tt)*] [$($of:tt)*] $law:ty, $d:tt, $r:ty) => {
+        impl<$($of)*> VelocityIndependent for $law {}
+        impl<$($of)*> MassIndependent for $law {}
+        impl<$($generics)*> Law<$d, $r> for $law {
+            type Field<'a> = &'a Self;
+
+            fn field(&self, _: $r, _: $r) -> &Self {
+                self
+            }
+        }
+    };
+}
 
 /// Φ = −k/|q| in the plane, (3.23)–(3.25) of Kanatani. With `CENTRAL` the steps have one scalar unknown; without, two.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +29,40 @@ pub struct Kepler<const ONE_UNKNOWN: bool> {
 pub const SUN: Kepler<true> = Kepler { k: 1.0 };
 pub const SUN_BY_COMPONENTS: Kepler<false> = Kepler { k: 1.0 };
 
-impl<const ONE_UNKNOWN: bool> Conservative for Kepler<ONE_UNKNOWN> {}
+its_own_field!([const ONE_UNKNOWN: bool, R: Real] [const ONE_UNKNOWN: bool] Kepler<ONE_UNKNOWN>, 2, R);
+
+impl<const ONE_UNKNOWN: bool, R: Real> Field<2, R> for &Kepler<ONE_UNKNOWN> {
+    fn implicit_increment(&self, equation: &Equation<2, R>) -> Result<Increment<2, R>, NotConverged> {
+        if !ONE_UNKNOWN {
+            return dense(equation, |b| (self.gradient(b), self.hessian(b)));
+        }
+        let k = R::from_f64(self.k);
+        central::implicit(equation, |s| {
+            let c = k / (s * s.sqrt());
+            let c1 = R::from_f64(-1.5) * c / s;
+            [c, c1, R::from_f64(-2.5) * c1 / s]
+        })
+    }
+    fn discrete_increment(&self, equation: &Equation<2, R>) -> Result<Increment<2, R>, NotConverged> {
+        if !ONE_UNKNOWN {
+            return dense_discrete(equation, |a, b| {
+                (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b))
+            });
+        }
+        let k = R::from_f64(self.k);
+        central::discrete(equation, |sa, sb| {
+            // C = k/(α β (α + β)) with α = |a|, β = |b|; d/ds = (1/2β) d/dβ.
+            let (alpha, beta) = (sa.sqrt(), sb.sqrt());
+            let (inv, inv_sum) = (beta.recip(), (alpha + beta).recip());
+            let c = k / (alpha * beta * (alpha + beta));
+            let log_slope = -(inv + inv_sum);
+            let d = c * log_slope;
+            let dd = c * (log_slope * log_slope + inv * inv + inv_sum * inv_sum);
+            let half = R::from_f64(0.5);
+            [c, half * inv * d, half * half * inv * inv * (dd - inv * d)]
+        })
+    }
+}
 
 impl<const ONE_UNKNOWN: bool, R: Real> Potential<2, R> for Kepler<ONE_UNKNOWN> {
     const CENTRAL: bool = true;
@@ -49,38 +97,6 @@ impl<const ONE_UNKNOWN: bool, R: Real> Potential<2, R> for Kepler<ONE_UNKNOWN> {
         let sum = [a[0] + b[0], a[1] + b[1]];
         [[c + d * sum[0] * b[0], d * sum[0] * b[1]], [d * sum[1] * b[0], c + d * sum[1] * b[1]]]
     }
-
-    fn implicit_increment(&self, equation: &Equation<2, R>) -> Result<Increment<2, R>, NotConverged> {
-        if !ONE_UNKNOWN {
-            return dense(equation, |b| (self.gradient(b), self.hessian(b)));
-        }
-        let k = R::from_f64(self.k);
-        central::implicit(equation, |s| {
-            let c = k / (s * s.sqrt());
-            let c1 = R::from_f64(-1.5) * c / s;
-            [c, c1, R::from_f64(-2.5) * c1 / s]
-        })
-    }
-
-    fn discrete_increment(&self, equation: &Equation<2, R>) -> Result<Increment<2, R>, NotConverged> {
-        if !ONE_UNKNOWN {
-            return dense_discrete(equation, |a, b| {
-                (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b))
-            });
-        }
-        let k = R::from_f64(self.k);
-        central::discrete(equation, |sa, sb| {
-            // C = k/(α β (α + β)) with α = |a|, β = |b|; d/ds = (1/2β) d/dβ.
-            let (alpha, beta) = (sa.sqrt(), sb.sqrt());
-            let (inv, inv_sum) = (beta.recip(), (alpha + beta).recip());
-            let c = k / (alpha * beta * (alpha + beta));
-            let log_slope = -(inv + inv_sum);
-            let d = c * log_slope;
-            let dd = c * (log_slope * log_slope + inv * inv + inv_sum * inv_sum);
-            let half = R::from_f64(0.5);
-            [c, half * inv * d, half * half * inv * inv * (dd - inv * d)]
-        })
-    }
 }
 
 fn radius<R: Real>(q: [R; 2]) -> R {
@@ -93,7 +109,16 @@ pub struct Spring {
     pub k: f64,
 }
 
-impl Conservative for Spring {}
+its_own_field!([const D: usize, R: Real] [] Spring, D, R);
+
+impl<const D: usize, R: Real> Field<D, R> for &Spring {
+    fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        once(equation, |e, delta, b| linear(e, delta, self.gradient(b), R::from_f64(self.k)))
+    }
+    fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        once(equation, |e, delta, b| linear(e, delta, self.discrete_gradient(e.a, b), R::from_f64(0.5 * self.k)))
+    }
+}
 
 impl<const D: usize, R: Real> Potential<D, R> for Spring {
     const CENTRAL: bool = true;
@@ -114,12 +139,6 @@ impl<const D: usize, R: Real> Potential<D, R> for Spring {
     fn discrete_gradient_jacobian(&self, _: [R; D], _: [R; D]) -> [[R; D]; D] {
         diagonal(R::from_f64(0.5 * self.k))
     }
-    fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        once(equation, |e, delta, b| linear(e, delta, self.gradient(b), R::from_f64(self.k)))
-    }
-    fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        once(equation, |e, delta, b| linear(e, delta, self.discrete_gradient(e.a, b), R::from_f64(0.5 * self.k)))
-    }
 }
 
 fn linear<const D: usize, R: Real>(e: &Equation<D, R>, delta: [R; D], gradient: [R; D], j: R) -> Correction<D, R> {
@@ -139,7 +158,16 @@ pub struct Quartic {
     pub lambda: f64,
 }
 
-impl Conservative for Quartic {}
+its_own_field!([const D: usize] [] Quartic, D, f64);
+
+impl<const D: usize> Field<D, f64> for &Quartic {
+    fn implicit_increment(&self, equation: &Equation<D, f64>) -> Result<Increment<D, f64>, NotConverged> {
+        central::implicit(equation, |s| [self.k + self.lambda * s, self.lambda, 0.0])
+    }
+    fn discrete_increment(&self, equation: &Equation<D, f64>) -> Result<Increment<D, f64>, NotConverged> {
+        central::discrete(equation, |sa, sb| [0.5 * self.k + 0.25 * self.lambda * (sa + sb), 0.25 * self.lambda, 0.0])
+    }
+}
 
 impl<const D: usize> Potential<D> for Quartic {
     const CENTRAL: bool = true;
@@ -166,12 +194,6 @@ impl<const D: usize> Potential<D> for Quartic {
         core::array::from_fn(|i| {
             core::array::from_fn(|j| 0.5 * self.lambda * (a[i] + b[i]) * b[j] + if i == j { c } else { 0.0 })
         })
-    }
-    fn implicit_increment(&self, equation: &Equation<D, f64>) -> Result<Increment<D, f64>, NotConverged> {
-        central::implicit(equation, |s| [self.k + self.lambda * s, self.lambda, 0.0])
-    }
-    fn discrete_increment(&self, equation: &Equation<D, f64>) -> Result<Increment<D, f64>, NotConverged> {
-        central::discrete(equation, |sa, sb| [0.5 * self.k + 0.25 * self.lambda * (sa + sb), 0.25 * self.lambda, 0.0])
     }
 }
 

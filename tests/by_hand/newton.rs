@@ -1,6 +1,7 @@
 //! The equation of the implicit steps: solved to round-off, on the right branch, in the expected work.
 
 use crate::common::{Coupled, Kepler, Pendulum, SUN, SUN_BY_COMPONENTS, Spring, greenspan_orbit};
+use dmech_core::Field;
 use dmech_core::newton::{Correction, Equation, Increment, dense, drive, once};
 use dmech_core::prelude::*;
 
@@ -28,10 +29,10 @@ fn solutions_satisfy_the_equation_to_round_off() {
     for g in [1e-6, 1e-3, 0.1, 2.0] {
         for miss in [0.0, 1e-8, 1e-3, 0.1] {
             let e = equation([0.5, -0.3, 0.8], [0.45, -0.32, 0.86], [0.05, 0.02, -0.06], g, miss);
-            let found = law.implicit_increment(&e).unwrap();
+            let found = law.field(1.0, 0.0).implicit_increment(&e).unwrap();
             let gradient = law.gradient(e.end(found.delta));
             assert!(residual(&e, &found, gradient) < 4.0 * f64::EPSILON, "{g} {miss}: {found:?}");
-            let found = law.discrete_increment(&e).unwrap();
+            let found = law.field(1.0, 0.0).discrete_increment(&e).unwrap();
             let gradient = law.discrete_gradient(e.a, e.end(found.delta));
             assert!(residual(&e, &found, gradient) < 4.0 * f64::EPSILON, "{g} {miss}: {found:?}");
             tried += 1;
@@ -48,8 +49,14 @@ fn one_unknown_gives_what_two_components_give() {
         for miss in [0.0, 1e-9, 1e-5, 1e-2, 0.3] {
             let e = equation([0.5, -0.3], [0.53, -0.42], [0.07, 0.11], g, miss);
             let pairs = [
-                (SUN.implicit_increment(&e).unwrap(), SUN_BY_COMPONENTS.implicit_increment(&e).unwrap()),
-                (SUN.discrete_increment(&e).unwrap(), SUN_BY_COMPONENTS.discrete_increment(&e).unwrap()),
+                (
+                    SUN.field(1.0, 0.0).implicit_increment(&e).unwrap(),
+                    SUN_BY_COMPONENTS.field(1.0, 0.0).implicit_increment(&e).unwrap(),
+                ),
+                (
+                    SUN.field(1.0, 0.0).discrete_increment(&e).unwrap(),
+                    SUN_BY_COMPONENTS.field(1.0, 0.0).discrete_increment(&e).unwrap(),
+                ),
             ];
             for (one, two) in pairs {
                 let scale = two.gradient[0].hypot(two.gradient[1]);
@@ -75,13 +82,13 @@ fn of_several_roots_the_one_continuous_with_a_short_step_is_taken() {
     }
     for start in [1.45, 1.2, 0.6, 0.3, 0.28, 0.1, 1e-3, 20.0] {
         let e = Equation { guess: [start - 1.7, 0.0], ..Equation::new([1.7, 0.0], [w - 1.7, 0.0], g) };
-        let r = e.end(SUN.implicit_increment(&e).unwrap().delta)[0];
+        let r = e.end(SUN.field(1.0, 0.0).implicit_increment(&e).unwrap().delta)[0];
         assert!((r - low).abs() < 1e-15, "from {start}: {r}, not {low}");
     }
     // By components, from starts off the root by more than the step.
     for start in [1.45, 1.2, 0.1, 1e-3, 20.0] {
         let e = Equation { guess: [start - 1.7, 0.0], ..Equation::new([1.7, 0.0], [w - 1.7, 0.0], g) };
-        let r = e.end(SUN_BY_COMPONENTS.implicit_increment(&e).unwrap().delta)[0];
+        let r = e.end(SUN_BY_COMPONENTS.field(1.0, 0.0).implicit_increment(&e).unwrap().delta)[0];
         assert!((r - low).abs() < 1e-15, "from {start}: {r}, not {low}");
     }
 }
@@ -91,7 +98,10 @@ fn of_several_roots_the_one_continuous_with_a_short_step_is_taken() {
 fn where_no_root_exists_the_work_is_bounded() {
     for limit in [1, 7, 50, 200] {
         let e = Equation { max_iterations: limit, ..Equation::new([1.0, 0.0], [-0.2, 0.0], 0.5) };
-        for lost in [SUN.implicit_increment(&e).unwrap_err(), SUN_BY_COMPONENTS.implicit_increment(&e).unwrap_err()] {
+        for lost in [
+            SUN.field(1.0, 0.0).implicit_increment(&e).unwrap_err(),
+            SUN_BY_COMPONENTS.field(1.0, 0.0).implicit_increment(&e).unwrap_err(),
+        ] {
             assert!(lost.iterations <= u64::from(limit) + 12, "{lost:?} of {limit}");
             assert!(lost.residual > 1e-6, "{lost:?}");
         }

@@ -1,7 +1,7 @@
 //! Generated code does what the engine says, bit for bit.
 
-use dmech::extend::Real;
 use dmech::extend::newton::Equation;
+use dmech::extend::{Field, Real};
 use dmech::prelude::*;
 use dmech_codegen::{Derivation, Source};
 use dmech_symbolic::expression::Symbol;
@@ -59,7 +59,7 @@ impl Oracle {
 
 fn check<L, R: Real + PartialEq, const D: usize>(law: L, oracle: &Oracle, q: [f64; D])
 where
-    L: Potential<D, R>,
+    L: Law<D, R> + Potential<D, R>,
 {
     let variables = &oracle.derivation.lowered.variables;
     let kernels = &oracle.derivation.kernels;
@@ -81,7 +81,7 @@ where
         same(&law.gradient(a), oracle.run(&kernels.gradient, &[arguments(&variables.q, &a)]), "gradient");
         same(&law.hessian(a).concat(), oracle.run(&kernels.hessian, &[arguments(&variables.q, &a)]), "hessian");
         let all = [arguments(&variables.q, &a), (&variables.v[..], &v[..]), (&[variables.c][..], &[c][..])];
-        same(&law.kick(c, a, v), oracle.run(&kernels.kick, &all), "kick");
+        same(&law.field(R::ONE, R::ZERO).kick(c, a, v), oracle.run(&kernels.kick, &all), "kick");
         same(&law.discrete_gradient(a, b), oracle.run(&kernels.discrete_gradient, &ends), "discrete gradient");
         let jacobian = law.discrete_gradient_jacobian(a, b).concat();
         same(&jacobian, oracle.run(&kernels.discrete_gradient_jacobian, &ends), "Jacobian");
@@ -94,7 +94,7 @@ fn arguments<'a, R, const D: usize>(symbols: &'a [Symbol], x: &'a [R; D]) -> (&'
 }
 
 /// The specialised increments solve the same equation as the generic Newton iteration on the same law.
-fn solves<L: Potential<D>, const D: usize>(law: &L, q: [f64; D], v: [f64; D]) {
+fn solves<L: Law<D> + Potential<D>, const D: usize>(law: &L, q: [f64; D], v: [f64; D]) {
     let h = 0.02;
     let drift = v.map(|v| h * v);
     let zero = [0.0; D];
@@ -102,12 +102,12 @@ fn solves<L: Potential<D>, const D: usize>(law: &L, q: [f64; D], v: [f64; D]) {
         let equation = Equation { frozen, ..Equation::new(q, drift, g) };
         let (fast, slow) = if frozen != zero {
             let dense = dmech::extend::newton::dense(&equation, |b| (law.gradient(b), law.hessian(b)));
-            (law.implicit_increment(&equation).unwrap(), dense.unwrap())
+            (law.field(1.0, 0.0).implicit_increment(&equation).unwrap(), dense.unwrap())
         } else {
             let dense = dmech::extend::newton::dense_discrete(&equation, |a, b| {
                 (law.discrete_gradient(a, b), law.discrete_gradient_jacobian(a, b))
             });
-            (law.discrete_increment(&equation).unwrap(), dense.unwrap())
+            (law.field(1.0, 0.0).discrete_increment(&equation).unwrap(), dense.unwrap())
         };
         for i in 0..D {
             let scale = slow.delta.iter().map(|x| x.abs()).fold(0.0, f64::max);

@@ -148,6 +148,12 @@ impl Potential<1> for DragField<'_> {
     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
         [[0.25 * self.law.k * self.m * (a * a + b * b + 2.0 * b * (a + b))]]
     }
+}
+
+impl Field<1> for DragField<'_> {
+    const FORCED: bool = true;
+    const CONSERVES_ENERGY: bool = false;
+
     fn kick(&self, c: f64, q: [f64; 1], v: [f64; 1]) -> [f64; 1] {
         [v[0] - c * (self.gradient(q)[0] - self.force(q, v, 0.0)[0])]
     }
@@ -166,11 +172,6 @@ impl Potential<1> for DragField<'_> {
             ([slope], [[by_position]], [[-0.5 * dv]])
         })
     }
-}
-
-impl Field<1> for DragField<'_> {
-    const FORCED: bool = true;
-    const CONSERVES_ENERGY: bool = false;
 
     fn slope(&self, q: [f64; 1], v: [f64; 1]) -> [f64; 1] {
         let sign = if self.law.mistake == DragMistake::Slope { 1.0 } else { -1.0 };

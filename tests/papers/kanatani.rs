@@ -1,7 +1,7 @@
 //! The statements of K. Kanatani, "The Accuracy and the Preservation Property of the Discrete Mechanics", J. Comput.
 //! Phys. (1983–84), measured.
 
-use dmech::extend::Stride;
+use dmech::extend::{Field, Stride};
 use dmech::models::Kepler;
 use dmech::prelude::*;
 use dmech::scheme::KanataniMemory;
@@ -168,7 +168,7 @@ fn leapfrog_and_the_conservative_force_have_local_order_four() {
     let leapfrog = order(|h| {
         let (_, before, now, after) = from_two(h);
         // Half a kick before this velocity is (now − before)/h.
-        let v = SUN.kick(0.5 * h, now, [0, 1].map(|i| (now[i] - before[i]) / h));
+        let v = SUN.field(1.0, 0.0).kick(0.5 * h, now, [0, 1].map(|i| (now[i] - before[i]) / h));
         let run = Simulation::new(SUN, State::new(now, v)).scheme(Leapfrog).dt(h).run(1).unwrap();
         distance(run.last().q, after)
     });

@@ -13,7 +13,7 @@ use crate::model::Model;
 
 /// The traits of mechanics for the user's type, with everything derived from its potential and force.
 ///
-/// A conservative law is a `Potential` and no more. One that names `m` or `t`, or has a force, is a law whose field at a
+/// A conservative law is a `Potential`, and its own field at all times. One that names `m` or `t`, or has a force, is a law whose field at a
 /// moment is a hidden struct; what can be had without mass and time is implemented for the type itself too.
 pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let Derivation { model, lowered, kernels, forced } = derivation;
@@ -91,8 +91,23 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let own = parameters_of(model);
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
     let derivation = derivation(&own_generics);
+    let velocity_independent = !forced.as_ref().is_some_and(|forced| forced.depends_on_velocity);
+    let velocity_independent = velocity_independent.then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
+        }
+    });
+    let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
+        quote! {
+            #[automatically_derived]
+            #[diagnostic::do_not_recommend]
+            impl #own_generics #runtime::MassIndependent for #self_ty #where_clause {}
+        }
+    });
     if conservative {
-        let functions = bare.functions(kernels);
+        let (functions, steps) = (bare.pointwise(kernels), bare.steps(kernels));
+        let (held, mass, t) = (hidden_lifetime(model), ident("_mass"), ident("_t"));
         return quote! {
             #[allow(clippy::approx_constant)]
             const _: () = {
@@ -100,15 +115,28 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
 
                 #derivation
 
-                #[automatically_derived]
-                impl #own_generics #runtime::Conservative for #self_ty #where_clause {}
-
+                #velocity_independent
+                #mass_independent
                 #author
 
                 #[automatically_derived]
                 impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
                     #constants
                     #functions
+                }
+
+                #[automatically_derived]
+                impl #generics #runtime::Field<#d, #scalar> for &#self_ty #where_clause {
+                    #steps
+                }
+
+                #[automatically_derived]
+                impl #generics #runtime::Law<#d, #scalar> for #self_ty #where_clause {
+                    type Field<#held> = &#held Self where Self: #held;
+                    #[inline(always)]
+                    fn field(&self, #mass: #scalar, #t: #scalar) -> &Self {
+                        self
+                    }
                     #written
                 }
             };
@@ -133,33 +161,20 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             }
         }
     });
-    let (potential_functions, field_functions) = match forced {
+    let field_functions = match forced {
         Some(forced) => {
-            let (pointwise, steps) = (momentary.pointwise(kernels), momentary.forced_steps(forced));
+            let steps = momentary.forced_steps(forced);
             let (field, force) = (momentary.field_functions(kernels, forced), momentary.force_functions(forced));
             let workless = forced.workless;
             let capabilities = quote! {
                 const FORCED: bool = true;
                 const CONSERVES_ENERGY: bool = #workless;
             };
-            (quote!(#pointwise #steps), quote!(#capabilities #field #force))
+            quote!(#capabilities #steps #field #force)
         }
-        None => (momentary.functions(kernels), TokenStream::new()),
+        None => momentary.steps(kernels),
     };
-    let velocity_independent = !forced.as_ref().is_some_and(|forced| forced.depends_on_velocity);
-    let velocity_independent = velocity_independent.then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
-        }
-    });
-    let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
-        quote! {
-            #[automatically_derived]
-            #[diagnostic::do_not_recommend]
-            impl #own_generics #runtime::MassIndependent for #self_ty #where_clause {}
-        }
-    });
+    let potential_functions = momentary.pointwise(kernels);
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
     let moment = generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment");
     let (held, law, mass, t) = (hidden_lifetime(model), ident("Law"), ident("mass"), ident("t"));

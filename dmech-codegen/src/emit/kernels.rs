@@ -33,16 +33,14 @@ pub(super) struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    /// All functions of `Potential` for a conservative law.
-    pub(super) fn functions(&self, kernels: &Kernels) -> TokenStream {
-        let pointwise = self.pointwise(kernels);
+    /// The functions of `Field` for a law without a force.
+    pub(super) fn steps(&self, kernels: &Kernels) -> TokenStream {
         let [kick_doc, gradient_kick_doc, implicit_doc, exact_doc] = step_texts(kernels);
         let kick = self.kick(&kick_doc, &kernels.kick);
         let gradient_kick = self.gradient_kick(&gradient_kick_doc, &kernels.gradient_kick);
         let implicit = self.step("implicit_increment", &kernels.implicit, false);
         let exact = self.step("discrete_increment", &kernels.discrete, true);
         quote! {
-            #pointwise
             #kick
             #gradient_kick
             #[doc = #implicit_doc] #implicit

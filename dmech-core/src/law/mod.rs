@@ -103,8 +103,4 @@ impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Law<D, R> for P
     fn field(&self, _mass: R, _t: R) -> &P {
         self
     }
-
-    fn written(&self) -> Option<&dyn Written<D>> {
-        Potential::written(self)
-    }
 }

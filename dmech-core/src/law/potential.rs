@@ -2,8 +2,6 @@
 
 use dmech_scalar::Real;
 
-use crate::law::written::Written;
-
 /// A potential energy Φ(q) in D coordinates: its values, its derivatives, and its secants.
 ///
 /// `#[dmech::law]` and `#[derive(dmech::Law)]` implement it for every scalar [`Real`]; by hand it is enough to
@@ -31,12 +29,6 @@ pub trait Potential<const D: usize, R: Real = f64> {
     fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D];
     /// ∂∇̄Φ(a, b)ᵢ/∂bⱼ. Not symmetric in i and j.
     fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D];
-
-    /// The method that a macro has made this of; a potential written by hand is its own.
-    #[doc(hidden)]
-    fn written(&self) -> Option<&dyn Written<D>> {
-        None
-    }
 }
 
 impl<const D: usize, R: Real, P: Potential<D, R>> Potential<D, R> for &P {

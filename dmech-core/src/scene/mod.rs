@@ -21,7 +21,7 @@ pub use compensated::CompensatedVectors;
 pub use matrix::Matrix;
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Linked, Moving, Pairs, Term};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Kicked, Linked, Moving, Pairs, Term};
 pub use topology::Topology;
 pub use vectors::Vectors;
 

@@ -3,6 +3,7 @@
 use crate::common::{
     Coupled, DrivenSpring, Kepler, Pendulum, Quartic, SUN, SUN_BY_COMPONENTS, Spring, from_apocentre, greenspan_orbit,
 };
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use dmech_core::prelude::*;
 
 const PERIOD: f64 = core::f64::consts::TAU;
@@ -131,7 +132,7 @@ fn bounded_is_bounded_and_explicit_gains() {
     fn check<S: Scheme<Particle<Kepler<true>, 2>>>(scheme: S) {
         let ((coarse, _), (fine, trend)) = (energy(scheme, 0.02), energy(scheme, 0.01));
         let order = (coarse / fine).log2();
-        assert!((order - 2.0).abs() < 0.1, "{}: {order}", S::NAME);
+        assert!(abs_diff_eq!(order, 2.0, epsilon = 0.1), "{}: {order}", S::NAME);
         assert!(trend.abs() < 0.02 * fine, "{}: {trend:e} of {fine:e}", S::NAME);
     }
     check(Leapfrog);
@@ -181,7 +182,7 @@ fn only_what_the_law_has_is_watched() {
     let space = Simulation::new(Spring { k: 1.3 }, start).mass(2.0).scheme(Leapfrog).dt(0.1).run(1000).unwrap();
     let drift = space.drift(Invariant::AngularMomentum).unwrap();
     let l = [-0.2 * 0.9 - 0.5 * 1.1, 0.5 * 0.3 - 0.8 * 0.9, 0.8 * 1.1 + 0.2 * 0.3_f64].map(|x| 2.0 * x);
-    assert!((drift.start() - l.iter().map(|x| x * x).sum::<f64>().sqrt()).abs() < 1e-15);
+    assert_abs_diff_eq!(drift.start(), l.iter().map(|x| x * x).sum::<f64>().sqrt(), epsilon = 1e-15);
     assert!(drift.max_relative() < 1e-13);
     let explicit = Simulation::new(Spring { k: 1.3 }, start).scheme(Explicit).dt(0.1).run(1000).unwrap();
     assert!(explicit.drift(Invariant::AngularMomentum).unwrap().max_relative() > 0.1);
@@ -207,6 +208,6 @@ fn a_law_that_names_the_time_is_followed_to_second_order() {
         ("DiscreteGradient", order(DiscreteGradient, reference)),
         ("Kanatani", order(Kanatani, reference)),
     ] {
-        assert!((order - 2.0).abs() < 0.05, "{name}: {order}");
+        assert!(abs_diff_eq!(order, 2.0, epsilon = 0.05), "{name}: {order}");
     }
 }

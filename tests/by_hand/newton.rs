@@ -1,6 +1,7 @@
 //! The equation of the implicit steps: solved to round-off, on the right branch, in the expected work.
 
 use crate::common::{Coupled, Kepler, Pendulum, SUN, SUN_BY_COMPONENTS, Spring, greenspan_orbit};
+use approx::abs_diff_eq;
 use dmech_core::Field;
 use dmech_core::newton::{Correction, Equation, Increment, dense, drive, once};
 use dmech_core::prelude::*;
@@ -83,13 +84,13 @@ fn of_several_roots_the_one_continuous_with_a_short_step_is_taken() {
     for start in [1.45, 1.2, 0.6, 0.3, 0.28, 0.1, 1e-3, 20.0] {
         let e = Equation { guess: [start - 1.7, 0.0], ..Equation::new([1.7, 0.0], [w - 1.7, 0.0], g) };
         let r = e.end(SUN.field(1.0, 0.0).implicit_increment(&e).unwrap().delta)[0];
-        assert!((r - low).abs() < 1e-15, "from {start}: {r}, not {low}");
+        assert!(abs_diff_eq!(r, low, epsilon = 1e-15), "from {start}: {r}, not {low}");
     }
     // By components, from starts off the root by more than the step.
     for start in [1.45, 1.2, 0.1, 1e-3, 20.0] {
         let e = Equation { guess: [start - 1.7, 0.0], ..Equation::new([1.7, 0.0], [w - 1.7, 0.0], g) };
         let r = e.end(SUN_BY_COMPONENTS.field(1.0, 0.0).implicit_increment(&e).unwrap().delta)[0];
-        assert!((r - low).abs() < 1e-15, "from {start}: {r}, not {low}");
+        assert!(abs_diff_eq!(r, low, epsilon = 1e-15), "from {start}: {r}, not {low}");
     }
 }
 
@@ -167,7 +168,7 @@ fn the_papers_guess_gives_the_same_motion() {
         ("DiscreteGradient", end(DiscreteGradient), end(DiscreteGradient.with(previous))),
         ("Kanatani", end(Kanatani), end(Kanatani.with(previous))),
     ] {
-        assert!((x - y).abs() < 1e-11, "{name}: {x} {y}");
+        assert!(abs_diff_eq!(x, y, epsilon = 1e-11), "{name}: {x} {y}");
     }
 }
 

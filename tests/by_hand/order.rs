@@ -1,6 +1,7 @@
 //! The order of each scheme, measured.
 
 use crate::common::{Kepler, SUN, SUN_BY_COMPONENTS, greenspan_orbit, kepler_position};
+use approx::{abs_diff_eq, assert_abs_diff_eq, relative_eq};
 use dmech_core::prelude::*;
 
 fn error_at_one<L: Law<2>, S: Scheme<Particle<L, 2>>>(law: L, scheme: S, n: u32) -> f64 {
@@ -37,8 +38,11 @@ fn each_scheme_has_its_order_and_its_error_constant() {
         ];
         for (name, (slope, constant), order, expected) in table {
             println!("{name}: order {slope:.4}, constant {constant:.4}");
-            assert!((slope - f64::from(order)).abs() < 0.02, "{name} has order {slope}");
-            assert!((constant / expected - 1.0).abs() < 0.005, "{name} has constant {constant}, not {expected}");
+            assert!(abs_diff_eq!(slope, f64::from(order), epsilon = 0.02), "{name} has order {slope}");
+            assert!(
+                relative_eq!(constant, expected, max_relative = 0.005),
+                "{name} has constant {constant}, not {expected}"
+            );
         }
     }
     check(SUN);
@@ -61,7 +65,7 @@ fn velocities_at_whole_steps_are_of_second_order() {
         ("Kanatani", error(Kanatani, 400), error(Kanatani, 800)),
     ] {
         let order = (coarse / fine).log2();
-        assert!((order - 2.0).abs() < 0.05, "{name}: {order}");
+        assert!(abs_diff_eq!(order, 2.0, epsilon = 0.05), "{name}: {order}");
     }
 }
 
@@ -69,6 +73,6 @@ fn velocities_at_whole_steps_are_of_second_order() {
 #[test]
 fn kanatani_keeps_its_order_from_either_start() {
     let (order, constant) = measure(SUN, Kanatani.start(Start::BackwardStep));
-    assert!((order - 2.0).abs() < 0.02, "{order}");
+    assert_abs_diff_eq!(order, 2.0, epsilon = 0.02);
     assert!(constant < 12.4, "{constant}");
 }

@@ -1,6 +1,7 @@
 //! Bad input, and runs that cannot go on.
 
 use crate::common::{Kepler, SUN, greenspan_orbit};
+use approx::assert_abs_diff_eq;
 use dmech_core::prelude::*;
 
 type Outcome = Result<Run<State<2>>, Interrupted<State<2>>>;
@@ -80,7 +81,7 @@ fn a_run_that_fails_keeps_what_it_has() {
         println!("{interrupted}");
         assert_eq!(run.states().len() as u64, 1 + run.steps() / 3);
         assert_eq!(run.states()[0].q, [0.5, 0.0]);
-        assert!((run.last().t - 0.05 * run.steps() as f64).abs() < 1e-15);
+        assert_abs_diff_eq!(run.last().t, 0.05 * run.steps() as f64, epsilon = 1e-15);
         assert!(run.states().iter().chain([run.last()]).all(|s| s.q.iter().chain(&s.v).all(|x| x.is_finite())));
         assert!(run.drift(Invariant::Energy).is_some());
         assert!(interrupted.to_string().contains(&format!("step {}", run.steps() + 1)), "{interrupted}");
@@ -143,7 +144,7 @@ fn mass_and_field_may_be_doubled() {
             assert!((s.q[0] - u.q[0]).abs() < 1e-12 && (s.v[1] - u.v[1]).abs() < 1e-12);
         }
         let ratio = heavy.drift(Invariant::Energy).unwrap().start() / light.drift(Invariant::Energy).unwrap().start();
-        assert!((ratio - 2.0).abs() < 1e-15);
+        assert_abs_diff_eq!(ratio, 2.0, epsilon = 1e-15);
     }
     check(Explicit);
     check(Leapfrog);

@@ -1,5 +1,6 @@
 //! Studies: errors, orders, costs and failures as rows.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq, relative_eq};
 use std::time::Duration;
 
 use crate::common::{DrivenSpring, Kepler, Pendulum, SUN, Spring, greenspan_orbit, kepler_position};
@@ -40,7 +41,7 @@ fn rows_show_the_order_and_what_is_kept() {
             let measured = orders(&report, scheme);
             assert!(report.rows_of(scheme).map(error).is_sorted_by(|a, b| a > b), "{name}");
             let last = measured[measured.len() - 1];
-            assert!((last - f64::from(order)).abs() < 0.1, "{name}: {measured:?}");
+            assert!(abs_diff_eq!(last, f64::from(order), epsilon = 0.1), "{name}: {measured:?}");
             seen += measured.len();
             for row in report.rows_of(scheme) {
                 let figures = row.result().unwrap();
@@ -141,7 +142,7 @@ fn the_default_ladder_goes_from_coarse_to_the_level_of_rounding() {
     }
     // From 1e-3 to 1e-6 a scheme of order p needs 1000^(1/p) times the forces: 31.6 at order 2, 5.6 at order 4.
     let growth = |scheme: usize| forces[1][scheme].1.unwrap() / forces[0][scheme].1.unwrap();
-    assert!((growth(2) / 1000_f64.powf(0.5) - 1.0).abs() < 0.1, "{}", growth(2));
+    assert!(relative_eq!(growth(2), 1000_f64.powf(0.5), max_relative = 0.1), "{}", growth(2));
 }
 
 /// Φ = −g e^(5q): steeper than any power.
@@ -217,7 +218,7 @@ fn a_step_too_large_fails_alone() {
         assert_eq!(row.result().map(|figures| figures.error()), alone.map_err(|interrupted| interrupted.cause()));
     }
     let order = (error(&report.rows()[2]) / error(&report.rows()[3])).log2();
-    assert!((order - 2.0).abs() < 0.1, "{order}");
+    assert_abs_diff_eq!(order, 2.0, epsilon = 0.1);
 }
 
 /// Without a ladder too: every step fails, down to the smallest, and the study ends.
@@ -295,7 +296,7 @@ fn adaptive_schemes_have_tolerances() {
     assert!(report.rows_of(0).all(|row| row.tolerance().is_none()));
     for row in &rows {
         let figures = row.result().unwrap();
-        assert!((row.dt() * row.steps() as f64 / end - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!(row.dt() * row.steps() as f64 / end, 1.0, epsilon = 1e-12);
         assert!(figures.error() < row.tolerance().unwrap() * end, "{:e}", figures.error());
         assert!(figures.time() < Duration::from_secs(60) && figures.evaluations() > 13 * row.steps());
         let energy = figures.drift(Invariant::Energy).unwrap();

@@ -1,6 +1,7 @@
 //! What is stepped is what the author's methods compute: a name that stands for something else than a macro takes it for is
 //! refused before the first step, with both values, and no law is refused for its rounding.
 
+use approx::assert_relative_eq;
 use std::ops::{Add, Mul, Sub};
 
 use dmech::extend::{Disagreement, NoScheme};
@@ -181,7 +182,7 @@ fn another_meaning_is_refused_with_both_values() {
     ));
 
     let refused = refusal(NearlyRight { k: 1.7 }, State::new([0.3, -0.8], [0.0, 0.1]));
-    assert!((refused.written() / refused.derived() - 1.0).abs() < 1e-9);
+    assert_relative_eq!(refused.written(), refused.derived(), max_relative = 1e-9);
     refusal(OwnVector, State::new([0.3, -0.8], [0.0, 0.1]));
     let refused = refusal(Pushed, State::new([0.3, -0.8], [0.0, 0.1]).at_time(0.2));
     assert_eq!((refused.quantity(), refused.time()), ("force", 0.2));

@@ -3,6 +3,7 @@
 #[path = "../../examples/shared/gyration.rs"]
 mod gyration;
 
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dmech::extend::MassIndependent;
 use dmech::prelude::*;
 use dmech::scheme::Scheme;
@@ -124,14 +125,14 @@ fn the_circle_has_the_exact_radius_and_the_period_of_the_step() {
     let (measured, exact, step) = (Circle::measured(run.states()), Circle::exact(), Circle::of_the_step(H));
     println!("{measured:?}\n{step:?}\n{exact:?}");
     // Half the width of the sampled circle: the samples of 2·10⁴ turns miss the sides by a small part of it.
-    assert!((measured.radius / exact.radius - 1.0).abs() < 1e-8);
-    assert!((measured.period / step.period - 1.0).abs() < 1e-12);
+    assert_relative_eq!(measured.radius, exact.radius, max_relative = 1e-8);
+    assert_relative_eq!(measured.period, step.period, max_relative = 1e-12);
     // (ωh)²/12: the period of the step is not the exact one.
     let late = (UNIFORM.b / MASS * H).powi(2) / 12.0;
-    assert!(((step.period / exact.period - 1.0) / late - 1.0).abs() < 1e-2);
+    assert_abs_diff_eq!((step.period / exact.period - 1.0) / late, 1.0, epsilon = 1e-2);
     // Nothing acts along the field.
     let along = run.last().q[2] / (0.25 * run.last().t);
-    assert!((along - 1.0).abs() < 1e-13, "{along}");
+    assert_abs_diff_eq!(along, 1.0, epsilon = 1e-13);
 }
 
 #[test]

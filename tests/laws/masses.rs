@@ -1,5 +1,6 @@
 //! Masses per coordinate: every scheme keeps with them what it keeps with one mass.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use dmech::prelude::*;
 
 use dmech_tests::motion::{distance, kinetic, work_balances};
@@ -210,7 +211,12 @@ fn orders_are_as_declared() {
             println!("{:<12} {:<18} {order:.3}, error {fine:.1e}", stringify!($law), stringify!($scheme));
             assert!(fine > 1e-10, "at the level of rounding there is no order to measure");
             let declared = f64::from(<$scheme as Method>::ORDER);
-            assert!((order - declared).abs() < 0.05, "{} on {}: {order}", stringify!($scheme), stringify!($law));
+            assert!(
+                abs_diff_eq!(order, declared, epsilon = 0.05),
+                "{} on {}: {order}",
+                stringify!($scheme),
+                stringify!($law)
+            );
             measured += 1;
         }};
     }
@@ -256,7 +262,7 @@ fn energy_and_momentum_are_those_of_the_bodies() {
         ($scheme:ident) => {{
             let run = motion().scheme($scheme).run(2000).unwrap();
             let energy = MOLECULE.energy(triangle().q) + kinetic(BODIES, triangle().v);
-            assert!((run.drift(Invariant::Energy).unwrap().start() / energy - 1.0).abs() < 1e-15);
+            assert_abs_diff_eq!(run.drift(Invariant::Energy).unwrap().start() / energy, 1.0, epsilon = 1e-15);
             assert!(run.drift(Invariant::AngularMomentum).is_none());
             // Free in space: the bonds pull equally at both ends.
             let worst = run.states().iter().map(|s| distance(momentum(s), momentum(&triangle()))).fold(0.0, f64::max);

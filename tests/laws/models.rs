@@ -1,6 +1,7 @@
 //! The library of laws, as a table: derivatives against dual numbers, order, invariants, reversibility, exact solutions.
 //! A new model is a new row of `for_each_model`.
 
+use approx::assert_abs_diff_eq;
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -295,7 +296,7 @@ fn dual_numbers_differentiate() {
     let f = x.sin() * x.sqrt() / (Dual::ONE + x.exp());
     let (s, c, r, e) = (0.7_f64.sin(), 0.7_f64.cos(), 0.7_f64.sqrt(), 0.7_f64.exp());
     let exact = (c * r + 0.5 * s / r) / (1.0 + e) - s * r * e / ((1.0 + e) * (1.0 + e));
-    assert!((f.slope - exact).abs() < 1e-15);
+    assert_abs_diff_eq!(f.slope, exact, epsilon = 1e-15);
 }
 
 #[test]

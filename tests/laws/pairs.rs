@@ -1,5 +1,6 @@
 //! Laws between two bodies: what the macro writes, against formulas by hand and against the method as its author wrote it.
 
+use approx::assert_abs_diff_eq;
 use dmech::extend::{Between, Numbers, PairLaw, Reads, Symmetric, VelocityIndependent};
 use dmech::prelude::*;
 use nalgebra::Vector3;
@@ -209,9 +210,9 @@ fn a_separation_and_a_force_beside_it() {
             |x: [f64; 3], h: f64| -> [f64; 3] { core::array::from_fn(|i| if i == j { x[i] + h } else { x[i] }) };
         for i in 0..3 {
             let slope = |f: &dyn Fn(f64) -> [f64; 3]| (f(h)[i] - f(-h)[i]) / (2.0 * h);
-            assert!((by_d[i][j] - slope(&|h| acts.force(shifted(d, h), va, vb))).abs() < 1e-7);
-            assert!((by_va[i][j] - slope(&|h| acts.force(d, shifted(va, h), vb))).abs() < 1e-7);
-            assert!((by_vb[i][j] - slope(&|h| acts.force(d, va, shifted(vb, h)))).abs() < 1e-7);
+            assert_abs_diff_eq!(by_d[i][j], slope(&|h| acts.force(shifted(d, h), va, vb)), epsilon = 1e-7);
+            assert_abs_diff_eq!(by_va[i][j], slope(&|h| acts.force(d, shifted(va, h), vb)), epsilon = 1e-7);
+            assert_abs_diff_eq!(by_vb[i][j], slope(&|h| acts.force(d, va, shifted(vb, h))), epsilon = 1e-7);
         }
     }
 }

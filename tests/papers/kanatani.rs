@@ -1,6 +1,7 @@
 //! The statements of K. Kanatani, "The Accuracy and the Preservation Property of the Discrete Mechanics", J. Comput.
 //! Phys. (1983–84), measured.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use dmech::extend::{Field, Stride};
 use dmech::models::Kepler;
 use dmech::prelude::*;
@@ -58,7 +59,7 @@ fn both_energy_exact_schemes_give_the_rows_of_the_reproduction() {
         let memory = stepper.memory();
         assert!(distance(memory.q(), q) < 1e-12 && distance(memory.z(), z) < 1e-12, "row {i}: {memory:?}");
         let energy = energy_3_28(memory, 2.0);
-        assert!((energy - DISCRETE_ENERGY).abs() < 1e-14, "row {i}: {energy}");
+        assert!(abs_diff_eq!(energy, DISCRETE_ENERGY, epsilon = 1e-14), "row {i}: {energy}");
     }
     let run = Simulation::new(SUN, PLANET).scheme(DiscreteGradient).dt(0.1).run(5).unwrap();
     for (i, q, v) in LABUDDE_GREENSPAN {
@@ -150,7 +151,10 @@ fn the_local_error_is_of_fourth_order_exactly_under_2_10() {
     for (expected, scheme) in table {
         let measured = order(|h| scheme.local_error(h));
         println!("{measured:.3} {scheme:?}");
-        assert!((measured - expected).abs() < 0.05, "{scheme:?} has local order {measured}, not {expected}");
+        assert!(
+            abs_diff_eq!(measured, expected, epsilon = 0.05),
+            "{scheme:?} has local order {measured}, not {expected}"
+        );
     }
 }
 
@@ -172,8 +176,8 @@ fn leapfrog_and_the_conservative_force_have_local_order_four() {
         let run = Simulation::new(SUN, State::new(now, v)).scheme(Leapfrog).dt(h).run(1).unwrap();
         distance(run.last().q, after)
     });
-    assert!((conservative - 4.0).abs() < 0.05, "{conservative}");
-    assert!((leapfrog - 4.0).abs() < 0.05, "{leapfrog}");
+    assert_abs_diff_eq!(conservative, 4.0, epsilon = 0.05);
+    assert_abs_diff_eq!(leapfrog, 4.0, epsilon = 0.05);
 }
 
 /// z₀ = v₀ − h a₀/2 follows from (3.1); with the printed + the error at a fixed time is of first order.
@@ -190,10 +194,10 @@ fn the_printed_sign_of_the_start_costs_an_order() {
         distance(memory.q(), exact(1.0))
     };
     let (printed, corrected) = (order(|h| error(1.0, h)), order(|h| error(-1.0, h)));
-    assert!((printed - 1.0).abs() < 0.05, "{printed}");
-    assert!((corrected - 2.0).abs() < 0.05, "{corrected}");
+    assert_abs_diff_eq!(printed, 1.0, epsilon = 0.05);
+    assert_abs_diff_eq!(corrected, 2.0, epsilon = 0.05);
     let run = Simulation::new(SUN, PLANET).scheme(Kanatani).dt(0.01).run(100).unwrap();
-    assert!((distance(run.last().q, exact(1.0)) / error(-1.0, 0.01) - 1.0).abs() < 1e-9);
+    assert_abs_diff_eq!(distance(run.last().q, exact(1.0)) / error(-1.0, 0.01), 1.0, epsilon = 1e-9);
 }
 
 /// Example 1: the generated step is (3.20)–(3.21), without iteration, and keeps (3.22); the formulas as printed let their

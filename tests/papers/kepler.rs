@@ -1,5 +1,6 @@
 //! The generated Kepler law against the exact orbit: orders, error constants, what is kept over long times.
 
+use approx::{abs_diff_eq, relative_eq};
 use dmech::models::Kepler;
 use dmech::prelude::*;
 
@@ -37,8 +38,8 @@ fn check_order<S: Scheme<Particle<Kepler, 2>>>(scheme: S, constant: f64) {
     let declared = f64::from(S::ORDER);
     let measured = fine * 1600_f64.powf(declared);
     println!("{:<17} order {order:.4}, error {measured:.3} h^{declared}", S::NAME);
-    assert!((order - declared).abs() < 0.02, "{} has order {order}", S::NAME);
-    assert!((measured / constant - 1.0).abs() < 0.01, "{}: {measured} h^p, not {constant}", S::NAME);
+    assert!(abs_diff_eq!(order, declared, epsilon = 0.02), "{} has order {order}", S::NAME);
+    assert!(relative_eq!(measured, constant, max_relative = 0.01), "{}: {measured} h^p, not {constant}", S::NAME);
 }
 
 #[test]
@@ -130,6 +131,6 @@ fn a_quadratic_potential_gives_kanatanis_closed_form() {
         let next = (now - k * before * h * h / (2.0 * m) + z * h) / divisor;
         z = (z - k * (now + before) * h / (2.0 * m)) / divisor;
         (before, now) = (now, next);
-        assert!((computed - next).abs() < 1e-13, "step {i}: {computed} {next}");
+        assert!(abs_diff_eq!(computed, next, epsilon = 1e-13), "step {i}: {computed} {next}");
     }
 }

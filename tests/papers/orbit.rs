@@ -4,6 +4,7 @@
 #[path = "../../examples/shared/table_1.rs"]
 mod table_1;
 
+use approx::abs_diff_eq;
 use dmech::models::Kepler;
 use dmech::prelude::*;
 use table_1::{END, PLANET, PRINTED, Printed, Rule, agrees, first_orbit, five_schemes, nth_orbit, orbits};
@@ -86,7 +87,7 @@ fn all_nine_rows_are_those_of_the_reproduction() {
         for (rule, expected) in [(Rule::Linear, row.linear), (Rule::LastSample, row.last_sample)] {
             let found = first_orbit(run.states(), rule).unwrap();
             for (found, expected) in found.into_iter().zip(expected) {
-                assert!((found - expected).abs() < 1e-6, "{name}, {rule:?}: {found}, not {expected}");
+                assert!(abs_diff_eq!(found, expected, epsilon = 1e-6), "{name}, {rule:?}: {found}, not {expected}");
             }
         }
         assert_eq!(orbits(run.states()), row.orbits, "{name}");

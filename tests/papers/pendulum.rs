@@ -3,6 +3,7 @@
 #[path = "../../examples/shared/section_4.rs"]
 mod section_4;
 
+use approx::relative_eq;
 use section_4::{ALPHAS, Extrema, STABILITY, TIME_STEPS, explicit_limit, implicit, leapfrog, measured_growth};
 
 /// α, Δt, and x and v after 10⁴ steps: an independent reproduction in binary64, whose own check against 80-bit
@@ -52,7 +53,7 @@ fn every_case_is_stable_and_loses_the_energy_that_its_damping_takes() {
             // e^(−αh/2(1 + h²/4)). The rest is due to the size of the swing, and at Δt = 1 to where in it the run ends.
             let expected = (-alpha * last.t / (1.0 + 0.25 * dt * dt)).exp();
             println!("α = {alpha:<5} Δt = {dt:<4} {kept:.3e} {:.4}", kept / expected);
-            assert!((kept / expected - 1.0).abs() < 0.1, "α = {alpha}, Δt = {dt}: {kept} of {expected}");
+            assert!(relative_eq!(kept, expected, max_relative = 0.1), "α = {alpha}, Δt = {dt}: {kept} of {expected}");
         }
     }
 }
@@ -70,7 +71,7 @@ fn undamped_extrema() {
             assert_eq!(extrema.raw < 1e-5, dt == 0.01, "{name}, Δt = {dt}: {:e}", extrema.raw);
             assert!(extrema.parabola < extrema.raw);
             if let ("implicit", Some((_, found))) = (name, raw.iter().find(|(at, _)| *at == dt)) {
-                assert!((extrema.raw / found - 1.0).abs() < 0.02, "Δt = {dt}: {:e}", extrema.raw);
+                assert!(relative_eq!(extrema.raw, found, max_relative = 0.02), "Δt = {dt}: {:e}", extrema.raw);
             }
         }
     }

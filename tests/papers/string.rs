@@ -4,6 +4,7 @@
 #[path = "../../examples/shared/section_7.rs"]
 mod section_7;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use dmech::extend::PairLaw;
 use dmech::prelude::*;
 use section_7::{
@@ -78,7 +79,7 @@ fn the_halves_mirror_each_other() {
 fn the_energy_deviates_as_in_the_reproduction() {
     let [force, potential] = run_both();
     let watched = potential.drift(Invariant::Energy).unwrap();
-    assert!((watched.start() - ENERGY).abs() < 1e-12, "{}", watched.start());
+    assert!(abs_diff_eq!(watched.start(), ENERGY, epsilon = 1e-12), "{}", watched.start());
     assert!((watched.max_abs() + ENERGY_DEVIATION[0]).abs() < 1e-10, "{}", watched.max_abs());
     assert!(force.drift(Invariant::Energy).is_none(), "a force that declares no potential claims no energy");
     for run in [&force, &potential] {
@@ -95,7 +96,7 @@ fn the_pinned_ends_stay() {
         for state in run.states() {
             assert_eq!([state.q[0], state.q[PARTICLES - 1], state.v[0], state.v[PARTICLES - 1]], [[0.0]; 4]);
         }
-        assert!((run.last().t - STEPS as f64 * DT).abs() < 1e-15);
+        assert_abs_diff_eq!(run.last().t, STEPS as f64 * DT, epsilon = 1e-15);
     }
 }
 

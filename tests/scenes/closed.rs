@@ -1,5 +1,6 @@
 //! Laws of motion of scenes: what closed systems keep, orders, reversal, work, links against each other.
 
+use approx::abs_diff_eq;
 use dmech::models::pairs::{
     Charge, Coulomb, FermiPastaUlamTsingou, Gravity, Hertz, HertzSpheres, LennardJones, Morse, Sphere, Spring, Toda,
 };
@@ -141,7 +142,7 @@ fn moves_as_it_should<L: Term<2, ()> + Clone, S: Scheme<SceneSystem<2, L::Ready>
     let [coarse, middle, fine] = [finest / 4, finest / 2, finest].map(run);
     let order = (apart(coarse.last(), middle.last()) / apart(middle.last(), fine.last())).log2();
     println!("{:<48} order {order:.3}", S::NAME);
-    assert!((order - f64::from(S::ORDER)).abs() < 0.06, "{}: {order}", S::NAME);
+    assert!(abs_diff_eq!(order, f64::from(S::ORDER), epsilon = 0.06), "{}: {order}", S::NAME);
     let kinetic = |state: &SceneState<2>| {
         let bodies = scene.masses().iter().zip(&state.v);
         0.5 * bodies.map(|(m, v)| m * (v[0] * v[0] + v[1] * v[1])).sum::<f64>()

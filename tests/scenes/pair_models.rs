@@ -1,5 +1,6 @@
 //! Motions of few bodies under the library's pair laws, against the closed forms that stand with the laws.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use dmech::models::pairs::*;
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
@@ -49,7 +50,7 @@ fn charges_come_as_close_as_they_can() {
     let last = end(ions.pairs(law), Nystrom::order6(), 5.0, 5000);
     let (r, u) = (last.q[1][0] - last.q[0][0], last.v[1][0] - last.v[0][0]);
     let relative = 0.5 * 0.75 * u * u + law.energy(r, &charges[0], &charges[1]);
-    assert!((law.closest(relative, charges) - 0.9).abs() < 1e-10);
+    assert_abs_diff_eq!(law.closest(relative, charges), 0.9, epsilon = 1e-10);
 }
 
 /// Two masses on a bond come back after a period of their reduced mass: exactly for springs and Morse, for small vibrations
@@ -62,11 +63,11 @@ fn bonds_vibrate_in_their_time() {
 
     let spring = Spring { k: 1.7, length: 1.1 };
     let last = end(pair(1.6).pairs(spring), Nystrom::order8(), spring.period(reduced), 200);
-    assert!((stretched(&last) - 1.6).abs() < 1e-12);
+    assert_abs_diff_eq!(stretched(&last), 1.6, epsilon = 1e-12);
 
     let morse = Morse { depth: 1.5, width: 1.2, length: 0.8 };
     let last = end(pair(1.7).pairs(morse), Nystrom::order8(), morse.period(morse.energy(1.7), reduced), 1000);
-    assert!((stretched(&last) - 1.7).abs() < 1e-11);
+    assert_abs_diff_eq!(stretched(&last), 1.7, epsilon = 1e-11);
 
     let atoms = LennardJones { epsilon: 0.7, sigma: 1.1 };
     // The period is longer by the square of the amplitude, and at rest the place does not change with the time.
@@ -112,7 +113,7 @@ fn a_soliton_runs_as_it_should() {
     assert!(exact < 1e-10, "{exact:e}");
     // What an exact energy does not promise: the error is that of order two.
     let [coarse, fine] = [200, 400].map(|steps| miss(&end(scene(), DiscreteGradient, span, steps)));
-    assert!(((coarse / fine).log2() - 2.0).abs() < 0.05, "{coarse:e} {fine:e}");
+    assert!(abs_diff_eq!((coarse / fine).log2(), 2.0, epsilon = 0.05), "{coarse:e} {fine:e}");
 }
 
 /// Two balls that meet head-on touch as long as they should and part with the speeds of an elastic impact.

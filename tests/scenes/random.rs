@@ -1,5 +1,6 @@
 //! Newton on random scenes: what stops it is rounding, or there is no root; it never gives up at corrections that are rounding.
 
+use approx::abs_diff_eq;
 use dmech::Error;
 use dmech::models::pairs::{Gravity, LennardJones, Spring};
 use dmech::prelude::*;
@@ -241,7 +242,11 @@ fn a_force_that_is_not_reciprocal_reads_the_data_of_the_right_bodies() {
                 expected = [0, 1].map(|k| expected[k] + h / masses[body] * force[k]);
             }
             for k in 0..2 {
-                assert!((found[body][k] - expected[k]).abs() < 1e-15, "body {body}: {:?}, {expected:?}", found[body]);
+                assert!(
+                    abs_diff_eq!(found[body][k], expected[k], epsilon = 1e-15),
+                    "body {body}: {:?}, {expected:?}",
+                    found[body]
+                );
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Steps that follow the motion: what is kept, what a tolerance means, what it saves.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::hint::black_box;
 
@@ -233,7 +234,7 @@ fn steps_do_not_run_away_where_the_stiffness_is_zero() {
         check(pendulum, DiscreteGradient, State::new([angle], [0.0]), 1e-3);
         let run = check(pendulum, Composed::order6(DiscreteGradient), State::new([angle], [0.0]), 1e-8);
         let truth = pendulum.exact(angle, 300.0);
-        assert!((run.last().q[0] - truth).abs() < 1e-6, "{} for {truth}", run.last().q[0]);
+        assert!(abs_diff_eq!(run.last().q[0], truth, epsilon = 1e-6), "{} for {truth}", run.last().q[0]);
     }
     check(Quartic { beta: 1.3 }, Composed::order6(DiscreteGradient), State::new([0.0], [0.8]), 1e-8);
     check(Quartic { beta: 1.3 }, DiscreteGradient, State::new([1.1], [0.0]), 1e-3);
@@ -281,7 +282,7 @@ fn drag_and_time_are_accounted_for() {
     let balance = run.drift(Invariant::WorkEnergy).unwrap();
     assert!(balance.max_abs() < 1e-12, "{:e}", balance.max_abs());
     let truth = simulation().dt(0.005).run_until(30.0).unwrap();
-    assert!((run.last().q[0] - truth.last().q[0]).abs() < 1e-6);
+    assert_abs_diff_eq!(run.last().q[0], truth.last().q[0], epsilon = 1e-6);
     assert!(run.report().dt_range().unwrap()[1] <= 0.4);
 }
 
@@ -349,7 +350,7 @@ fn what_cannot_be_done_is_told() {
     let ended = fall.run_until(10.0).unwrap_err();
     println!("{ended}");
     assert!(ended.run().steps() > 100 && ended.run().steps() < 100_000, "{ended}");
-    assert!((ended.run().last().t - 0.25 * TAU / 2.0_f64.sqrt()).abs() < 1e-3, "{ended}");
+    assert_abs_diff_eq!(ended.run().last().t, 0.25 * TAU / 2.0_f64.sqrt(), epsilon = 1e-3);
 
     // Newton may hardly do anything: the error has the step that was tried.
     let stuck = Simulation::new(Pendulum { k: 1.7 }, State::new([2.5], [0.3]));

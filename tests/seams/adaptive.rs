@@ -4,6 +4,7 @@
 //! What is exact for any sequence of steps stays exact. What is not errs as with equal steps, by h^min(p, s), if the longest
 //! step shrinks with the others.
 
+use approx::{abs_diff_eq, relative_eq};
 use dmech::extend::{Adaptable, Adaptive, Carried, VelocityIndependent};
 use dmech::prelude::*;
 use dmech::{Kept, Potential};
@@ -21,7 +22,7 @@ const LADDER: [f64; 4] = [0.04, 0.02, 0.01, 0.005];
 fn tolerance<S: Adaptable>(scheme: &S, angle: f64) -> f64 {
     let known = 1e-14;
     let tolerance = known * (angle / scheme.angle(known)).powi(S::ORDER as i32);
-    assert!((scheme.angle(tolerance) / angle - 1.0).abs() < 1e-9, "{}", S::NAME);
+    assert!(relative_eq!(scheme.angle(tolerance), angle, max_relative = 1e-9), "{}", S::NAME);
     tolerance
 }
 
@@ -117,7 +118,11 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
         if exact {
             assert_eq!(ended, 0, "{}", S::NAME);
         } else {
-            assert!((measured - allowed).abs() < 0.5, "{}: order {measured}, not {allowed}: {errors:?}", S::NAME);
+            assert!(
+                abs_diff_eq!(measured, allowed, epsilon = 0.5),
+                "{}: order {measured}, not {allowed}: {errors:?}",
+                S::NAME
+            );
         }
     }
 

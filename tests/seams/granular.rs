@@ -4,6 +4,7 @@
 //! with the next. A strike at one end runs through the chain as a solitary wave some five beads long, whose speed grows
 //! as the sixth root of its largest force (V. F. Nesterenko, J. Appl. Mech. Tech. Phys. 24 (1983) 733).
 
+use approx::abs_diff_eq;
 use dmech::models::pairs::Hertz;
 use dmech::prelude::*;
 
@@ -67,7 +68,7 @@ fn the_wave_is_faster_by_the_sixth_root_of_its_force() {
         for pair in waves.windows(2) {
             let [(slow, weak), (fast, strong)] = [pair[0], pair[1]];
             let exponent = (fast / slow).ln() / (strong / weak).ln();
-            assert!((exponent - 1.0 / 6.0).abs() < 1e-4, "v ∝ F^{exponent}");
+            assert!(abs_diff_eq!(exponent, 1.0 / 6.0, epsilon = 1e-4), "v ∝ F^{exponent}");
         }
     }
 }

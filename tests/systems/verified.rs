@@ -1,5 +1,6 @@
 //! `verify_scheme` passes every scheme and catches those that promise too much; a study of a scene is one of its law.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use core::marker::PhantomData;
 
 use dmech::extend::{
@@ -158,7 +159,7 @@ fn a_study_of_a_scene_is_one_of_its_law() -> Result<(), StudyError> {
     let error = |scheme: usize, row: usize| report.rows_of(scheme).nth(row).unwrap().result().unwrap().error();
     for scheme in 0..2 {
         let order = (error(scheme, 1) / error(scheme, 2)).log2();
-        assert!((order - 2.0).abs() < 0.05, "{order}");
+        assert_abs_diff_eq!(order, 2.0, epsilon = 0.05);
     }
     assert!(error(2, 1) < 1e-6 && error(2, 1) < error(2, 0));
     // As one coordinate of reduced mass: the distance in the space of both bodies is √(0.6² + 1.7²)/2.3 of that.
@@ -172,14 +173,14 @@ fn a_study_of_a_scene_is_one_of_its_law() -> Result<(), StudyError> {
     let share = 0.6_f64.hypot(1.7) / 2.3;
     for (row, expected) in one.rows().iter().enumerate() {
         let expected = share * expected.result().unwrap().error();
-        assert!((error(0, row) / expected - 1.0).abs() < 1e-9, "{} {expected}", error(0, row));
+        assert!(abs_diff_eq!(error(0, row) / expected, 1.0, epsilon = 1e-9), "{} {expected}", error(0, row));
     }
     // Without a solution: a reference of its own.
     let computed = study(Study::scene(scene(), 9.0)).run()?;
     let reference = computed.reference().unwrap().error();
     assert!(reference < 1e-11, "{reference:e}");
     let again = computed.rows_of(0).next().unwrap().result().unwrap().error();
-    assert!((again - error(0, 0)).abs() < 1e-11, "{again}");
+    assert_abs_diff_eq!(again, error(0, 0), epsilon = 1e-11);
     // A solution with too few coordinates is refused.
     let few = Study::scene(scene(), 9.0).scheme(Leapfrog).exact(|_| vec![[0.0]]).run().unwrap_err();
     assert_eq!(few, StudyError::Coordinates { given: 1, needed: 2 });
@@ -197,7 +198,7 @@ fn a_scene_starts_from_a_state() {
         Simulation::scene(scene()).scheme(DiscreteGradient).dt(0.01).starting_from(half.last()).run(100).unwrap();
     assert_eq!(rest.states()[0], *half.last());
     for (a, b) in whole.last().q.iter().zip(&rest.last().q) {
-        assert!((a[0] - b[0]).abs() < 1e-13);
+        assert_abs_diff_eq!(a[0], b[0], epsilon = 1e-13);
     }
     let mut one = half.last().clone();
     one.q.pop();

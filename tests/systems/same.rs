@@ -25,9 +25,10 @@ impl Three {
     }
 }
 
-fn both<S: Method>(scheme: S, most: f64)
+fn both<S>(scheme: S, most: f64)
 where
-    S: Scheme<Particle<dmech::extend::Masses<Three, 6>, 6>>
+    S: Method
+        + Scheme<Particle<dmech::extend::Masses<Three, 6>, 6>>
         + Scheme<
             <Scene<2, (), ((), dmech::scene::Linked<Morse, dmech::scene::Pairs>)> as dmech::extend::Setup<()>>::System,
         >,

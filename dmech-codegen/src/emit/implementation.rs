@@ -48,6 +48,8 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         law,
     };
     let (bare, momentary) = (printer(quote!(#receiver)), printer(quote!(#receiver.law)));
+    // The field is a reference to the law: with its `self` read as that, a wrong name in the law is told once.
+    let itself = printer(quote!((*#receiver)));
     let central = kernels.structure.central.is_some() && forced.is_none();
     let linear = kernels.structure.constant_hessian && forced.is_none();
     let piecewise = forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise);
@@ -101,12 +103,11 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
         quote! {
             #[automatically_derived]
-            #[diagnostic::do_not_recommend]
             impl #own_generics #runtime::MassIndependent for #self_ty #where_clause {}
         }
     });
     if conservative {
-        let (functions, steps) = (bare.pointwise(kernels), bare.steps(kernels));
+        let (functions, steps) = (bare.pointwise(kernels), itself.steps(kernels));
         let (held, mass, t) = (hidden_lifetime(model), ident("_mass"), ident("_t"));
         return quote! {
             #[allow(clippy::approx_constant)]

@@ -41,6 +41,7 @@ impl<const D: usize, R: Real> Potential<D, R> for Bowl {
 }
 
 #[cfg(feature = "scene")]
+#[diagnostic::do_not_recommend]
 impl Symmetric for Bowl {}
 
 #[cfg(feature = "scene")]

@@ -113,7 +113,7 @@
 //!
 //! # A law by hand
 //!
-//! A [`Potential`](crate::Potential) with `impl Conservative for MyLaw {}` is a [`Law`](crate::Law); [`Field`] says what acts
+//! A [`Potential`] with `impl Conservative for MyLaw {}` is a [`Law`]; [`Field`] says what acts
 //! at one moment, and a [`PairLaw`] what acts between two bodies.
 
 #[cfg(feature = "nalgebra")]

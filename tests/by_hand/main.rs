@@ -3,6 +3,7 @@
 mod allocation;
 mod common;
 mod conservation;
+mod field;
 mod gravity;
 mod newton;
 mod order;

@@ -313,3 +313,19 @@ fn adaptive_schemes_have_tolerances() {
         .unwrap();
     assert_eq!(refused.rows()[0].result().err(), Some(Error::Tolerance { tolerance: -1.0 }));
 }
+
+/// A start so late that the reference cannot halve its steps as often as it would, and times with many digits in the table.
+#[test]
+fn late_starts_have_a_reference() {
+    for t in [1e12, 1e14] {
+        let study = Study::new(Spring { k: 1.0 }, State::new([1.0], [0.0]).at_time(t), t + 8.0).scheme(Leapfrog);
+        let report = study.ladder([0.5, 0.25]).repetitions(1).run().unwrap();
+        assert!(report.resolution() < 1e-6, "{report}");
+    }
+    let end = 2.0 * core::f64::consts::PI.powi(2);
+    let study = Study::new(Spring { k: 1.0 }, State::new([1.0], [0.0]).at_time(-1.7e-9), end).ladder([0.1]);
+    let report = study.scheme(Leapfrog).adaptive(Nystrom::order6(), [0.0, 1e-3]).repetitions(1).run().unwrap();
+    let table = report.to_string();
+    assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
+    assert!(table.contains("tol 1e-3") && table.contains("tol 0e0"), "{table}");
+}

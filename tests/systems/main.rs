@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod matrix;
+mod own;
 mod same;
 mod setups;
 mod verified;

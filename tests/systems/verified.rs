@@ -3,9 +3,7 @@
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use core::marker::PhantomData;
 
-use dmech::extend::{
-    Beginning, Effort, Kept, Kick, Method, NotConverged, OneStep, Real, Scheme, Steps, System, WithoutVelocities,
-};
+use dmech::extend::{Beginning, Effort, Kept, Method, NotConverged, Scheme, System, WithoutVelocities};
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::{StudyError, verify_scheme};
@@ -204,94 +202,4 @@ fn a_scene_starts_from_a_state() {
     one.q.pop();
     let refused = Simulation::scene(scene()).scheme(Leapfrog).dt(0.01).starting_from(&one).run(1).unwrap_err();
     assert_eq!(refused.cause(), Error::Scene(dmech::SceneError::Bodies { given: 1, bodies: 2 }));
-}
-
-/// The scheme of the page for schemes of one's own.
-#[derive(Clone, Copy, Debug)]
-struct DriftKickDrift;
-
-impl OneStep for DriftKickDrift {}
-
-impl Method for DriftKickDrift {
-    const NAME: &'static str = "DriftKickDrift";
-    const ORDER: u32 = 2;
-    const SYMMETRIC: bool = true;
-
-    fn keeps(invariant: Invariant) -> Kept {
-        Leapfrog::keeps(invariant)
-    }
-}
-
-impl<Y: System + WithoutVelocities> Scheme<Y> for DriftKickDrift {
-    type Memory = [Y::Vector; 3];
-    type Workspace = Y::Room;
-
-    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Room {
-        system.room()
-    }
-    fn begin(
-        &self,
-        _: &Y,
-        _: &Y::Stride,
-        start: &Beginning<'_, Y>,
-        _: &mut Y::Room,
-    ) -> Result<Self::Memory, NotConverged> {
-        Ok([start.q, start.v, start.v].map(Clone::clone))
-    }
-    fn step(
-        &self,
-        system: &Y,
-        stride: &Y::Stride,
-        t: Y::Scalar,
-        [q, v, before]: &mut Self::Memory,
-        room: &mut Y::Room,
-    ) -> Result<Effort, NotConverged> {
-        let half = Y::Scalar::from_f64(0.5) * Y::dt(stride);
-        core::mem::swap(v, before);
-        Y::drift(q, half, before);
-        system.kick(room, stride, Kick { t: t + half, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
-        Y::drift(q, half, v);
-        Ok(Effort { evaluations: 1, iterations: 0 })
-    }
-    fn position<'m>(&self, [q, _, _]: &'m Self::Memory) -> &'m Y::Vector {
-        q
-    }
-    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, [_, v, _]: &Self::Memory) -> Y::Vector {
-        v.clone()
-    }
-    fn finite(&self, [q, v, _]: &Self::Memory) -> bool {
-        Y::is_finite(q) && Y::is_finite(v)
-    }
-    fn kinetic_energy(&self, system: &Y, [_, v, _]: &Self::Memory) -> Y::Scalar {
-        system.kinetic_energy(v)
-    }
-    fn work(&self, system: &Y, _: &Y::Stride, _: &Self::Memory, [_, v, before]: &Self::Memory) -> Y::Scalar {
-        let mut work = system.no_work();
-        system.add_work(&mut work, before, v);
-        system.total(&work)
-    }
-}
-
-fn name<S: Method>(_: &S) -> &'static str {
-    S::NAME
-}
-
-/// One's own scheme alone and in compositions: order, invariants and the way back on laws and on a scene.
-#[test]
-fn a_scheme_of_ones_own_composes() {
-    verify_scheme(DriftKickDrift).assert();
-    let fourth = verify_scheme(Composed::order4(Steps(DriftKickDrift)));
-    fourth.assert();
-    assert_eq!(fourth.checks().iter().filter(|check| check.name().ends_with("order")).count(), 3);
-    verify_scheme(Composed::order6(Steps(DriftKickDrift))).assert();
-    assert_eq!(name(&Composed::order4(Steps(DriftKickDrift))), "Composed(DriftKickDrift, Suzuki4S7)");
-    // Steps in a row, of which nobody asks the work, are those of a run.
-    let law = Spring { k: 1.3, length: 0.9 };
-    let scene = Scene::new().body(1.0, [0.4, 0.0], [0.0, 0.3]).body(0.6, [-0.9, 0.1], [0.2, 0.0]).pairs(law);
-    let motion = Simulation::scene(scene).scheme(Composed::order4(Steps(DriftKickDrift))).dt(0.05);
-    let run = motion.clone().run(200).unwrap();
-    let mut stepper = motion.stepper().unwrap();
-    stepper.advance(200).unwrap();
-    assert_eq!(stepper.state(), *run.last());
-    assert!(run.drift(Invariant::WorkEnergy).unwrap().max_abs() < 1e-13);
 }

@@ -70,7 +70,7 @@ pub enum SceneError {
         b: usize,
     },
     /// A state with another number of bodies to start from.
-    #[error("the state has {given} bodies, the scene {bodies}")]
+    #[error("the state has positions or velocities of {given} bodies, the scene has {bodies}")]
     Bodies {
         /// Those of the state.
         given: usize,

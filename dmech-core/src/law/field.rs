@@ -1,5 +1,7 @@
 //! What schemes ask of what acts.
 
+use core::array::from_fn;
+
 use dmech_scalar::Real;
 
 use super::{Conservative, Potential};
@@ -50,40 +52,94 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     /// v − c (∇Φ − F), with the one coefficient c = h/m folded into the force.
     fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         let slope = self.slope(q, v);
-        core::array::from_fn(|i| v[i] - c * slope[i])
+        from_fn(|i| v[i] - c * slope[i])
     }
 
     /// v − c ∇Φ(q) + e H ∇Φ(q), with H ∇Φ = ∇(|∇Φ|²)/2: the kick of force-gradient schemes, e in units of h³/m².
     ///
-    /// Asked for only where the force does not depend on the velocity.
+    /// Asked for only where the force does not depend on the velocity. Of a force by hand that names the time the default takes
+    /// ∂F/∂q at the time 0: such a field brings its own.
     fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
-        let (gradient, hessian) = (self.gradient(q), self.hessian(q));
-        core::array::from_fn(|i| e.mul_add(dot(hessian[i], gradient), v[i] - c * gradient[i]))
+        let slope = self.slope(q, v);
+        let mut jacobian = self.hessian(q);
+        if Self::FORCED {
+            let force = self.force_dq(q, v, R::ZERO);
+            jacobian = from_fn(|i| from_fn(|j| jacobian[i][j] - force[i][j]));
+        }
+        from_fn(|i| e.mul_add(dot(jacobian[i], slope), v[i] - c * slope[i]))
     }
 
     /// Solves Δ + g ∇Φ(q + Δ) = c for the increment Δ: the trapezoidal step (Greenspan (2.1)–(2.5)).
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        if Self::FORCED {
+            return newton::dense_forced(equation, |equation, _, b, v| {
+                less((self.gradient(b), self.hessian(b)), R::ONE, self.force_and_jacobians(b, v, equation.t_end))
+            });
+        }
         let force = |b| (self.gradient(b), self.hessian(b));
         if Self::LINEAR { newton::linear(equation, force) } else { newton::dense(equation, force) }
     }
 
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c for the increment Δ: the energy-exact steps.
     fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        if Self::FORCED && Self::CONSERVES_ENERGY {
+            return Ok(self.workless_increment(equation)?.0);
+        }
+        if Self::FORCED {
+            return newton::dense_forced(equation, |equation, _, b, v| {
+                let secant = |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b));
+                let force = self.force_and_jacobians(b, v, equation.t_end);
+                less(secant(equation.a, b), R::from_f64(0.5), force)
+            });
+        }
         newton::dense_discrete(equation, |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b)))
     }
 
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c with the potential alone.
     #[inline(always)]
     fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        self.discrete_increment(equation)
+        newton::dense_discrete(equation, |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b)))
     }
 
     /// As [`discrete_increment`](Field::discrete_increment), and what the rounding of G has left out: called where the force does no work,
     /// when an error that is the same in each step would be the largest of the energy.
     #[inline(always)]
     fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
-        Ok((self.discrete_increment(equation)?, [R::ZERO; D]))
+        if !Self::FORCED {
+            return Ok((self.discrete_increment(equation)?, [R::ZERO; D]));
+        }
+        let half = R::from_f64(0.5);
+        newton::dense_middle(equation, |equation, delta, b| {
+            let a = equation.a;
+            let secant = (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b));
+            // In the middle, where a force that does no work does none in the step; half of each mean is the end. The mean
+            // velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
+            let (middle, mean) = (from_fn(|i| half * (a[i] + b[i])), delta.map(|x| half * equation.rate * x));
+            let (f, f_dq, f_dv) = self.force_and_jacobians(middle, mean, equation.t_end - equation.rate.recip());
+            let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
+            less(secant, R::ONE, (f, halved(f_dq), halved(f_dv)))
+        })
     }
+
+    /// F and its two Jacobians.
+    #[doc(hidden)]
+    fn force_and_jacobians(&self, q: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        (self.force(q, v, t), self.force_dq(q, v, t), self.force_dv(q, v, t))
+    }
+}
+
+/// A force and its Jacobians with respect to position and velocity.
+pub(super) type Linearised<const D: usize, R> = ([R; D], [[R; D]; D], [[R; D]; D]);
+
+/// G − c F and its Jacobians, with G and its Jacobian and F and its two.
+#[inline(always)]
+pub(super) fn less<const D: usize, R: Real>(
+    (g, g_dq): ([R; D], [[R; D]; D]),
+    c: R,
+    (f, f_dq, f_dv): Linearised<D, R>,
+) -> Linearised<D, R> {
+    let by_position = from_fn(|i| from_fn(|j| (-c).mul_add(f_dq[i][j], g_dq[i][j])));
+    (from_fn(|i| (-c).mul_add(f[i], g[i])), by_position, f_dv.map(|row| row.map(|x| -c * x)))
 }
 
 impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Field<D, R> for &P {}

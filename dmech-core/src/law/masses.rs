@@ -4,6 +4,7 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
+use super::field::{Linearised, less};
 use crate::law::written::Written;
 use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
 use crate::newton::{self, Equation, Increment, NotConverged};
@@ -84,23 +85,10 @@ impl<F, const D: usize, R: Real> Divided<F, D, R> {
         from_fn(|i| x[i].map(|x| x / self.ratios[i]))
     }
 
-    /// (G − c F)/μ, with G and its Jacobian and F and its two.
+    /// A vector and its two Jacobians, each row divided.
     #[inline(always)]
-    fn less(
-        &self,
-        (g, g_dq): ([R; D], [[R; D]; D]),
-        c: R,
-        (f, f_dq, f_dv): ([R; D], [[R; D]; D], [[R; D]; D]),
-    ) -> ([R; D], [[R; D]; D], [[R; D]; D]) {
-        let by_position = from_fn(|i| from_fn(|j| (-c).mul_add(f_dq[i][j], g_dq[i][j])));
-        let by_velocity = f_dv.map(|row| row.map(|x| -c * x));
-        (self.rows(from_fn(|i| (-c).mul_add(f[i], g[i]))), self.matrix(by_position), self.matrix(by_velocity))
-    }
-}
-
-impl<F: Field<D, R>, const D: usize, R: Real> Divided<F, D, R> {
-    fn force_and_jacobians(&self, q: [R; D], v: [R; D], t: R) -> ([R; D], [[R; D]; D], [[R; D]; D]) {
-        (self.field.force(q, v, t), self.field.force_dq(q, v, t), self.field.force_dv(q, v, t))
+    fn all(&self, (x, by_q, by_v): Linearised<D, R>) -> Linearised<D, R> {
+        (self.rows(x), self.matrix(by_q), self.matrix(by_v))
     }
 }
 
@@ -171,7 +159,7 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
         if F::FORCED {
             return newton::dense_forced(equation, |equation, _, b, v| {
                 let conservative = (self.field.gradient(b), self.field.hessian(b));
-                self.less(conservative, R::ONE, self.force_and_jacobians(b, v, equation.t_end))
+                self.all(less(conservative, R::ONE, self.field.force_and_jacobians(b, v, equation.t_end)))
             });
         }
         let force = |b| (self.gradient(b), self.hessian(b));
@@ -189,7 +177,7 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
         newton::dense_forced(equation, |equation, _, b, v| {
             let a = equation.a;
             let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
-            self.less(conservative, half, self.force_and_jacobians(b, v, equation.t_end))
+            self.all(less(conservative, half, self.field.force_and_jacobians(b, v, equation.t_end)))
         })
     }
 
@@ -201,13 +189,9 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
             // In the middle, where a force that does no work does none in the step; half of each mean is the end. The
             // mean velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
             let (middle, mean) = (from_fn(|i| half * (a[i] + b[i])), delta.map(|x| half * equation.rate * x));
-            let (f, f_dq, f_dv) = self.force_and_jacobians(middle, mean, self.t);
+            let (f, f_dq, f_dv) = self.field.force_and_jacobians(middle, mean, self.t);
             let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
-            self.less(conservative, R::ONE, (f, halved(f_dq), halved(f_dv)))
+            self.all(less(conservative, R::ONE, (f, halved(f_dq), halved(f_dv))))
         })
-    }
-
-    fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        newton::dense_discrete(equation, |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b)))
     }
 }

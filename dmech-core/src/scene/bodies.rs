@@ -20,8 +20,7 @@ impl<const D: usize, P> Bodies<D, P> {
         if n == 0 {
             return Err(SceneError::Empty.into());
         }
-        let given = self.q.len();
-        if given != n || self.v.len() != n {
+        if let Some(given) = [self.q.len(), self.v.len()].into_iter().find(|&given| given != n) {
             return Err(SceneError::Bodies { given, bodies: n }.into());
         }
         if !self.t.is_finite() {

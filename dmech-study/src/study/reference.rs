@@ -55,7 +55,14 @@ pub(super) fn compute<L: Clone, X: Repeatable<L>>(case: &Case<L, X>) -> Result<(
     let mut before: Option<Vec<f64>> = None;
     let mut failure = None;
     for dt in halvings(scales.time.min(case.end - case.t())) {
-        let (steps, dt) = case.whole_steps(dt)?;
+        // Steps so short that the time no longer tells them apart end the search, not the study.
+        let (steps, dt) = match case.whole_steps(dt) {
+            Ok(whole) => whole,
+            Err(error) => {
+                failure = failure.or(Some(error));
+                break;
+            }
+        };
         let (q, evaluations) = match runner.watch(case, dt, steps) {
             Ok(run) => (run.q, run.evaluations),
             Err(error) => {

@@ -20,7 +20,9 @@ impl fmt::Display for StudyReport {
         let [start, end] = self.span();
         writeln!(
             f,
-            "Error |q − q*| at t = {end}, from t = {start}; time: shortest of the repetitions; largest drifts"
+            "Error |q − q*| at t = {}, from t = {}; time: shortest of the repetitions; largest drifts",
+            time(end),
+            time(start)
         )?;
         match self.reference() {
             None => writeln!(f, "q*: exact")?,
@@ -43,7 +45,8 @@ impl fmt::Display for StudyReport {
             writeln!(f, "{name}, order {order}")?;
             let mut before: Option<(f64, f64)> = None;
             for row in self.rows_of(scheme) {
-                write!(f, "  {:>9} {:>9}", format!("{:.3e}", row.dt()), row.steps())?;
+                let step = row.tolerance().map_or_else(|| format!("{:.3e}", row.dt()), |it| format!("tol {it:.0e}"));
+                write!(f, "  {step:>9} {:>9}", row.steps())?;
                 match row.result() {
                     Ok(figures) => {
                         let here = (row.dt(), figures.error());
@@ -136,6 +139,12 @@ fn order_between((h0, e0): (f64, f64), (h1, e1): (f64, f64)) -> f64 {
 fn cost(cost: Cost) -> String {
     let time = duration(seconds(cost.value()));
     if let Cost::AtMost(_) = cost { format!("≤{time}") } else { time }
+}
+
+/// A time in as many characters as a line has room for.
+fn time(t: f64) -> String {
+    let whole = t.to_string();
+    if whole.len() <= 12 { whole } else { format!("{t:.6e}") }
 }
 
 fn duration(time: Duration) -> String {

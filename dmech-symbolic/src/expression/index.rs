@@ -1,10 +1,10 @@
 //! Expressions and their variables, as indices.
 
-/// An expression: an index into its [`Graph`].
+/// An expression: an index into its [`Graph`](super::Graph).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Expr(pub(crate) u32);
 
-/// A variable: an index into the table of names of its [`Graph`].
+/// A variable: an index into the table of names of its [`Graph`](super::Graph).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Symbol(pub(crate) u32);
 

@@ -95,10 +95,32 @@ impl Composable for Implicit {}
 impl Composable for DiscreteGradient {}
 
 impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C, STAGES> {
-    /// A composition with stages from [`coefficients`], or of your own.
+    /// A composition with stages from [`coefficients`], or of your own: a palindrome, or it does not compile.
+    ///
+    /// ```compile_fail
+    /// use dmech_core::prelude::*;
+    /// #[derive(Clone, Copy, Debug)]
+    /// struct Uneven;
+    /// impl coefficients::Coefficients<3> for Uneven {
+    ///     const NAME: &'static str = "Uneven";
+    ///     const ORDER: u32 = 2;
+    ///     const GAMMA: [f64; 3] = [0.2, 0.3, 0.5];
+    /// }
+    /// let scheme = Composed::new(Leapfrog, Uneven);
+    /// ```
     pub const fn new(scheme: S, coefficients: C) -> Self {
+        let () = Self::PALINDROME;
         Composed { scheme, coefficients }
     }
+
+    /// Half kicks are joined, and steps are reversible, only where the stages are.
+    const PALINDROME: () = {
+        let mut k = 0;
+        while k < STAGES {
+            assert!(C::GAMMA[k] == C::GAMMA[STAGES - 1 - k], "the stages of a composition must be a palindrome");
+            k += 1;
+        }
+    };
 
     const JOINED: Name = Name::of(&["Composed(", S::NAME, ", ", C::NAME, ")"]);
 

@@ -47,6 +47,8 @@ pub struct StepsRoom<T, M, W, const N: usize> {
     /// γ_k h and what follows from it.
     strides: [T; N],
     inner: W,
+    /// The stage that the inner workspace is prepared for: after one that failed it is not the first.
+    paced: usize,
     /// What the scheme carried before a stage, where its work is asked for.
     before: Option<M>,
     watched: bool,
@@ -78,11 +80,26 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
         let () = Self::SYMMETRIC_STAGES;
         let strides = Self::strides(system, stride);
         let inner = self.scheme.0.workspace(system, &strides[0]);
-        StepsRoom { strides, inner, before: None, watched: true }
+        StepsRoom { strides, inner, paced: 0, before: None, watched: true }
     }
 
     fn pace(&self, system: &Y, stride: &Y::Stride, room: &mut Self::Workspace) {
         room.strides = Self::strides(system, stride);
+        room.paced = 0;
+        self.scheme.0.pace(system, &room.strides[0], &mut room.inner);
+    }
+
+    /// The first stage is as many times longer as the step, and as long as the last.
+    fn stretch(
+        &self,
+        system: &Y,
+        _: &Y::Stride,
+        t: Y::Scalar,
+        ratio: Y::Scalar,
+        memory: &mut Self::Memory,
+        StepsRoom { strides, inner, .. }: &mut Self::Workspace,
+    ) -> u32 {
+        self.scheme.0.stretch(system, &strides[0], t, ratio, &mut memory.inner, inner)
     }
 
     fn watch(&self, watched: bool, room: &mut Self::Workspace) {
@@ -107,23 +124,26 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
         stride: &Y::Stride,
         t: Y::Scalar,
         StepsMemory { inner: memory, work }: &mut Self::Memory,
-        StepsRoom { strides, inner, before, watched }: &mut Self::Workspace,
+        StepsRoom { strides, inner, paced, before, watched }: &mut Self::Workspace,
     ) -> Result<Effort, NotConverged> {
         let (scheme, mut effort) = (&self.scheme.0, Effort::default());
         *work = Y::Scalar::ZERO;
         for k in 0..N {
             let t = Y::Scalar::from_f64(Self::begins(k)).mul_add(Y::dt(stride), t);
-            // The first stage is as long as the last one of the step before.
-            if k > 0 && C::GAMMA[k] != C::GAMMA[k - 1] {
-                let ratio = Y::dt(&strides[k]) / Y::dt(&strides[k - 1]);
-                scheme.pace(system, &strides[k], inner);
-                effort.evaluations += scheme.stretch(system, &strides[k], t, ratio, memory, inner);
-            }
             if *watched {
                 match before {
                     Some(before) => before.clone_from(memory),
                     None => *before = Some(memory.clone()),
                 }
+            }
+            if C::GAMMA[k] != C::GAMMA[*paced] {
+                scheme.pace(system, &strides[k], inner);
+            }
+            *paced = k;
+            // The first stage is as long as the last one of the step before.
+            if k > 0 && C::GAMMA[k] != C::GAMMA[k - 1] {
+                let ratio = Y::dt(&strides[k]) / Y::dt(&strides[k - 1]);
+                effort.evaluations += scheme.stretch(system, &strides[k], t, ratio, memory, inner);
             }
             let cost = scheme.step(system, &strides[k], t, memory, inner)?;
             if let Some(before) = before.as_ref().filter(|_| *watched) {

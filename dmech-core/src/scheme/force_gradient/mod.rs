@@ -19,7 +19,7 @@ use crate::name::Name;
 /// | 4, 6, 8 | bounded, O(h^order) | exact | yes | yes | N forces, some of them with a′a |
 ///
 /// A kick with a′a is the motion in the potential Φ − (e/b) (h²/m) |∇Φ|²/2 alone, hence symplectic. The term is made of the
-/// law's own expression and shares its roots and divisions ([`Potential::gradient_kick`](crate::Potential::gradient_kick)):
+/// law's own expression and shares its roots and divisions ([`Field::gradient_kick`](crate::Field::gradient_kick)):
 /// for Kepler's problem it costs two operations more than a kick. Where splittings above order 2 must step backward, sets of order 4
 /// with it go forward only and leave the step at no moment.
 ///

@@ -1,0 +1,231 @@
+//! Schemes of one's own: in runs, compositions, compositions of compositions, and where a stage fails.
+
+use approx::assert_abs_diff_eq;
+use dmech::extend::{
+    Beginning, Effort, Kept, Kick, Method, NotConverged, OneStep, Real, Scheme, Steps, System, WithoutVelocities,
+};
+use dmech::models::pairs::Spring;
+use dmech::prelude::*;
+use dmech::verify_scheme;
+
+/// The scheme of the page for schemes of one's own.
+#[derive(Clone, Copy, Debug)]
+struct DriftKickDrift;
+
+impl OneStep for DriftKickDrift {}
+
+impl Method for DriftKickDrift {
+    const NAME: &'static str = "DriftKickDrift";
+    const ORDER: u32 = 2;
+    const SYMMETRIC: bool = true;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        Leapfrog::keeps(invariant)
+    }
+}
+
+impl<Y: System + WithoutVelocities> Scheme<Y> for DriftKickDrift {
+    type Memory = [Y::Vector; 3];
+    type Workspace = Y::Room;
+
+    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Room {
+        system.room()
+    }
+    fn begin(
+        &self,
+        _: &Y,
+        _: &Y::Stride,
+        start: &Beginning<'_, Y>,
+        _: &mut Y::Room,
+    ) -> Result<Self::Memory, NotConverged> {
+        Ok([start.q, start.v, start.v].map(Clone::clone))
+    }
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        [q, v, before]: &mut Self::Memory,
+        room: &mut Y::Room,
+    ) -> Result<Effort, NotConverged> {
+        let half = Y::Scalar::from_f64(0.5) * Y::dt(stride);
+        core::mem::swap(v, before);
+        Y::drift(q, half, before);
+        system.kick(room, stride, Kick { t: t + half, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
+        Y::drift(q, half, v);
+        Ok(Effort { evaluations: 1, iterations: 0 })
+    }
+    fn position<'m>(&self, [q, _, _]: &'m Self::Memory) -> &'m Y::Vector {
+        q
+    }
+    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, [_, v, _]: &Self::Memory) -> Y::Vector {
+        v.clone()
+    }
+    fn finite(&self, [q, v, _]: &Self::Memory) -> bool {
+        Y::is_finite(q) && Y::is_finite(v)
+    }
+    fn kinetic_energy(&self, system: &Y, [_, v, _]: &Self::Memory) -> Y::Scalar {
+        system.kinetic_energy(v)
+    }
+    fn work(&self, system: &Y, _: &Y::Stride, _: &Self::Memory, [_, v, before]: &Self::Memory) -> Y::Scalar {
+        let mut work = system.no_work();
+        system.add_work(&mut work, before, v);
+        system.total(&work)
+    }
+}
+
+fn name<S: Method>(_: &S) -> &'static str {
+    S::NAME
+}
+
+/// One's own scheme alone and in compositions: order, invariants and the way back on laws and on a scene.
+#[test]
+fn a_scheme_of_ones_own_composes() {
+    verify_scheme(DriftKickDrift).assert();
+    let fourth = verify_scheme(Composed::order4(Steps(DriftKickDrift)));
+    fourth.assert();
+    assert_eq!(fourth.checks().iter().filter(|check| check.name().ends_with("order")).count(), 3);
+    verify_scheme(Composed::order6(Steps(DriftKickDrift))).assert();
+    assert_eq!(name(&Composed::order4(Steps(DriftKickDrift))), "Composed(DriftKickDrift, Suzuki4S7)");
+    // Steps in a row, of which nobody asks the work, are those of a run.
+    let law = Spring { k: 1.3, length: 0.9 };
+    let scene = Scene::new().body(1.0, [0.4, 0.0], [0.0, 0.3]).body(0.6, [-0.9, 0.1], [0.2, 0.0]).pairs(law);
+    let motion = Simulation::scene(scene).scheme(Composed::order4(Steps(DriftKickDrift))).dt(0.05);
+    let run = motion.clone().run(200).unwrap();
+    let mut stepper = motion.stepper().unwrap();
+    stepper.advance(200).unwrap();
+    assert_eq!(stepper.state(), *run.last());
+    assert!(run.drift(Invariant::WorkEnergy).unwrap().max_abs() < 1e-13);
+}
+
+/// Any scheme as one of one's own, which finds no solution from a time on.
+#[derive(Clone, Copy, Debug)]
+struct Own<S> {
+    scheme: S,
+    until: f64,
+}
+
+fn own<S>(scheme: S) -> Own<S> {
+    Own { scheme, until: f64::INFINITY }
+}
+
+impl<S: Method> OneStep for Own<S> {}
+
+impl<S: Method> Method for Own<S> {
+    const NAME: &'static str = S::NAME;
+    const ORDER: u32 = S::ORDER;
+    const SYMMETRIC: bool = S::SYMMETRIC;
+
+    fn keeps(invariant: Invariant) -> Kept {
+        S::keeps(invariant)
+    }
+}
+
+impl<Y: System, S: Scheme<Y>> Scheme<Y> for Own<S> {
+    const SHARE: f64 = S::SHARE;
+    type Memory = S::Memory;
+    type Workspace = S::Workspace;
+
+    fn workspace(&self, system: &Y, stride: &Y::Stride) -> S::Workspace {
+        self.scheme.workspace(system, stride)
+    }
+    fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut S::Workspace) {
+        self.scheme.pace(system, stride, workspace);
+    }
+    fn watch(&self, watched: bool, workspace: &mut S::Workspace) {
+        self.scheme.watch(watched, workspace);
+    }
+    fn begin(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        start: &Beginning<'_, Y>,
+        workspace: &mut S::Workspace,
+    ) -> Result<S::Memory, NotConverged> {
+        self.scheme.begin(system, stride, start, workspace)
+    }
+    fn step(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        memory: &mut S::Memory,
+        workspace: &mut S::Workspace,
+    ) -> Result<Effort, NotConverged> {
+        if t.to_f64() > self.until {
+            return Err(NotConverged { iterations: 1, residual: 0.5 });
+        }
+        self.scheme.step(system, stride, t, memory, workspace)
+    }
+    fn stretch(
+        &self,
+        system: &Y,
+        stride: &Y::Stride,
+        t: Y::Scalar,
+        ratio: Y::Scalar,
+        memory: &mut S::Memory,
+        workspace: &mut S::Workspace,
+    ) -> u32 {
+        self.scheme.stretch(system, stride, t, ratio, memory, workspace)
+    }
+    fn position<'m>(&self, memory: &'m S::Memory) -> &'m Y::Vector {
+        self.scheme.position(memory)
+    }
+    fn velocity(&self, system: &Y, stride: &Y::Stride, t: Y::Scalar, memory: &S::Memory) -> Y::Vector {
+        self.scheme.velocity(system, stride, t, memory)
+    }
+    fn finite(&self, memory: &S::Memory) -> bool {
+        self.scheme.finite(memory)
+    }
+    fn kinetic_energy(&self, system: &Y, memory: &S::Memory) -> Y::Scalar {
+        self.scheme.kinetic_energy(system, memory)
+    }
+    fn work(&self, system: &Y, stride: &Y::Stride, before: &S::Memory, after: &S::Memory) -> Y::Scalar {
+        self.scheme.work(system, stride, before, after)
+    }
+}
+
+/// Schemes that carry a kick over the end of a step, or prepare their workspace for a length, in compositions and in
+/// compositions of those: orders, invariants, work and the way back.
+#[test]
+fn what_a_scheme_carries_is_stretched_between_stages() {
+    verify_scheme(Composed::order4(Steps(own(Leapfrog)))).assert();
+    verify_scheme(Composed::order4(Steps(own(Nystrom::order4())))).assert();
+    verify_scheme(Composed::order4(Steps(own(DiscreteGradient)))).assert();
+    verify_scheme(Composed::order6(Steps(own(Composed::order4(DiscreteGradient))))).assert();
+    verify_scheme(Composed::order6(Steps(own(Composed::order4(Steps(own(Leapfrog))))))).assert();
+    verify_scheme(Composed::order6(Steps(own(Composed::order4(Steps(own(Composed::order4(DiscreteGradient))))))))
+        .assert();
+}
+
+/// Steps in a row that fail leave the motion where single steps do, whatever stage it was that failed.
+#[test]
+fn a_stage_that_fails_leaves_nothing_behind() {
+    #[derive(Clone, Copy, Debug, dmech::Law)]
+    #[potential(|q: [f64; 2]| 0.3 * q[1].powi(4) - q[0].cos() + 0.2 * q[0] * q[1])]
+    struct Well;
+    let mut failed = 0;
+    for until in [1.005, 1.01, 1.03, 1.05, 1.07, 1.09] {
+        let scheme = Own { scheme: Composed::order4(DiscreteGradient), until };
+        let motion = || {
+            let start = State::new([0.9, 0.4], [0.3, -0.7]);
+            Simulation::new(Well, start).scheme(Composed::order8(Steps(scheme))).dt(0.1).stepper().unwrap()
+        };
+        let (mut single, mut row) = (motion(), motion());
+        let error = loop {
+            if let Err(error) = single.step() {
+                break error;
+            }
+        };
+        assert_eq!(row.advance(100), Err(error));
+        assert_eq!(row.state(), single.state(), "{until}");
+        assert_eq!(row.steps(), single.steps());
+        failed += single.steps();
+    }
+    assert!(failed >= 60);
+    // The same motion by single steps and in a row to there.
+    let simulation = Simulation::new(Well, State::new([0.9, 0.4], [0.3, -0.7])).scheme(Composed::order8(Leapfrog));
+    let whole = simulation.dt(0.1).run(10).unwrap();
+    let own = Simulation::new(Well, State::new([0.9, 0.4], [0.3, -0.7])).scheme(Composed::order8(Steps(own(Leapfrog))));
+    assert_abs_diff_eq!(*own.dt(0.1).run(10).unwrap().last(), *whole.last(), epsilon = 1e-14);
+}

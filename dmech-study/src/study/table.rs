@@ -20,7 +20,7 @@ impl fmt::Display for StudyReport {
         let [start, end] = self.span();
         writeln!(
             f,
-            "Error |q − q*| at t = {}, from t = {}; time: shortest of the repetitions; largest drifts",
+            "Error |q − q*| at t = {}, from t = {}; time: shortest of several; drifts: largest",
             time(end),
             time(start)
         )?;

@@ -51,7 +51,17 @@ pub struct StepsRoom<T, M, W, const N: usize> {
     paced: usize,
     /// What the scheme carried before a stage, where its work is asked for.
     before: Option<M>,
+    /// It is from before the whole step was stretched, which is work of the first stage.
+    stretched: bool,
     watched: bool,
+}
+
+/// A copy, into what is there if there is.
+fn keep<M: Clone>(place: &mut Option<M>, memory: &M) {
+    match place {
+        Some(place) => place.clone_from(memory),
+        None => *place = Some(memory.clone()),
+    }
 }
 
 #[cfg(feature = "serde")]
@@ -80,7 +90,7 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
         let () = Self::SYMMETRIC_STAGES;
         let strides = Self::strides(system, stride);
         let inner = self.scheme.0.workspace(system, &strides[0]);
-        StepsRoom { strides, inner, paced: 0, before: None, watched: true }
+        StepsRoom { strides, inner, paced: 0, before: None, stretched: false, watched: true }
     }
 
     fn pace(&self, system: &Y, stride: &Y::Stride, room: &mut Self::Workspace) {
@@ -97,8 +107,12 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
         t: Y::Scalar,
         ratio: Y::Scalar,
         memory: &mut Self::Memory,
-        StepsRoom { strides, inner, .. }: &mut Self::Workspace,
+        StepsRoom { strides, inner, before, stretched, watched, .. }: &mut Self::Workspace,
     ) -> u32 {
+        if *watched {
+            keep(before, &memory.inner);
+            *stretched = true;
+        }
         self.scheme.0.stretch(system, &strides[0], t, ratio, &mut memory.inner, inner)
     }
 
@@ -124,17 +138,14 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
         stride: &Y::Stride,
         t: Y::Scalar,
         StepsMemory { inner: memory, work }: &mut Self::Memory,
-        StepsRoom { strides, inner, paced, before, watched }: &mut Self::Workspace,
+        StepsRoom { strides, inner, paced, before, stretched, watched }: &mut Self::Workspace,
     ) -> Result<Effort, NotConverged> {
         let (scheme, mut effort) = (&self.scheme.0, Effort::default());
         *work = Y::Scalar::ZERO;
         for k in 0..N {
             let t = Y::Scalar::from_f64(Self::begins(k)).mul_add(Y::dt(stride), t);
-            if *watched {
-                match before {
-                    Some(before) => before.clone_from(memory),
-                    None => *before = Some(memory.clone()),
-                }
+            if *watched && !core::mem::take(stretched) {
+                keep(before, memory);
             }
             if C::GAMMA[k] != C::GAMMA[*paced] {
                 scheme.pace(system, &strides[k], inner);

@@ -23,9 +23,20 @@ memory! {
     uncarried {
         /// Work of the kicks that belong wholly to the last step.
         work: Y::Work,
-        /// In it is already by how much that of the shared kick has changed with the length of the step to come.
-        begun: bool,
+        /// Whether in it is by how much that of the shared kick has changed with the length of a step.
+        begun: Begun,
     }
+}
+
+/// Work of the kick that two steps of different lengths share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::scheme) enum Begun {
+    /// There was none.
+    No,
+    /// Of the step to come.
+    ToCome,
+    /// Of the step that was made.
+    Made,
 }
 
 /// The kick after drift k of a step that began at t.
@@ -89,7 +100,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                 start: &Start<'_, Y>,
                 room: &mut Y::Room,
             ) -> Result<Self::Memory, NotConverged> {
-                let (q, work, begun) = (start.q.clone(), system.no_work(), false);
+                let (q, work, begun) = (start.q.clone(), system.no_work(), Begun::No);
                 if matches!(Self::FIRST, First::Drift) {
                     return Ok(SplittingMemory { q, v_before: start.v.clone(), v_after: start.v.clone(), work, begun });
                 }
@@ -109,10 +120,11 @@ macro_rules! stepped_by_drifts_and_kicks {
             ) -> Result<Effort, NotConverged> {
                 let h = Y::dt(stride);
                 // Leap-frog has no kick within a step.
-                if memory.begun {
-                    memory.begun = false;
-                } else if $n > 1 || matches!(Self::FIRST, First::Drift) {
+                if memory.begun == Begun::ToCome {
+                    memory.begun = Begun::Made;
+                } else if $n > 1 || matches!(Self::FIRST, First::Drift) || memory.begun == Begun::Made {
                     Y::clear(&mut memory.work);
+                    memory.begun = Begun::No;
                 }
                 Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
                 for k in 1..<Self as Splitting<{ $n }>>::DRIFTS.len() {
@@ -152,7 +164,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                 system.add_work(work, v_after, v_before);
                 system.kick(room, stride, half_kick::<Self, { $n }, _>(t), q, &v, v_after);
                 system.add_work(work, v_before, v_after);
-                *begun = true;
+                *begun = Begun::ToCome;
                 1
             }
 

@@ -119,12 +119,12 @@ macro_rules! stepped_by_drifts_and_kicks {
                 room: &mut Y::Room,
             ) -> Result<Effort, NotConverged> {
                 let h = Y::dt(stride);
-                // Leap-frog has no kick within a step.
-                if memory.begun == Begun::ToCome {
-                    memory.begun = Begun::Made;
-                } else if $n > 1 || matches!(Self::FIRST, First::Drift) || memory.begun == Begun::Made {
-                    Y::clear(&mut memory.work);
-                    memory.begun = Begun::No;
+                let (work, begun) = (&mut memory.work, memory.begun);
+                memory.begun = if begun == Begun::ToCome && !Y::IN_REGISTERS { Begun::Made } else { Begun::No };
+                // Leap-frog has no kick within a step: many bodies are spared the clearing of nothing.
+                let any = $n > 1 || matches!(Self::FIRST, First::Drift) || Y::IN_REGISTERS;
+                if begun != Begun::ToCome && (any || begun == Begun::Made) {
+                    Y::clear(work);
                 }
                 Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
                 for k in 1..<Self as Splitting<{ $n }>>::DRIFTS.len() {

@@ -92,30 +92,42 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         self.scheme.ready(self.steps + 1, &self.memory)?;
         let t = Y::Scalar::from_f64(self.t());
         let mut next = self.copy();
-        let made = match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
+        match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
             Ok(effort) if self.scheme.finite(&next) => {
                 self.steps += 1;
                 self.evaluations += u64::from(effort.evaluations);
                 self.iterations += u64::from(effort.iterations);
                 see(self, &self.memory, &next);
-                core::mem::swap(&mut self.memory, &mut next);
+                self.go_on_from(next);
                 Ok(())
             }
-            other => Err(self.failure(other.err(), &next)),
-        };
-        self.lay_aside(next);
-        made
+            other => {
+                let error = self.failure(other.err(), &next);
+                self.lay_aside(next);
+                Err(error)
+            }
+        }
     }
 
     /// The memory once more, for steps that may fail.
     #[inline(always)]
     fn copy(&mut self) -> S::Memory {
         match self.spare.take() {
-            Some(mut spare) => {
+            Some(mut spare) if !Y::IN_REGISTERS => {
                 spare.clone_from(&self.memory);
                 spare
             }
-            None => self.memory.clone(),
+            _ => self.memory.clone(),
+        }
+    }
+
+    /// Puts a memory in the place of the one that was. No swap: of what has an address nothing stays in registers.
+    #[inline(always)]
+    fn go_on_from(&mut self, memory: S::Memory) {
+        if Y::IN_REGISTERS {
+            self.memory = memory;
+        } else {
+            self.spare = Some(core::mem::replace(&mut self.memory, memory));
         }
     }
 
@@ -140,11 +152,12 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         let counts = self.run_to(end, &mut last);
         self.scheme.watch(true, &mut self.workspace);
         if let Some([evaluations, iterations]) = counts {
-            core::mem::swap(&mut self.memory, &mut last);
+            self.go_on_from(last);
             (self.steps, self.evaluations, self.iterations) = (end, evaluations, iterations);
+            return Ok(());
         }
         self.lay_aside(last);
-        if counts.is_some() { Ok(()) } else { self.one_by_one(steps) }
+        self.one_by_one(steps)
     }
 
     /// Steps until there are `end`; the evaluations and corrections then, or nothing if a step failed.

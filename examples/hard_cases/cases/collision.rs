@@ -69,7 +69,7 @@ fn measure(case: &mut Case, trial: &Trial<State<2>>) {
 }
 
 fn picture(trials: &[Trial<State<2>>]) -> Picture {
-    let drawn = ["Leapfrog", "Implicit", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4S7)"];
+    let drawn = ["Leapfrog", "Implicit", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4)"];
     let lines = drawn.iter().filter_map(|name| {
         let trial = trials.iter().find(|trial| trial.scheme == *name)?;
         let shown = trial.states().step_by(trials[0].asked as usize / 1000).take_while(|s| distance(s) < 2.0);

@@ -49,7 +49,7 @@ fn measure(case: &mut Case, trial: &Trial<State<1>>, alpha: f64) {
 }
 
 fn picture(trials: &[Trial<State<1>>]) -> Picture {
-    let drawn = ["Implicit", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4S7)"];
+    let drawn = ["Implicit", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4)"];
     let lines = drawn.iter().filter_map(|name| {
         let trial = trials.iter().find(|trial| trial.scheme == *name)?;
         let speeds = trial.run.states().iter().step_by(10);

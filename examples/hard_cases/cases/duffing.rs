@@ -70,7 +70,7 @@ fn picture(trials: &[Trial<State<1>>], reference: &Trial<State<1>>) -> Picture {
     let line = |name: &str, trial: &Trial<State<1>>| {
         Line::new(name, trial.run.states().iter().take_while(|s| s.t < 100.0).map(|s| (s.t, s.q[0])).collect())
     };
-    let drawn = ["DiscreteGradient", "Composed(DiscreteGradient, Suzuki4S7)"];
+    let drawn = ["DiscreteGradient", "Composed(DiscreteGradient, Suzuki4)"];
     let mut lines = vec![line("reference", reference)];
     lines.extend(drawn.iter().filter_map(|name| Some(line(name, trials.iter().find(|trial| trial.scheme == *name)?))));
     Picture {

@@ -195,7 +195,7 @@ pub(crate) fn figure_eight(length: Length) -> Case {
 }
 
 fn eight(trials: &[Trial<SceneState<2>>]) -> Picture {
-    let drawn = ["Leapfrog", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4S7)"];
+    let drawn = ["Leapfrog", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4)"];
     let lines = drawn.iter().filter_map(|name| {
         let trial = trials.iter().find(|trial| trial.scheme == *name)?;
         let points = trial.run.states().iter().take(10 * 40 + 1);

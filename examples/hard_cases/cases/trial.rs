@@ -211,10 +211,10 @@ macro_rules! every_scheme {
             Implicit,
             DiscreteGradient,
             Kanatani,
-            Composed::order4(Leapfrog),
+            Composed::new(Leapfrog, coefficients::Suzuki4),
             Composed::order6(Leapfrog),
             Nystrom::order6(),
-            Composed::order4(DiscreteGradient),
+            Composed::new(DiscreteGradient, coefficients::Suzuki4),
             Composed::order6(DiscreteGradient),
         )
     };
@@ -224,7 +224,7 @@ macro_rules! every_scheme {
             Explicit,
             Implicit,
             DiscreteGradient,
-            Composed::order4(DiscreteGradient),
+            Composed::new(DiscreteGradient, coefficients::Suzuki4),
             Composed::order6(DiscreteGradient),
         )
     };

@@ -2,7 +2,6 @@
 //! through its checks; [`verify_scheme`], a scheme put through its own.
 #![forbid(unsafe_code)]
 
-mod arithmetic;
 mod error;
 mod motion;
 pub mod study;

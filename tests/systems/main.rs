@@ -7,3 +7,4 @@ mod own;
 mod same;
 mod setups;
 mod verified;
+mod wrapped;

@@ -8,6 +8,8 @@ use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::verify_scheme;
 
+use super::wrapped::{own, until};
+
 /// The scheme of the page for schemes of one's own.
 #[derive(Clone, Copy, Debug)]
 struct DriftKickDrift;
@@ -98,93 +100,6 @@ fn a_scheme_of_ones_own_composes() {
     assert!(run.drift(Invariant::WorkEnergy).unwrap().max_abs() < 1e-13);
 }
 
-/// Any scheme as one of one's own, which finds no solution from a time on.
-#[derive(Clone, Copy, Debug)]
-struct Own<S> {
-    scheme: S,
-    until: f64,
-}
-
-fn own<S>(scheme: S) -> Own<S> {
-    Own { scheme, until: f64::INFINITY }
-}
-
-impl<S: Method> OneStep for Own<S> {}
-
-impl<S: Method> Method for Own<S> {
-    const NAME: &'static str = S::NAME;
-    const ORDER: u32 = S::ORDER;
-    const SYMMETRIC: bool = S::SYMMETRIC;
-
-    fn keeps(invariant: Invariant) -> Kept {
-        S::keeps(invariant)
-    }
-}
-
-impl<Y: System, S: Scheme<Y>> Scheme<Y> for Own<S> {
-    const SHARE: f64 = S::SHARE;
-    type Memory = S::Memory;
-    type Workspace = S::Workspace;
-
-    fn workspace(&self, system: &Y, stride: &Y::Stride) -> S::Workspace {
-        self.scheme.workspace(system, stride)
-    }
-    fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut S::Workspace) {
-        self.scheme.pace(system, stride, workspace);
-    }
-    fn watch(&self, watched: bool, workspace: &mut S::Workspace) {
-        self.scheme.watch(watched, workspace);
-    }
-    fn begin(
-        &self,
-        system: &Y,
-        stride: &Y::Stride,
-        start: &Beginning<'_, Y>,
-        workspace: &mut S::Workspace,
-    ) -> Result<S::Memory, NotConverged> {
-        self.scheme.begin(system, stride, start, workspace)
-    }
-    fn step(
-        &self,
-        system: &Y,
-        stride: &Y::Stride,
-        t: Y::Scalar,
-        memory: &mut S::Memory,
-        workspace: &mut S::Workspace,
-    ) -> Result<Effort, NotConverged> {
-        if t.to_f64() > self.until {
-            return Err(NotConverged { iterations: 1, residual: 0.5 });
-        }
-        self.scheme.step(system, stride, t, memory, workspace)
-    }
-    fn stretch(
-        &self,
-        system: &Y,
-        stride: &Y::Stride,
-        t: Y::Scalar,
-        ratio: Y::Scalar,
-        memory: &mut S::Memory,
-        workspace: &mut S::Workspace,
-    ) -> u32 {
-        self.scheme.stretch(system, stride, t, ratio, memory, workspace)
-    }
-    fn position<'m>(&self, memory: &'m S::Memory) -> &'m Y::Vector {
-        self.scheme.position(memory)
-    }
-    fn velocity(&self, system: &Y, stride: &Y::Stride, t: Y::Scalar, memory: &S::Memory) -> Y::Vector {
-        self.scheme.velocity(system, stride, t, memory)
-    }
-    fn finite(&self, memory: &S::Memory) -> bool {
-        self.scheme.finite(memory)
-    }
-    fn kinetic_energy(&self, system: &Y, memory: &S::Memory) -> Y::Scalar {
-        self.scheme.kinetic_energy(system, memory)
-    }
-    fn work(&self, system: &Y, stride: &Y::Stride, before: &S::Memory, after: &S::Memory) -> Y::Scalar {
-        self.scheme.work(system, stride, before, after)
-    }
-}
-
 /// Schemes that carry a kick over the end of a step, or prepare their workspace for a length, in compositions and in
 /// compositions of those: orders, invariants, work and the way back.
 #[test]
@@ -205,8 +120,8 @@ fn a_stage_that_fails_leaves_nothing_behind() {
     #[potential(|q: [f64; 2]| 0.3 * q[1].powi(4) - q[0].cos() + 0.2 * q[0] * q[1])]
     struct Well;
     let mut failed = 0;
-    for until in [1.005, 1.01, 1.03, 1.05, 1.07, 1.09] {
-        let scheme = Own { scheme: Composed::order4(DiscreteGradient), until };
+    for end in [1.005, 1.01, 1.03, 1.05, 1.07, 1.09] {
+        let scheme = until(Composed::order4(DiscreteGradient), end);
         let motion = || {
             let start = State::new([0.9, 0.4], [0.3, -0.7]);
             Simulation::new(Well, start).scheme(Composed::order8(Steps(scheme))).dt(0.1).stepper().unwrap()
@@ -218,7 +133,7 @@ fn a_stage_that_fails_leaves_nothing_behind() {
             }
         };
         assert_eq!(row.advance(100), Err(error));
-        assert_eq!(row.state(), single.state(), "{until}");
+        assert_eq!(row.state(), single.state(), "{end}");
         assert_eq!(row.steps(), single.steps());
         failed += single.steps();
     }

@@ -1,12 +1,12 @@
 //! `verify_scheme` passes every scheme and catches those that promise too much; a study of a scene is one of its law.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use core::marker::PhantomData;
-
-use dmech::extend::{Beginning, Effort, Kept, Method, NotConverged, Scheme, System, WithoutVelocities};
+use dmech::extend::{Kept, Method};
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::{StudyError, verify_scheme};
+
+use super::wrapped::{Honest, Promise, promising};
 
 /// Every scheme passes, on laws and on the scene, and each has something to show.
 #[test]
@@ -34,94 +34,24 @@ fn every_scheme_passes() {
     ];
 }
 
-/// Leap-frog that promises what another says of itself.
-#[derive(Clone, Copy, Debug)]
-struct Promising<P>(PhantomData<P>);
-
-trait Promise: Copy + core::fmt::Debug {
-    const ORDER: u32 = 2;
-    const SYMMETRIC: bool = true;
-    fn keeps(invariant: Invariant) -> Kept {
-        Leapfrog::keeps(invariant)
-    }
-}
-
-impl<P: Promise> Method for Promising<P> {
-    const NAME: &'static str = "Promising";
-    const ORDER: u32 = P::ORDER;
-    const SYMMETRIC: bool = P::SYMMETRIC;
-
-    fn keeps(invariant: Invariant) -> Kept {
-        P::keeps(invariant)
-    }
-}
-
-/// The steps are those of `Explicit` where the promise is symmetry, and of leap-frog elsewhere.
-impl<P: Promise, Y: System + WithoutVelocities> Scheme<Y> for Promising<P> {
-    type Memory = <Leapfrog as Scheme<Y>>::Memory;
-    type Workspace = <Leapfrog as Scheme<Y>>::Workspace;
-
-    fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
-        Leapfrog.workspace(system, stride)
-    }
-    fn begin(
-        &self,
-        system: &Y,
-        stride: &Y::Stride,
-        start: &Beginning<'_, Y>,
-        room: &mut Self::Workspace,
-    ) -> Result<Self::Memory, NotConverged> {
-        Leapfrog.begin(system, stride, start, room)
-    }
-    fn step(
-        &self,
-        system: &Y,
-        stride: &Y::Stride,
-        t: Y::Scalar,
-        memory: &mut Self::Memory,
-        room: &mut Self::Workspace,
-    ) -> Result<Effort, NotConverged> {
-        Leapfrog.step(system, stride, t, memory, room)
-    }
-    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
-        <Leapfrog as Scheme<Y>>::position(&Leapfrog, memory)
-    }
-    fn velocity(&self, system: &Y, stride: &Y::Stride, t: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-        Leapfrog.velocity(system, stride, t, memory)
-    }
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        <Leapfrog as Scheme<Y>>::finite(&Leapfrog, memory)
-    }
-    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
-        Leapfrog.kinetic_energy(system, memory)
-    }
-    fn work(&self, system: &Y, stride: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
-        Leapfrog.work(system, stride, before, after)
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Honest;
-impl Promise for Honest {}
-
 #[derive(Clone, Copy, Debug)]
 struct OrderFour;
-impl Promise for OrderFour {
+impl<S: Method> Promise<S> for OrderFour {
     const ORDER: u32 = 4;
 }
 
 #[derive(Clone, Copy, Debug)]
 struct ExactEnergy;
-impl Promise for ExactEnergy {
+impl<S: Method> Promise<S> for ExactEnergy {
     fn keeps(invariant: Invariant) -> Kept {
-        if invariant == Invariant::Energy { Kept::Exact } else { Leapfrog::keeps(invariant) }
+        if invariant == Invariant::Energy { Kept::Exact } else { S::keeps(invariant) }
     }
 }
 
 #[test]
 fn promises_that_are_not_kept_are_found() {
-    fn failed<P: Promise>() -> Vec<String> {
-        let report = verify_scheme(Promising::<P>(PhantomData));
+    fn failed<P: Promise<Leapfrog>>() -> Vec<String> {
+        let report = verify_scheme(promising::<P, _>(Leapfrog));
         let failed = report.checks().iter().filter(|check| check.outcome() == dmech_study::verify::Outcome::Failed);
         failed.map(|check| check.name().to_owned()).collect()
     }

@@ -49,6 +49,12 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         [[R::ZERO; D]; D]
     }
 
+    /// The time at which this acts: a field by hand whose force names it says so.
+    #[inline(always)]
+    fn time(&self) -> R {
+        R::ZERO
+    }
+
     /// v − c (∇Φ − F), with the one coefficient c = h/m folded into the force.
     fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         let slope = self.slope(q, v);
@@ -57,13 +63,12 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
 
     /// v − c ∇Φ(q) + e H ∇Φ(q), with H ∇Φ = ∇(|∇Φ|²)/2: the kick of force-gradient schemes, e in units of h³/m².
     ///
-    /// Asked for only where the force does not depend on the velocity. Of a force by hand that names the time the default takes
-    /// ∂F/∂q at the time 0: such a field brings its own.
+    /// Asked for only where the force does not depend on the velocity.
     fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
         let slope = self.slope(q, v);
         let mut jacobian = self.hessian(q);
         if Self::FORCED {
-            let force = self.force_dq(q, v, R::ZERO);
+            let force = self.force_dq(q, v, self.time());
             jacobian = from_fn(|i| from_fn(|j| jacobian[i][j] - force[i][j]));
         }
         from_fn(|i| e.mul_add(dot(jacobian[i], slope), v[i] - c * slope[i]))
@@ -72,9 +77,7 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     /// Solves Δ + g ∇Φ(q + Δ) = c for the increment Δ: the trapezoidal step (Greenspan (2.1)–(2.5)).
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         if Self::FORCED {
-            return newton::dense_forced(equation, |equation, _, b, v| {
-                less((self.gradient(b), self.hessian(b)), R::ONE, self.force_and_jacobians(b, v, equation.t_end))
-            });
+            return newton::dense_forced(equation, |equation, _, b, v| self.end_slope(b, v, equation.t_end));
         }
         let force = |b| (self.gradient(b), self.hessian(b));
         if Self::LINEAR { newton::linear(equation, force) } else { newton::dense(equation, force) }
@@ -82,50 +85,67 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
 
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c for the increment Δ: the energy-exact steps.
     fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        if Self::FORCED && Self::CONSERVES_ENERGY {
+        if !Self::FORCED {
+            return newton::dense_discrete(equation, |a, b| secant(self, a, b));
+        }
+        if Self::CONSERVES_ENERGY {
             return Ok(self.workless_increment(equation)?.0);
         }
-        if Self::FORCED {
-            return newton::dense_forced(equation, |equation, _, b, v| {
-                let secant = |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b));
-                let force = self.force_and_jacobians(b, v, equation.t_end);
-                less(secant(equation.a, b), R::from_f64(0.5), force)
-            });
-        }
-        newton::dense_discrete(equation, |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b)))
+        newton::dense_forced(equation, |equation, _, b, v| self.secant_slope(equation.a, b, v, equation.t_end))
     }
 
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c with the potential alone.
     #[inline(always)]
     fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        newton::dense_discrete(equation, |a, b| (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b)))
+        newton::dense_discrete(equation, |a, b| secant(self, a, b))
     }
 
-    /// As [`discrete_increment`](Field::discrete_increment), and what the rounding of G has left out: called where the force does no work,
-    /// when an error that is the same in each step would be the largest of the energy.
+    /// As [`discrete_increment`](Field::discrete_increment), and what the rounding of G has left out: called where the force
+    /// does no work, when an error that is the same in each step would be the largest of the energy.
     #[inline(always)]
     fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
         if !Self::FORCED {
             return Ok((self.discrete_increment(equation)?, [R::ZERO; D]));
         }
-        let half = R::from_f64(0.5);
         newton::dense_middle(equation, |equation, delta, b| {
-            let a = equation.a;
-            let secant = (self.discrete_gradient(a, b), self.discrete_gradient_jacobian(a, b));
-            // In the middle, where a force that does no work does none in the step; half of each mean is the end. The mean
-            // velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
-            let (middle, mean) = (from_fn(|i| half * (a[i] + b[i])), delta.map(|x| half * equation.rate * x));
-            let (f, f_dq, f_dv) = self.force_and_jacobians(middle, mean, equation.t_end - equation.rate.recip());
-            let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
-            less(secant, R::ONE, (f, halved(f_dq), halved(f_dv)))
+            // The mean velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
+            let mean = delta.map(|x| R::from_f64(0.5) * equation.rate * x);
+            self.middle_slope([equation.a, b], mean, equation.t_end - equation.rate.recip())
         })
     }
 
-    /// F and its two Jacobians.
+    /// ∇Φ − F at the end of a step.
     #[doc(hidden)]
-    fn force_and_jacobians(&self, q: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
-        (self.force(q, v, t), self.force_dq(q, v, t), self.force_dv(q, v, t))
+    fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        less((self.gradient(b), self.hessian(b)), R::ONE, force(self, b, v, t))
     }
+
+    /// ∇̄Φ(a, b) − F/2, with the share of the end of a step in the mean force.
+    #[doc(hidden)]
+    fn secant_slope(&self, a: [R; D], b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        less(secant(self, a, b), R::from_f64(0.5), force(self, b, v, t))
+    }
+
+    /// ∇̄Φ(a, b) − F in the middle, where a force that does no work does none in the step; half of each mean is the end.
+    #[doc(hidden)]
+    fn middle_slope(&self, [a, b]: [[R; D]; 2], mean: [R; D], t: R) -> Linearised<D, R> {
+        let half = R::from_f64(0.5);
+        let (f, f_dq, f_dv) = force(self, from_fn(|i| half * (a[i] + b[i])), mean, t);
+        let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
+        less(secant(self, a, b), R::ONE, (f, halved(f_dq), halved(f_dv)))
+    }
+}
+
+/// F and its two Jacobians.
+#[inline(always)]
+fn force<F: Field<D, R> + ?Sized, const D: usize, R: Real>(f: &F, q: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+    (f.force(q, v, t), f.force_dq(q, v, t), f.force_dv(q, v, t))
+}
+
+/// ∇̄Φ(a, b) and its Jacobian.
+#[inline(always)]
+fn secant<F: Field<D, R> + ?Sized, const D: usize, R: Real>(f: &F, a: [R; D], b: [R; D]) -> ([R; D], [[R; D]; D]) {
+    (f.discrete_gradient(a, b), f.discrete_gradient_jacobian(a, b))
 }
 
 /// A force and its Jacobians with respect to position and velocity.
@@ -133,7 +153,7 @@ pub(super) type Linearised<const D: usize, R> = ([R; D], [[R; D]; D], [[R; D]; D
 
 /// G − c F and its Jacobians, with G and its Jacobian and F and its two.
 #[inline(always)]
-pub(super) fn less<const D: usize, R: Real>(
+fn less<const D: usize, R: Real>(
     (g, g_dq): ([R; D], [[R; D]; D]),
     c: R,
     (f, f_dq, f_dv): Linearised<D, R>,

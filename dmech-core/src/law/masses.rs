@@ -4,11 +4,9 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
-use super::field::{Linearised, less};
+use super::field::Linearised;
 use crate::law::written::Written;
 use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
-use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::vector::dot;
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
 ///
@@ -21,7 +19,7 @@ use crate::vector::dot;
 /// in each step, and feed energy in at a constant rate. Products of such vectors, the kinetic energy and the work, are
 /// weighted by μᵢ again, so that Σ μᵢ (∇̄Φᵢ/μᵢ) Δqᵢ = Φ(b) − Φ(a) stays exact; Φ itself is not scaled.
 ///
-/// A row that is divided has no closed form of its own: implicit steps use [`newton::dense`] and its like, whatever the
+/// A row that is divided has no closed form of its own: implicit steps use [`newton::dense`](crate::newton::dense) and its like, whatever the
 /// structure of the law. The angular momentum is not claimed, also where the law is central: with two masses it is not kept.
 #[derive(Clone, Copy, Debug)]
 pub struct Masses<L, const D: usize> {
@@ -143,55 +141,18 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
         self.matrix(self.field.force_dv(q, v, t))
     }
 
-    /// v − c M⁻¹∇Φ + e M⁻¹H M⁻¹∇Φ, with the slope and its Jacobian for ∇Φ and H where a force acts.
     #[inline(always)]
-    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
-        let slope = self.slope(q, v);
-        let mut jacobian = self.hessian(q);
-        if F::FORCED {
-            let force = self.force_dq(q, v, self.t);
-            jacobian = from_fn(|i| from_fn(|j| jacobian[i][j] - force[i][j]));
-        }
-        from_fn(|i| e.mul_add(dot(jacobian[i], slope), v[i] - c * slope[i]))
+    fn time(&self) -> R {
+        self.t
     }
 
-    fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        if F::FORCED {
-            return newton::dense_forced(equation, |equation, _, b, v| {
-                let conservative = (self.field.gradient(b), self.field.hessian(b));
-                self.all(less(conservative, R::ONE, self.field.force_and_jacobians(b, v, equation.t_end)))
-            });
-        }
-        let force = |b| (self.gradient(b), self.hessian(b));
-        if F::LINEAR { newton::linear(equation, force) } else { newton::dense(equation, force) }
+    fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        self.all(self.field.end_slope(b, v, t))
     }
-
-    fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        if !F::FORCED {
-            return self.potential_increment(equation);
-        }
-        if F::CONSERVES_ENERGY {
-            return Ok(self.workless_increment(equation)?.0);
-        }
-        let half = R::from_f64(0.5);
-        newton::dense_forced(equation, |equation, _, b, v| {
-            let a = equation.a;
-            let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
-            self.all(less(conservative, half, self.field.force_and_jacobians(b, v, equation.t_end)))
-        })
+    fn secant_slope(&self, a: [R; D], b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        self.all(self.field.secant_slope(a, b, v, t))
     }
-
-    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
-        let half = R::from_f64(0.5);
-        newton::dense_middle(equation, |equation, delta, b| {
-            let a = equation.a;
-            let conservative = (self.field.discrete_gradient(a, b), self.field.discrete_gradient_jacobian(a, b));
-            // In the middle, where a force that does no work does none in the step; half of each mean is the end. The
-            // mean velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.
-            let (middle, mean) = (from_fn(|i| half * (a[i] + b[i])), delta.map(|x| half * equation.rate * x));
-            let (f, f_dq, f_dv) = self.field.force_and_jacobians(middle, mean, self.t);
-            let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
-            self.all(less(conservative, R::ONE, (f, halved(f_dq), halved(f_dv))))
-        })
+    fn middle_slope(&self, ends: [[R; D]; 2], mean: [R; D], _: R) -> Linearised<D, R> {
+        self.all(self.field.middle_slope(ends, mean, self.t))
     }
 }

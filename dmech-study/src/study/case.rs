@@ -6,7 +6,7 @@ use dmech_core::extend::{DoubleDouble, Real, Scheme};
 use dmech_core::{Error, Explicit, Stepper};
 
 use crate::error::StudyError;
-use crate::motion::{Coordinates, Motion, PositionOf, Repeatable, Scales, StateOf};
+use crate::motion::{Coordinates, Motion, PositionOf, Repeatable, Scales, StateOf, norm};
 
 /// A motion from a state until a time.
 #[derive(Clone, Debug)]
@@ -80,6 +80,6 @@ pub(super) fn rounding(q: &[f64]) -> f64 {
 
 /// |a − b|; `None` where it is not finite.
 pub(super) fn distance(a: &[f64], b: &[f64]) -> Option<f64> {
-    let distance = a.iter().zip(b).fold(0.0_f64, |sum, (a, b)| sum.hypot(a - b));
+    let distance = norm(a.iter().zip(b).map(|(a, b)| a - b));
     (a.iter().all(|x| x.is_finite()) && distance.is_finite()).then_some(distance)
 }

@@ -9,7 +9,7 @@ use core::array::from_fn;
 use dmech_core::extend::{Field, Real};
 use dmech_core::{Error, Law, State};
 
-use crate::arithmetic::{add_scaled, difference, finite, scaled, sum};
+use dmech_core::extend::vector::{add_scaled, difference, finite, scaled, sum};
 
 /// K, the numbers of substeps.
 const COLUMNS: usize = 14;

@@ -8,6 +8,7 @@ use super::case::{Case, rounding};
 use super::extrapolation::{Extrapolation, ORDER};
 use super::reference::Reference;
 use super::truth::Truth;
+use crate::motion::norm;
 
 /// Local errors in parts of |q| and |v|. The last is near what rounding allows.
 const TOLERANCES: [f64; 3] = [1e-22, 1e-25, 1e-28];
@@ -43,7 +44,7 @@ where
         };
         budget = 2 * end.evaluations;
         if let Some(before) = before.replace(end.q) {
-            let error = (0..D).fold(0.0_f64, |sum, i| sum.hypot((end.q[i] - before[i]).to_f64()));
+            let error = norm((0..D).map(|i| (end.q[i] - before[i]).to_f64()));
             if best.as_ref().is_none_or(|best| error < best.1.error()) {
                 let reference = Reference { scheme, dt: span / end.steps as f64, error, precise: true };
                 best = Some((Truth::precise(&end.q, &end.v), reference));

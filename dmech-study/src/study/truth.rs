@@ -2,6 +2,8 @@
 
 use dmech_core::extend::{DoubleDouble, Real};
 
+use crate::motion::norm;
+
 /// q* at the end, and where it is known to more digits than `f64` has, the velocity there.
 #[derive(Clone, Debug)]
 pub(super) struct Truth {
@@ -33,7 +35,7 @@ impl Truth {
         let late = DoubleDouble::from(late);
         let here = self.q.iter().zip(&self.v).map(|(q, v)| late.mul_add(*v, *q));
         let apart = q.iter().zip(here).map(|(q, here)| (DoubleDouble::from(*q) - here).to_f64());
-        let distance = apart.fold(0.0_f64, f64::hypot);
+        let distance = norm(apart);
         (q.iter().all(|x| x.is_finite()) && distance.is_finite()).then_some(distance)
     }
 }

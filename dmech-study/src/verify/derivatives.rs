@@ -5,11 +5,11 @@ use core::array::from_fn;
 
 use super::Subject;
 use super::difference::{Worst, derivative};
-use super::points::{Dice, around, largest, norm, with};
+use super::points::{Dice, around, norm, with};
 use super::report::Check;
-use crate::arithmetic::dot;
-use crate::motion::Scales;
+use crate::motion::{Scales, largest};
 use dmech_core::extend::Field;
+use dmech_core::extend::vector::dot;
 use dmech_core::{Law, Potential, State};
 
 /// Units of rounding that a formula may lose beyond its condition.
@@ -28,7 +28,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     for &q in &points {
         let g = field.gradient(q);
         let second = field.hessian(q);
-        let size = second.iter().map(largest).fold(0.0, f64::max);
+        let size = second.iter().map(|row| largest(row)).fold(0.0, f64::max);
         for j in 0..D {
             let at = |x: f64| with(q, j, x);
             let scale = floor(largest(&g), size * scales.length);
@@ -66,7 +66,7 @@ fn slope<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &St
     for &q in points {
         let (slope, gradient, force) = (field.slope(q, start.v), field.gradient(q), field.force(q, start.v, start.t));
         let kicked = field.kick(c, q, start.v);
-        let curvature = field.hessian(q).iter().map(largest).fold(0.0, f64::max) * largest(&q);
+        let curvature = field.hessian(q).iter().map(|row| largest(row)).fold(0.0, f64::max) * largest(&q);
         let unit = f64::EPSILON * floor(largest(&gradient).max(largest(&slope)).max(curvature), largest(&start.v));
         for i in 0..D {
             kick = worse(kick, (kicked[i] - (start.v[i] - c * slope[i])).abs() / unit);
@@ -98,7 +98,7 @@ fn force<F: Field<D>, const D: usize>(
         let v = dice.near(start.v, 0.15 * speed);
         let size = largest(&field.force(q, v, t));
         let (dq, dv) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
-        let entry = |matrix: &[[f64; D]; D]| matrix.iter().map(largest).fold(0.0, f64::max);
+        let entry = |matrix: &[[f64; D]; D]| matrix.iter().map(|row| largest(row)).fold(0.0, f64::max);
         let (size_q, size_v) = (floor(entry(&dq), size / scales.length), floor(entry(&dv), size / speed));
         for j in 0..D {
             for i in 0..D {
@@ -120,7 +120,7 @@ fn claims<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &S
     let first = field.hessian(points[0]);
     for &q in points {
         let (gradient, slope, hessian) = (field.gradient(q), field.slope(q, start.v), field.hessian(q));
-        let size = hessian.iter().map(largest).fold(0.0, f64::max);
+        let size = hessian.iter().map(|row| largest(row)).fold(0.0, f64::max);
         let torque = f64::EPSILON * floor(norm(q) * norm(gradient), 0.0);
         let power = f64::EPSILON * floor(norm(start.v) * (norm(gradient) + norm(slope)), 0.0);
         for i in 0..D {

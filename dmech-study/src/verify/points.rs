@@ -4,12 +4,7 @@ use core::array::from_fn;
 
 use dmech_core::Potential;
 
-use crate::arithmetic::{dot, finite};
-
-/// max |xᵢ|.
-pub(super) fn largest<const D: usize>(x: &[f64; D]) -> f64 {
-    x.iter().map(|x| x.abs()).fold(0.0, f64::max)
-}
+use dmech_core::extend::vector::{dot, finite};
 
 /// |x|.
 pub(super) fn norm<const D: usize>(x: [f64; D]) -> f64 {

@@ -3,9 +3,10 @@
 use super::Subject;
 use super::derivatives::{ULPS, floor, row, worse};
 use super::difference::{Worst, derivative};
-use super::points::{Dice, around, largest, norm, with};
+use super::points::{Dice, around, norm, with};
 use super::report::Check;
-use crate::arithmetic::{difference, dot};
+use crate::motion::largest;
+use dmech_core::extend::vector::{difference, dot};
 use dmech_core::{Law, Potential};
 
 /// Gaps |b − a| in units of the length: from far apart to where a quotient of differences is noise.
@@ -23,7 +24,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     let mut dice = Dice::new();
     for &a in &points {
         let (phi, gradient) = (field.potential(a), field.gradient(a));
-        let curvature = field.hessian(a).iter().map(largest).fold(0.0, f64::max);
+        let curvature = field.hessian(a).iter().map(|row| largest(row)).fold(0.0, f64::max);
         let size = floor(largest(&gradient), curvature * largest(&a));
         let same = field.discrete_gradient(a, a);
         limit = worse(limit, largest_difference(same, gradient) / (f64::EPSILON * size));
@@ -46,7 +47,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
                 continue;
             }
             let exact = field.discrete_gradient_jacobian(a, b);
-            let scale = floor(exact.iter().map(largest).fold(0.0, f64::max), curvature);
+            let scale = floor(exact.iter().map(|row| largest(row)).fold(0.0, f64::max), curvature);
             for j in 0..D {
                 for i in 0..D {
                     let quotient =

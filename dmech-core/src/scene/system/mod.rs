@@ -43,9 +43,17 @@ pub struct SceneStride<const D: usize> {
 
 impl<const D: usize> SceneStride<D> {
     fn new(dt: f64, kick: Vectors<D>, share: f64) -> Self {
-        let mut g = if share == 0.0 { Vectors::zeros(0) } else { kick.clone() };
-        g.flat_mut().iter_mut().for_each(|g| *g *= share * dt);
-        SceneStride { dt, kick, g }
+        let g = Vectors::zeros(if share == 0.0 { 0 } else { kick.bodies() });
+        let mut stride = SceneStride { dt, kick, g };
+        stride.couple(share);
+        stride
+    }
+
+    /// g = share h²/m, where there is one.
+    fn couple(&mut self, share: f64) {
+        for (g, kick) in self.g.flat_mut().iter_mut().zip(self.kick.flat()) {
+            *g = kick * (share * self.dt);
+        }
     }
 }
 
@@ -113,8 +121,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     const DIMENSION: usize = D;
 
     fn stride(&self, dt: f64, share: f64) -> SceneStride<D> {
-        let g = Vectors::zeros(if share == 0.0 { 0 } else { self.masses.len() });
-        let mut stride = SceneStride { dt, kick: self.zero(), g };
+        let mut stride = SceneStride::new(dt, self.zero(), share);
         self.set_stride(&mut stride, dt, share);
         stride
     }
@@ -127,9 +134,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         for &i in &self.pins {
             stride.kick.set(i, [0.0; D]);
         }
-        for (g, kick) in stride.g.flat_mut().iter_mut().zip(stride.kick.flat()) {
-            *g = kick * (share * dt);
-        }
+        stride.couple(share);
     }
 
     fn stage(&self, stride: &SceneStride<D>, gamma: f64, share: f64) -> SceneStride<D> {
@@ -259,13 +264,12 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     ) {
         self.slope(kick.t, q, v, &mut room.slope);
         let b = self.length(room, stride, kick, q);
-        let lengths = [b, b * stride.dt, a];
         let (kick, slope) = (stride.kick.blocks(), room.slope.blocks());
         let (q, v, to) = (q.blocks_mut(), v.blocks(), to.blocks_mut());
         if room.watched {
-            passes::kick_and_drift_watched(lengths, kick, slope, q, v, to, work.blocks_mut());
+            passes::kick_and_drift_watched([b, b * stride.dt, a], kick, slope, q, v, to, work.blocks_mut());
         } else {
-            passes::kick_and_drift(lengths, kick, slope, q, v, to);
+            passes::kick_and_drift([b, a], kick, slope, q, v, to);
         }
     }
 

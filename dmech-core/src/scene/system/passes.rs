@@ -34,17 +34,17 @@ pub(super) fn kick(b: f64, kick: &[Line], slope: &[Line], v: &[Line], to: &mut [
     }
 }
 
-/// The same, then q += a v′. `lengths` are b, that of a kick in time, and a.
+/// The same, then q += a v′. `lengths` are b and a.
 #[inline]
 pub(super) fn kick_and_drift(
-    [b, _, a]: [f64; 3],
+    lengths: [f64; 2],
     kick: &[Line],
     slope: &[Line],
     q: &mut [Line],
     v: &[Line],
     to: &mut [Line],
 ) {
-    let ([b, a], n) = ([b, a].map(Lanes::splat), q.len());
+    let ([b, a], n) = (lengths.map(Lanes::splat), q.len());
     let (kick, slope, v, to) = (&kick[..n], &slope[..n], &v[..n], &mut to[..n]);
     for i in 0..n {
         let [kick, slope, v] = [kick[i], slope[i], v[i]].map(Lanes::from);
@@ -54,7 +54,7 @@ pub(super) fn kick_and_drift(
     }
 }
 
-/// The same, and the work of the kick, F·(mean velocity) in its time, is added.
+/// The same, and the work of the kick, F·(mean velocity) in its time, is added. `lengths` are b, that time, and a.
 #[inline]
 pub(super) fn kick_and_drift_watched(
     lengths: [f64; 3],

@@ -218,8 +218,8 @@ pub mod models;
 pub use dmech_core::Checkpoint;
 #[doc(inline)]
 pub use dmech_core::{
-    Conservative, Derivation, DoubleDouble, Drift, Error, Force, Interrupted, Invariant, Kept, Law, Potential, Report,
-    Run, Simulation, State, Stepper,
+    Conservative, Crossing, Csv, Derivation, DoubleDouble, Drift, Error, Event, Force, Interrupted, Invariant, Kept,
+    Law, Npy, Potential, Report, Run, Simulation, State, Stepper,
 };
 #[cfg(feature = "scene")]
 #[doc(inline)]

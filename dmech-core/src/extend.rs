@@ -118,6 +118,7 @@
 
 #[cfg(feature = "nalgebra")]
 pub use crate::algebra::OfVectors;
+pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
 #[cfg(feature = "serde")]
@@ -131,7 +132,9 @@ pub use crate::law::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use crate::law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
-pub use crate::run::{Columns, Watch};
+pub use crate::run::{Attend, Columns, Observer, Passage, Sink, Stream, Watch, Within};
+#[cfg(feature = "scene")]
+pub use crate::scene::Encounter;
 pub use crate::scheme::{Adaptable, Adaptive, Effort, Method, OneStep, Scheme, Steps, WithoutVelocities};
 pub use crate::setup::Setup;
 pub use crate::simulation::NoScheme;

@@ -9,6 +9,7 @@
 mod algebra;
 #[cfg(feature = "approx")]
 mod approx;
+mod changes;
 #[cfg(feature = "serde")]
 mod checkpoint;
 mod error;
@@ -51,7 +52,7 @@ pub use law::{
     Between, Conservative, Derivation, Field, Force, Law, MassIndependent, Masses, Numbers, PairLaw, Potential, Reads,
     Symmetric, VelocityIndependent, radial,
 };
-pub use run::{Columns, Interrupted, Report, Run};
+pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
 pub use scheme::{
@@ -75,6 +76,8 @@ pub mod prelude {
         Adaptable, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit, Kanatani,
         Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
-    pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Particle, Run, Simulation, State, Stepper};
+    pub use crate::{
+        Crossing, Drift, Error, Event, Interrupted, Invariant, Kept, Particle, Run, Simulation, State, Stepper,
+    };
     pub use dmech_scalar::{DoubleDouble, Real as _};
 }

@@ -7,7 +7,7 @@ use crate::setup::Setup;
 use crate::simulation::Simulation;
 use crate::stepper::Stepper;
 
-impl<L, X, S> Simulation<L, X, S> {
+impl<L, X, S, O> Simulation<L, X, S, O> {
     /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter: a scene is set up
     /// again as it was, and its bodies move to where they were.
     ///

@@ -47,7 +47,8 @@ impl<L: Law<D, R>, const D: usize, R: Real> Setup<L> for State<D, R> {
 
     fn system(self, law: L, mass: f64, dt: f64) -> Result<Particle<L, D, R>, Error> {
         let particle = Particle::new(law, mass);
-        particle.check(mass, &self)?;
+        particle.check_masses(mass)?;
+        particle.check(&self)?;
         moves_on(self.t, dt)?;
         Ok(particle)
     }

@@ -5,7 +5,7 @@ use dmech_scalar::Real;
 use crate::error::Error;
 use crate::law::Masses;
 use crate::law::{Law, MassIndependent};
-use crate::run::{Interrupted, Run, Shown, record};
+use crate::run::{Attend, Due, Interrupted, Run, Shown, record};
 use crate::scheme::{Adaptable, Adaptive, Scheme};
 use crate::setup::Setup;
 use crate::span::{UNCOUNTED, steps_until};
@@ -42,13 +42,21 @@ pub struct NoScheme;
 /// ```
 #[derive(Clone, Debug)]
 #[must_use = "a simulation does nothing until it is run"]
-pub struct Simulation<L, X, S = NoScheme> {
+pub struct Simulation<L, X, S = NoScheme, O = ()> {
     pub(crate) law: L,
     pub(crate) start: X,
     pub(crate) scheme: S,
-    pub(crate) mass: f64,
-    pub(crate) dt: Option<f64>,
-    pub(crate) record_every: u64,
+    pub(crate) settings: Settings,
+    /// Events, observers and streams, in a list.
+    pub(crate) attend: O,
+}
+
+/// What is said of a simulation in numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct Settings {
+    mass: f64,
+    dt: Option<f64>,
+    pub(crate) due: Due,
     pub(crate) shown: Shown,
 }
 
@@ -64,11 +72,12 @@ impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
 
 impl<L, X> Simulation<L, X> {
     pub(crate) fn of(law: L, start: X) -> Self {
-        Simulation { law, start, scheme: NoScheme, mass: 1.0, dt: None, record_every: 1, shown: Shown::default() }
+        let settings = Settings { mass: 1.0, dt: None, due: Due::Every(1), shown: Shown::default() };
+        Simulation { law, start, scheme: NoScheme, settings, attend: () }
     }
 }
 
-impl<L, X, S> Simulation<L, X, S> {
+impl<L, X, S, O> Simulation<L, X, S, O> {
     /// Where it starts.
     pub fn start(&self) -> X::State
     where
@@ -87,19 +96,24 @@ impl<L, X, S> Simulation<L, X, S> {
 
     /// Law, start and mass alone, for another scheme.
     pub fn without_scheme(self) -> Simulation<L, X> {
-        Simulation { mass: self.mass, ..Simulation::of(self.law, self.start) }
+        Simulation::of(self.law, self.start).with(|settings| settings.mass = self.settings.mass)
+    }
+
+    pub(crate) fn with(mut self, set: impl FnOnce(&mut Settings)) -> Self {
+        set(&mut self.settings);
+        self
     }
 
     /// The scheme: [`Leapfrog`](crate::Leapfrog), [`Nystrom`](crate::Nystrom), [`DiscreteGradient`](struct@crate::DiscreteGradient) or any
     /// other of [`scheme`](crate::scheme).
-    pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T> {
-        let Simulation { law, start, mass, dt, record_every, shown, .. } = self;
-        Simulation { law, start, scheme, mass, dt, record_every, shown }
+    pub fn scheme<T>(self, scheme: T) -> Simulation<L, X, T, O> {
+        let Simulation { law, start, settings, attend, .. } = self;
+        Simulation { law, start, scheme, settings, attend }
     }
 
     /// The time step; with [`adaptive`](Simulation::adaptive) the longest.
     pub fn dt(self, dt: f64) -> Self {
-        Simulation { dt: Some(dt), ..self }
+        self.with(|settings| settings.dt = Some(dt))
     }
 
     /// Steps that follow the time scale of the motion, in place of [`dt`](Simulation::dt): a planet on a long ellipse takes
@@ -168,25 +182,19 @@ impl<L, X, S> Simulation<L, X, S> {
     /// # Errors
     /// When run: [`Error::Tolerance`](crate::Error::Tolerance), [`Error::NoTimeScale`](crate::Error::NoTimeScale), and
     /// [`Error::StepVanished`](crate::Error::StepVanished) in a collision.
-    pub fn adaptive(self, tolerance: f64) -> Simulation<L, X, Adaptive<S>>
+    pub fn adaptive(self, tolerance: f64) -> Simulation<L, X, Adaptive<S>, O>
     where
         S: Adaptable,
     {
-        let Simulation { law, start, scheme, mass, dt, record_every, shown } = self;
-        let scheme = Adaptive::new(scheme, tolerance);
-        Simulation { law, start, scheme, mass, dt, record_every, shown }
-    }
-
-    /// Records the state after every n-th step (default 1). The first state is always recorded.
-    pub fn record_every(self, n: u64) -> Self {
-        Simulation { record_every: n, ..self }
+        let Simulation { law, start, scheme, settings, attend } = self;
+        Simulation { law, start, scheme: Adaptive::new(scheme, tolerance), settings, attend }
     }
 }
 
-impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
+impl<L, S, O, const D: usize, R: Real> Simulation<L, State<D, R>, S, O> {
     /// The mass of the particle (default 1); with [`masses`](Simulation::masses) the unit that they are in.
     pub fn mass(self, mass: f64) -> Self {
-        Simulation { mass, ..self }
+        self.with(|settings| settings.mass = mass)
     }
 
     /// A mass for each coordinate, mᵢ qᵢ″ = −∂Φ/∂qᵢ + Fᵢ, in units of [`mass`](Simulation::mass): for several bodies in
@@ -221,18 +229,18 @@ impl<L, S, const D: usize, R: Real> Simulation<L, State<D, R>, S> {
     /// assert!(run.states().iter().all(|state| state.q[1].abs() < 2.0 / 1837.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn masses(self, masses: [f64; D]) -> Simulation<Masses<L, D>, State<D, R>, S>
+    pub fn masses(self, masses: [f64; D]) -> Simulation<Masses<L, D>, State<D, R>, S, O>
     where
         L: MassIndependent,
     {
-        let Simulation { law, start, scheme, mass, dt, record_every, shown } = self;
-        Simulation { law: Masses::new(law, masses), start, scheme, mass, dt, record_every, shown }
+        let Simulation { law, start, scheme, settings, attend } = self;
+        Simulation { law: Masses::new(law, masses), start, scheme, settings, attend }
     }
 }
 
 // The bounds stand on the methods and not on the block: a scheme that does not fit the law is then told in words.
-impl<L, X, S> Simulation<L, X, S> {
-    /// A stepper, which neither records nor allocates.
+impl<L, X, S, O> Simulation<L, X, S, O> {
+    /// A stepper, which neither records nor allocates; events, observers and streams belong to runs.
     ///
     /// # Errors
     /// [`Error`] for input that is refused.
@@ -241,14 +249,15 @@ impl<L, X, S> Simulation<L, X, S> {
         X: Setup<L>,
         S: Scheme<X::System>,
     {
-        let dt = self.dt.or(self.scheme.tolerance().map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
+        let Settings { mass, dt, .. } = self.settings;
+        let dt = dt.or(self.scheme.tolerance().map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
         check_step::<<X::System as System>::Scalar>(self.scheme.tolerance(), dt)?;
         let start = self.start.start();
-        let system = self.start.system(self.law, self.mass, dt)?;
+        let system = self.start.system(self.law, mass, dt)?;
         Stepper::new(system, self.scheme, start, dt)
     }
 
-    /// Makes a number of steps.
+    /// Makes a number of steps, or fewer where an event or an observer stops the run.
     ///
     /// # Errors
     /// [`Interrupted`] with everything recorded so far: input that is refused, a step that does not converge, a state
@@ -257,6 +266,7 @@ impl<L, X, S> Simulation<L, X, S> {
     where
         X: Setup<L>,
         S: Scheme<X::System>,
+        O: Attend<X::State>,
     {
         self.record(|stepper| stepper.possible(steps))
     }
@@ -271,6 +281,7 @@ impl<L, X, S> Simulation<L, X, S> {
     where
         X: Setup<L>,
         S: Scheme<X::System>,
+        O: Attend<X::State>,
     {
         if self.scheme.tolerance().is_none() {
             return self.record(|stepper| steps_until(stepper.t(), end, stepper.dt()));
@@ -290,17 +301,19 @@ impl<L, X, S> Simulation<L, X, S> {
     where
         X: Setup<L>,
         S: Scheme<X::System>,
+        O: Attend<X::State>,
     {
-        let (start, mass) = (self.start.start(), self.start.mass(self.mass));
-        let (record_every, shown) = (self.record_every, self.shown.clone());
-        let run = Run::empty(start, &self.scheme, self.dt.unwrap_or(f64::NAN), mass);
-        let prepared = if record_every == 0 { Err(Error::RecordEvery) } else { self.stepper() };
-        let prepared = prepared.and_then(|stepper| {
+        let Simulation { law, start, scheme, settings, attend } = self;
+        let (first, mass) = (start.start(), start.mass(settings.mass));
+        let run = Run::empty(first, &scheme, settings.dt.unwrap_or(f64::NAN), mass);
+        let (due, shown) = (settings.due.clone(), settings.shown.clone());
+        let prepared = due.check(<X::System as System>::time(&run.last())).and_then(|()| {
+            let stepper = Simulation { law, start, scheme, settings, attend: () }.stepper()?;
             stepper.system.check_potential(&stepper.start)?;
             Ok((count(&stepper)?, stepper))
         });
         match prepared {
-            Ok((steps, stepper)) => record(stepper, run, steps, record_every, shown),
+            Ok((steps, stepper)) => record(stepper, run, steps, (due, attend), shown),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }

@@ -7,7 +7,7 @@ use crate::law::Law;
 use crate::newton::NotConverged;
 use crate::scheme::Scheme;
 use crate::span::steps_from;
-use crate::system::{Particle, Start, System};
+use crate::system::{Effort, Particle, Start, System};
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
 ///
@@ -23,7 +23,9 @@ pub struct Stepper<Y: System, S: Scheme<Y>> {
     pub(crate) memory: S::Memory,
     /// Room for the next memory, where a new one is not free.
     spare: Option<S::Memory>,
+    /// Steps since the start, and those before it: a change on the way is a new start.
     pub(crate) steps: u64,
+    pub(crate) steps_before: u64,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
 }
@@ -57,23 +59,55 @@ pub(crate) fn check_step<R: Real>(tolerance: Option<f64>, dt: f64) -> Result<(),
     Ok(())
 }
 
+/// What a scheme carries from a state on.
+fn begun<Y: System, S: Scheme<Y>>(
+    system: &Y,
+    scheme: &S,
+    stride: &Y::Stride,
+    start: &Y::State,
+    workspace: &mut S::Workspace,
+) -> Result<S::Memory, Error> {
+    let mut slope = system.zero();
+    system.prepare(start, &mut slope)?;
+    let ([q, v], t) = (system.vectors(start), Y::time(start));
+    let first = Start { t: Y::Scalar::from_f64(t), q: &q, v: &v, slope: &slope };
+    let memory = scheme.begin(system, stride, &first, workspace);
+    // A start that solves an equation makes a step backward.
+    let memory = memory.map_err(|cause| system.unsolved(0, [&q, &v], t, -Y::dt(stride).to_f64(), cause))?;
+    scheme.ready(1, &memory)?;
+    Ok(memory)
+}
+
 impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// The system must have been made for this start, and the step be checked.
     pub(crate) fn new(system: Y, scheme: S, start: Y::State, dt: f64) -> Result<Self, Error> {
-        let mut slope = system.zero();
-        system.prepare(&start, &mut slope)?;
-        let h = Y::Scalar::from_f64(dt);
-        let stride = system.stride(h, S::SHARE);
+        let stride = system.stride(Y::Scalar::from_f64(dt), S::SHARE);
         let mut workspace = scheme.workspace(&system, &stride);
-        let ([q, v], t) = (system.vectors(&start), Y::time(&start));
-        let first = Start { t: Y::Scalar::from_f64(t), q: &q, v: &v, slope: &slope };
-        let memory = scheme.begin(&system, &stride, &first, &mut workspace);
-        // A start that solves an equation makes a step backward.
-        let memory = memory.map_err(|cause| system.unsolved(0, [&q, &v], t, -dt, cause))?;
-        scheme.ready(1, &memory)?;
+        let memory = begun(&system, &scheme, &stride, &start, &mut workspace)?;
         let spare = (!Y::IN_REGISTERS).then(|| memory.clone());
-        let (steps, evaluations, iterations) = (0, 0, 0);
-        Ok(Stepper { system, scheme, stride, workspace, dt, start, memory, spare, steps, evaluations, iterations })
+        let (steps, steps_before, evaluations, iterations) = (0, 0, 0, 0);
+        Ok(Stepper {
+            system,
+            scheme,
+            stride,
+            workspace,
+            dt,
+            start,
+            memory,
+            spare,
+            steps,
+            steps_before,
+            evaluations,
+            iterations,
+        })
+    }
+
+    /// Begins anew from a state; what fails leaves everything as it was.
+    pub(crate) fn begin_from(&mut self, start: Y::State) -> Result<(), Error> {
+        let memory = begun(&self.system, &self.scheme, &self.stride, &start, &mut self.workspace)?;
+        self.steps_before += core::mem::take(&mut self.steps);
+        (self.start, self.memory) = (start, memory);
+        Ok(())
     }
 
     /// Advances by one time step.
@@ -189,11 +223,55 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 
     /// Position and velocity now.
     pub fn state(&self) -> Y::State {
+        self.state_of(&self.stride, self.t())
+    }
+
+    /// The state now, at the time t, as steps of some length have led there.
+    pub(crate) fn state_of(&self, stride: &Y::Stride, t: f64) -> Y::State {
         if self.steps == 0 {
             return self.start.clone();
         }
-        let t = self.t();
-        self.system.state(t, self.position(), &self.velocity(t))
+        let v = self.scheme.velocity(&self.system, stride, Y::Scalar::from_f64(t), &self.memory);
+        self.system.state(t, self.position(), &v)
+    }
+
+    /// The state at a time in the next step, by a shortened step of the same scheme: the stepper does not move, and what it
+    /// returns has the order of the scheme. For pictures between the steps of a game, for output at given times.
+    ///
+    /// # Errors
+    /// [`Error::OutsideStep`]; otherwise as [`step`](Stepper::step).
+    pub fn at(&self, t: f64) -> Result<Y::State, Error> {
+        let (now, dt) = (self.t(), self.next_dt());
+        if !(now..=now + dt).contains(&t) {
+            return Err(Error::OutsideStep { time: t, from: now, to: now + dt });
+        }
+        self.between(&self.state(), t).map(|(state, _)| state)
+    }
+
+    /// The state at a later time by a single step from a state, and what it costs.
+    pub(crate) fn between(&self, from: &Y::State, t: f64) -> Result<(Y::State, Effort), Error> {
+        let (system, start) = (&self.system, Y::time(from));
+        if t == start {
+            return Ok((from.clone(), Effort::default()));
+        }
+        let ([q, v], now) = (system.vectors(from), Y::Scalar::from_f64(start));
+        let mut slope = system.zero();
+        system.slope(now, &q, &v, &mut slope);
+        let from = Start { t: now, q: &q, v: &v, slope: &slope };
+        let ([q, v], mut effort) = match self.scheme.within(system, Y::Scalar::from_f64(t - start), &from) {
+            Ok(step) => step,
+            Err(cause) => return Err(system.unsolved(self.steps(), [&q, &v], start, t - start, cause)),
+        };
+        if !Y::is_finite(&q) || !Y::is_finite(&v) {
+            return Err(system.not_finite(self.steps(), [&q, &v], start, t - start));
+        }
+        effort.evaluations += 1;
+        Ok((system.state(t, &q, &v), effort))
+    }
+
+    /// The length of the next step.
+    pub fn next_dt(&self) -> f64 {
+        self.scheme.next_dt(self.dt, &self.memory)
     }
 
     fn velocity(&self, t: f64) -> Y::Vector {
@@ -214,7 +292,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 
     /// Steps made.
     pub fn steps(&self) -> u64 {
-        self.steps
+        self.steps_before + self.steps
     }
 
     /// Evaluations of the force so far, the start not counted.
@@ -258,8 +336,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// Why the next step failed, which left `after` behind.
     #[cold]
     fn failure(&self, cause: Option<NotConverged>, after: &S::Memory) -> Error {
-        let (step, t) = (self.steps + 1, self.t());
-        let (dt, v) = (self.scheme.next_dt(self.dt, &self.memory), self.velocity(t));
+        let (step, t) = (self.steps() + 1, self.t());
+        let (dt, v) = (self.next_dt(), self.velocity(t));
         match cause {
             Some(cause) => self.system.unsolved(step, [self.position(), &v], t, dt, cause),
             None => self.system.not_finite(step, [self.scheme.position(after), &v], t, dt),

@@ -78,6 +78,33 @@ pub enum Error {
     /// `record_every(0)`.
     #[error("record_every needs at least 1")]
     RecordEvery,
+    /// `record_dt` of a distance that is zero, negative, infinite or NaN.
+    #[error("record_dt needs a positive, finite distance in time, not {}", Number(*dt))]
+    RecordDt {
+        /// The refused distance.
+        dt: f64,
+    },
+    /// A time of `record_at` is not finite, or lies before the start.
+    #[error("no state can be recorded at t = {}: the run starts at t = {}", Number(*time), Number(*start))]
+    RecordAt {
+        /// The refused time.
+        time: f64,
+        /// The time of the start.
+        start: f64,
+    },
+    /// A time at which a stepper has no state: it lies outside the next step.
+    #[error("t = {} does not lie in the next step, from t = {} to {}", Number(*time), Number(*from), Number(*to))]
+    OutsideStep {
+        /// The refused time.
+        time: f64,
+        /// The time now.
+        from: f64,
+        /// The end of the next step.
+        to: f64,
+    },
+    /// A recorded state could not be written to a stream.
+    #[error("a recorded state could not be written: {0}")]
+    Stream(std::io::ErrorKind),
     /// The end of `run_until` is infinite or NaN, or too many steps away.
     #[error("cannot run until t = {} in steps of {}: the end must be finite, and 2^53 steps away at most", Number(*end), Number(*dt))]
     EndTime {

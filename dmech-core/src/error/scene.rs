@@ -37,6 +37,20 @@ pub enum SceneError {
         /// The number of bodies.
         bodies: usize,
     },
+    /// A change of a body that is not there.
+    #[error("there is no body {body}: the bodies are 0 to {}", bodies - 1)]
+    NoBody {
+        /// The body.
+        body: usize,
+        /// The number of bodies.
+        bodies: usize,
+    },
+    /// The distance of an encounter is zero, negative, infinite or NaN.
+    #[error("bodies meet at a positive, finite distance, not {}", Number(*distance))]
+    Encounter {
+        /// The refused distance.
+        distance: f64,
+    },
     /// A pinned body with a velocity.
     #[error("body {body} is pinned and must start at rest: a component of its velocity is {}", Number(*speed))]
     PinnedMoves {

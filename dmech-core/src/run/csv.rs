@@ -21,6 +21,8 @@ pub trait Columns {
     /// # Errors
     /// Those of the writer.
     fn write_values(&self, out: &mut dyn Write) -> io::Result<()>;
+    /// Shows the numbers in the same order, rounded to `f64`.
+    fn numbers(&self, see: &mut dyn FnMut(f64));
 }
 
 impl<const D: usize, R: Real> Columns for State<D, R> {
@@ -40,6 +42,11 @@ impl<const D: usize, R: Real> Columns for State<D, R> {
             write!(out, ",{x}")?;
         }
         Ok(())
+    }
+
+    fn numbers(&self, see: &mut dyn FnMut(f64)) {
+        see(self.t);
+        self.q.iter().chain(&self.v).for_each(|x| see(x.to_f64()));
     }
 }
 

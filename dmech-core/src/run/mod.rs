@@ -1,17 +1,28 @@
 //! Running: the loop, what it records and watches, what comes back.
 
+mod attend;
 mod csv;
+mod due;
+mod event;
 mod interrupted;
 mod motion;
+mod observe;
 mod progress;
 mod report;
+mod stream;
 mod watch;
+mod zero;
 
+pub use attend::{Attend, Within};
 pub use csv::Columns;
+pub(crate) use due::Due;
+pub use event::{Crossing, Event, Passage};
 pub use interrupted::Interrupted;
 pub(crate) use motion::record;
+pub use observe::Observer;
 pub(crate) use progress::Shown;
 pub use report::Report;
+pub use stream::{Csv, Npy, Sink, Stream};
 pub use watch::Watch;
 
 use crate::invariant::{Drift, Drifts, Invariant, Kept};
@@ -25,6 +36,8 @@ use report::Work;
 pub struct Run<X> {
     states: Vec<X>,
     last: X,
+    events: Vec<Event<X>>,
+    stopped: bool,
     report: Report,
 }
 
@@ -34,21 +47,33 @@ const ROOM: u64 = 1 << 16;
 impl<X> Run<X> {
     pub(crate) fn empty<M: Method>(start: X, scheme: &M, dt: f64, mass: f64) -> Self {
         let kept = Invariant::ALL.map(M::keeps);
-        Run { states: Vec::new(), last: start, report: Report::new(scheme, dt, mass, kept) }
+        let report = Report::new(scheme, dt, mass, kept);
+        Run { states: Vec::new(), last: start, events: Vec::new(), stopped: false, report }
     }
 
     pub(crate) fn expect(&mut self, states: u64) {
-        self.states.reserve(1 + states.min(ROOM) as usize);
+        self.states.reserve(states.min(ROOM) as usize);
     }
 
-    /// The states that were recorded: the first, then every n-th.
+    /// The states that were recorded: the first, then every n-th; or those at the times that were asked for.
     pub fn states(&self) -> &[X] {
         &self.states
     }
 
-    /// The state at the end, also where it was not due to be recorded.
+    /// The state at the end, also where it was not due to be recorded; the event that stopped the run, where one did.
     pub fn last(&self) -> &X {
         &self.last
+    }
+
+    /// What happened, in the order of time: [`Simulation::event`](crate::Simulation::event),
+    /// [`stop_when`](crate::Simulation::stop_when).
+    pub fn events(&self) -> &[Event<X>] {
+        &self.events
+    }
+
+    /// Whether an event or an observer ended the run.
+    pub fn stopped(&self) -> bool {
+        self.stopped
     }
 
     /// Steps completed.
@@ -71,16 +96,18 @@ impl<X> Run<X> {
     pub fn report(&self) -> &Report {
         &self.report
     }
-}
 
-impl<X: Clone> Run<X> {
-    pub(crate) fn record(&mut self, state: X) {
-        self.last = state.clone();
+    fn record(&mut self, state: X) {
         self.states.push(state);
     }
 
-    pub(crate) fn finish(&mut self, last: X, drifts: Drifts, work: Work) {
-        self.last = last;
+    fn happened(&mut self, event: Event<X>) {
+        self.events.push(event);
+    }
+
+    fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: Drifts, work: Work) {
+        self.stopped = stopped.is_some();
+        self.last = stopped.unwrap_or_else(last);
         self.report.finish(drifts, work);
     }
 }

@@ -2,73 +2,233 @@
 
 use std::time::Instant;
 
+use super::attend::{Attend, Happened, Within};
+use super::due::Due;
 #[cfg(feature = "progress")]
 use super::progress::Bar;
 use super::progress::{Follow, Shown, Unseen};
 use super::report::Work;
 use super::{Interrupted, Run, Watch};
+use crate::error::Error;
 use crate::scheme::Scheme;
 use crate::span::UNCOUNTED;
 use crate::stepper::Stepper;
-use crate::system::System;
+use crate::system::{Effort, System};
 
-/// Makes `steps` steps, or fewer if the motion arrives before, and records the state after every n-th.
-pub(crate) fn record<Y: System, S: Scheme<Y>>(
+/// Makes `steps` steps, or fewer if the motion arrives or is stopped before, and records the states that are due.
+pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
     stepper: Stepper<Y, S>,
     run: Run<Y::State>,
     steps: u64,
-    record_every: u64,
+    (due, attend): (Due, O),
     shown: Shown,
 ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
+    let mut log = Log::new(&stepper, run, due, attend);
+    log.run.expect(if steps == UNCOUNTED { 0 } else { log.due.states(steps) });
     #[cfg(feature = "progress")]
     if let Some(bar) = shown.bar {
-        return record_seen(stepper, run, steps, record_every, Bar::new(bar, steps));
+        return log.follow(stepper, steps, Bar::new(bar, steps));
     }
     let Shown { .. } = shown;
-    record_seen(stepper, run, steps, record_every, Unseen)
+    log.follow(stepper, steps, Unseen)
 }
 
-/// The loop, once for runs that are shown and once for those that are not.
-fn record_seen<Y: System, S: Scheme<Y>, F: Follow>(
-    mut stepper: Stepper<Y, S>,
-    mut run: Run<Y::State>,
-    steps: u64,
-    record_every: u64,
-    mut follow: F,
-) -> Result<Run<Y::State>, Interrupted<Y::State>> {
-    let clock = Instant::now();
-    let mut watch = Watch::begin(&stepper);
-    run.expect(if steps == UNCOUNTED { 0 } else { steps / record_every });
-    run.record(stepper.state());
-    let mut until_record = record_every;
-    let mut failure = None;
-    for _ in 0..steps {
-        if stepper.arrived() {
-            break;
+/// What is written down of a motion.
+struct Log<Y: System, O> {
+    run: Run<Y::State>,
+    watch: Watch<Y>,
+    due: Due,
+    /// The time of the start, and of the next state that is recorded by time.
+    start: f64,
+    next: Option<f64>,
+    /// States that were due so far, and steps until the next is.
+    recorded: u64,
+    until_record: u64,
+    attend: O,
+    happened: Vec<Happened<Y::State>>,
+    /// What states between steps have cost.
+    between: Effort64,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Effort64 {
+    evaluations: u64,
+    iterations: u64,
+}
+
+impl Effort64 {
+    fn add(&mut self, effort: Effort) {
+        self.evaluations += u64::from(effort.evaluations);
+        self.iterations += u64::from(effort.iterations);
+    }
+}
+
+impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
+    fn new<S: Scheme<Y>>(stepper: &Stepper<Y, S>, run: Run<Y::State>, due: Due, attend: O) -> Self {
+        let t = stepper.t();
+        let until_record = if let Due::Every(n) = due { n } else { u64::MAX };
+        let (next, watch) = (due.time(t, 0), Watch::begin(stepper));
+        let (happened, between) = (Vec::new(), Effort64::default());
+        Log { run, watch, due, start: t, next, recorded: 0, until_record, attend, happened, between }
+    }
+
+    /// The loop, once for runs that are shown and once for those that are not.
+    fn follow<S: Scheme<Y>, F: Follow>(
+        mut self,
+        mut stepper: Stepper<Y, S>,
+        steps: u64,
+        mut follow: F,
+    ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
+        let clock = Instant::now();
+        let outcome = self.begin(&stepper).and_then(|()| self.go(&mut stepper, steps, &mut follow));
+        let outcome = outcome.and_then(|stopped| {
+            if stopped.is_none() {
+                self.record_at_the_end(&stepper)?;
+            }
+            Ok(stopped)
+        });
+        let outcome = self.attend.end().and(outcome);
+        follow.end(outcome.is_ok());
+        if !matches!(self.due, Due::Every(n) if n == self.until_record) {
+            self.watch.observe(&stepper, &stepper.state());
         }
-        if let Err(error) = watch.step(&mut stepper) {
-            failure = Some(error);
-            break;
-        }
-        follow.step();
-        until_record -= 1;
-        if until_record == 0 {
-            until_record = record_every;
-            let state = stepper.state();
-            watch.observe(&stepper, &state);
-            run.record(state);
+        let Log { mut run, watch, between: Effort64 { evaluations, iterations }, .. } = self;
+        let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());
+        let (steps, range) = (stepper.steps(), stepper.scheme.range(&stepper.memory));
+        let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range };
+        let (stopped, failure) = match outcome {
+            Ok(stopped) => (stopped, None),
+            Err(cause) => (None, Some(cause)),
+        };
+        run.finish(stopped, || stepper.state(), watch.drifts(), work);
+        match failure {
+            None => Ok(run),
+            Some(cause) => Err(Interrupted::new(run, cause)),
         }
     }
-    follow.end(failure.is_none());
-    let last = stepper.state();
-    if until_record != record_every {
-        watch.observe(&stepper, &last);
+
+    /// Looks at the first state and records it.
+    fn begin<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
+        self.attend.begin(&stepper.state())?;
+        if matches!(self.due, Due::Every(_)) { self.keep(stepper.state()) } else { self.record_due(stepper.state()) }
     }
-    let (steps, evaluations, iterations) = (stepper.steps(), stepper.evaluations(), stepper.iterations());
-    let range = stepper.scheme.range(&stepper.memory);
-    run.finish(last, watch.drifts(), Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range });
-    match failure {
-        None => Ok(run),
-        Some(cause) => Err(Interrupted::new(run, cause)),
+
+    /// Makes the steps; where the run was stopped, if it was.
+    fn go<S: Scheme<Y>, F: Follow>(
+        &mut self,
+        stepper: &mut Stepper<Y, S>,
+        steps: u64,
+        follow: &mut F,
+    ) -> Result<Option<Y::State>, Error> {
+        for _ in 0..steps {
+            if stepper.arrived() {
+                break;
+            }
+            let before = (O::EVENTS > 0 || self.is_due_before(stepper)).then(|| stepper.state());
+            self.watch.step(stepper)?;
+            follow.step();
+            if let Some(before) = before {
+                if let Some(stopped) = self.look_into_the_step(stepper, &before)? {
+                    return Ok(Some(stopped));
+                }
+            }
+            self.until_record -= 1;
+            if self.until_record == 0 {
+                let Due::Every(n) = self.due else { continue };
+                self.until_record = n;
+                let state = stepper.state();
+                self.watch.observe(stepper, &state);
+                self.keep(state)?;
+            }
+            if O::OBSERVES && self.attend.observe(stepper.steps(), &mut || stepper.state()).is_break() {
+                return Ok(Some(stepper.state()));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether a state is to be recorded that the next step may reach.
+    fn is_due_before<S: Scheme<Y>>(&self, stepper: &Stepper<Y, S>) -> bool {
+        // A step may come out longer by rounding.
+        self.next.is_some_and(|next| next <= stepper.t() + 1.01 * stepper.next_dt())
+    }
+
+    /// Events, and states that are due, in the step that was made; where the run was stopped in it.
+    fn look_into_the_step<S: Scheme<Y>>(
+        &mut self,
+        stepper: &Stepper<Y, S>,
+        before: &Y::State,
+    ) -> Result<Option<Y::State>, Error> {
+        let Log { attend, between, happened, .. } = self;
+        let after = stepper.state();
+        let times = [Y::time(before), Y::time(&after)];
+        let mut at = |t| {
+            let (state, effort) = stepper.between(before, t)?;
+            between.add(effort);
+            Ok(state)
+        };
+        attend.meet(0, &mut Within { end: &after, times, at: &mut at, happened })?;
+        happened.sort_by(|a, b| Y::time(a.event.state()).total_cmp(&Y::time(b.event.state())));
+        let mut stopped = None;
+        for Happened { stops, event } in happened.drain(..) {
+            let state = stops.then(|| event.state().clone());
+            self.run.happened(event);
+            if state.is_some() {
+                stopped = state;
+                break;
+            }
+        }
+        let end = stopped.as_ref().map_or(times[1], Y::time);
+        let mut any = false;
+        while let Some(t) = self.next.filter(|&t| t <= end) {
+            let state = if t == times[1] { after.clone() } else { self.state_at(stepper, before, t)? };
+            self.record_due(state)?;
+            any = true;
+        }
+        if any {
+            self.watch.observe(stepper, &after);
+        }
+        Ok(stopped)
+    }
+
+    fn state_at<S: Scheme<Y>>(
+        &mut self,
+        stepper: &Stepper<Y, S>,
+        before: &Y::State,
+        t: f64,
+    ) -> Result<Y::State, Error> {
+        let (state, effort) = stepper.between(before, t)?;
+        self.between.add(effort);
+        Ok(state)
+    }
+
+    /// A state that is due by its time is recorded, and the next one follows.
+    fn record_due(&mut self, state: Y::State) -> Result<(), Error> {
+        if self.next != Some(Y::time(&state)) {
+            return Ok(());
+        }
+        self.recorded += 1;
+        self.next = self.due.time(self.start, self.recorded);
+        self.keep(state)
+    }
+
+    /// Times that only rounding keeps from having been reached.
+    fn record_at_the_end<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
+        let last = stepper.state();
+        let reached = Y::time(&last);
+        let rounding = 4.0 * f64::EPSILON * reached.abs().max(self.start.abs());
+        while let Some(t) = self.next.filter(|&t| t <= reached + rounding) {
+            let state = self.state_at(stepper, &last, t)?;
+            self.record_due(state)?;
+        }
+        Ok(())
+    }
+
+    /// Records a state, or hands it to a stream.
+    fn keep(&mut self, state: Y::State) -> Result<(), Error> {
+        if !self.attend.take(&state)? {
+            self.run.record(state);
+        }
+        Ok(())
     }
 }

@@ -43,7 +43,7 @@ mod bar {
     /// The clock is read about this often; a step of the smallest laws takes less time than that.
     const GLANCE: Duration = Duration::from_millis(50);
 
-    impl<L, X, S> Simulation<L, X, S> {
+    impl<L, X, S, O> Simulation<L, X, S, O> {
         /// Shows a bar on the standard error while [`run`](Simulation::run) or [`run_until`](Simulation::run_until) is at
         /// work: a title, the steps, their rate and the time left, drawn four times per second at most (feature
         /// `progress`). Where the standard error is not a terminal nothing is written.
@@ -79,7 +79,7 @@ mod bar {
         /// [`indicatif::MultiProgress`]. Its length becomes the number of steps; it is finished at the end of the run, and
         /// abandoned where that ends early.
         pub fn with_progress_bar(self, bar: ProgressBar) -> Self {
-            Simulation { shown: Shown { bar: Some(bar) }, ..self }
+            self.with(|settings| settings.shown = Shown { bar: Some(bar) })
         }
     }
 

@@ -20,32 +20,42 @@ impl<const D: usize, P> Bodies<D, P> {
         if n == 0 {
             return Err(SceneError::Empty.into());
         }
-        if let Some(given) = [self.q.len(), self.v.len()].into_iter().find(|&given| given != n) {
-            return Err(SceneError::Bodies { given, bodies: n }.into());
-        }
-        if !self.t.is_finite() {
-            return Err(Error::State { quantity: "t", value: self.t });
-        }
         for (body, &mass) in self.masses.iter().enumerate() {
             if !(mass > 0.0 && mass.is_finite()) {
                 return Err(SceneError::Mass { body, mass }.into());
             }
         }
-        for (quantity, list) in [("q", &self.q), ("v", &self.v)] {
-            for (body, x) in list.iter().enumerate() {
-                if let Some(&value) = x.iter().find(|x| !x.is_finite()) {
-                    return Err(SceneError::State { body, quantity, value }.into());
-                }
-            }
-        }
-        for &body in &self.pins {
-            if body >= n {
-                return Err(SceneError::Pin { body, bodies: n }.into());
-            }
-            if let Some(&speed) = self.v[body].iter().find(|&&v| v != 0.0) {
-                return Err(SceneError::PinnedMoves { body, speed }.into());
-            }
-        }
-        Ok(())
+        check_state([&self.q, &self.v], self.t, n, &self.pins)
     }
+}
+
+/// What can be said to be wrong with a state of n bodies.
+pub(super) fn check_state<const D: usize>(
+    [q, v]: [&[[f64; D]]; 2],
+    t: f64,
+    n: usize,
+    pins: &[usize],
+) -> Result<(), Error> {
+    if let Some(given) = [q.len(), v.len()].into_iter().find(|&given| given != n) {
+        return Err(SceneError::Bodies { given, bodies: n }.into());
+    }
+    if !t.is_finite() {
+        return Err(Error::State { quantity: "t", value: t });
+    }
+    for (quantity, list) in [("q", q), ("v", v)] {
+        for (body, x) in list.iter().enumerate() {
+            if let Some(&value) = x.iter().find(|x| !x.is_finite()) {
+                return Err(SceneError::State { body, quantity, value }.into());
+            }
+        }
+    }
+    for &body in pins {
+        if body >= n {
+            return Err(SceneError::Pin { body, bodies: n }.into());
+        }
+        if let Some(&speed) = v[body].iter().find(|&&v| v != 0.0) {
+            return Err(SceneError::PinnedMoves { body, speed }.into());
+        }
+    }
+    Ok(())
 }

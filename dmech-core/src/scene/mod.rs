@@ -6,7 +6,9 @@
 
 mod bodies;
 mod builder;
+mod changes;
 mod compensated;
+mod encounter;
 mod matrix;
 mod newton;
 mod state;
@@ -18,10 +20,11 @@ mod vectors;
 pub use bodies::Bodies;
 pub use builder::{FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
+pub use encounter::Encounter;
 pub use matrix::Matrix;
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Kicked, Linked, Moving, Pairs, Term};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Kicked, Laws, Linked, Moving, Pairs, Term};
 pub use topology::Topology;
 pub use vectors::Vectors;
 

@@ -69,4 +69,9 @@ impl<const D: usize> Columns for SceneState<D> {
         }
         Ok(())
     }
+
+    fn numbers(&self, see: &mut dyn FnMut(f64)) {
+        see(self.t);
+        self.q.iter().chain(&self.v).flatten().for_each(|&x| see(x));
+    }
 }

@@ -111,6 +111,25 @@ pub trait Scheme<Y: System>: Method {
         workspace: &mut Self::Workspace,
     ) -> Result<Effort, NotConverged>;
 
+    /// Position and velocity after a single step of length dt from a state, and what it costs: what lies between two steps, at the
+    /// order of the scheme.
+    ///
+    /// # Errors
+    /// [`NotConverged`]
+    fn within(
+        &self,
+        system: &Y,
+        dt: Y::Scalar,
+        from: &Beginning<'_, Y>,
+    ) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+        let stride = system.stride(dt, Self::SHARE);
+        let mut workspace = self.workspace(system, &stride);
+        let mut memory = self.begin(system, &stride, from, &mut workspace)?;
+        let effort = self.step(system, &stride, from.t, &mut memory, &mut workspace)?;
+        let v = self.velocity(system, &stride, from.t + dt, &memory);
+        Ok(([self.position(&memory).clone(), v], effort))
+    }
+
     /// The position now.
     fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector;
 

@@ -236,6 +236,11 @@ pub trait System: Sized {
 
     // What a run asks.
 
+    /// Refuses a state that is not one of this system, or not of numbers.
+    ///
+    /// # Errors
+    /// [`Error::State`]; for scenes `Error::Scene`.
+    fn check(&self, state: &Self::State) -> Result<(), Error>;
     /// Refuses a start from which nothing can be stepped; `slope` ← ∇Φ − F there.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ mod solve;
 
 pub use solve::SceneSolver;
 
-use super::bodies::Bodies;
+use super::bodies::{Bodies, check_state};
 use super::builder::Scene;
 use super::compensated::CompensatedVectors;
 use super::state::SceneState;
@@ -407,6 +407,10 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     /// The forces on all bodies are summed faster than those of each link are looked at.
+    fn check(&self, state: &SceneState<D>) -> Result<(), Error> {
+        check_state([&state.q, &state.v], state.t, self.masses.len(), &self.pins)
+    }
+
     fn prepare(&self, start: &SceneState<D>, slope: &mut Vectors<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
         System::slope(self, start.t, &q, &v, slope);

@@ -1,7 +1,9 @@
 //! A law on each body.
 
+use core::any::{Any, TypeId};
+
 use super::stencil::{Stencil, block};
-use super::{Acts, Fault, Moving, Term};
+use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error, Place};
 use crate::law::written::{self, agree};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
@@ -47,6 +49,12 @@ impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
             }
         }
         Ok(EachReady { law: self.law, masses: bodies.masses.clone() })
+    }
+}
+
+impl<X: 'static> Laws for EachReady<X> {
+    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
+        if_of(&mut self.law, of)
     }
 }
 

@@ -1,5 +1,6 @@
 //! A law along links.
 
+use core::any::{Any, TypeId};
 use core::marker::PhantomData;
 
 use super::kernels::{Secant, Slope, Turned};
@@ -7,7 +8,7 @@ use super::links::Links;
 use super::numbers::NumberColumns;
 use super::stencil::Stencil;
 use super::sweep::{self, Kicked};
-use super::{Acts, Fault, Moving, Term};
+use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error};
 use crate::law::written::{self, Place, agree};
 use crate::law::{Between, LinkLaw, PairLaw, Reads};
@@ -59,6 +60,12 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> 
         let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| self.law.numbers(mass, data));
         let numbers = NumberColumns::new(read);
         Ok(LinkedReady { law: self.law, links: self.links, numbers, data: PhantomData })
+    }
+}
+
+impl<X: Reads<P> + 'static, T, P> Laws for LinkedReady<X, T, P> {
+    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
+        if_of(&mut self.law, of)
     }
 }
 

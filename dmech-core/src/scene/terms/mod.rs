@@ -22,6 +22,8 @@ pub use moving::Moving;
 pub use pairs::Pairs;
 pub use sweep::Kicked;
 
+use core::any::{Any, TypeId};
+
 use stencil::Stencil;
 
 use super::bodies::Bodies;
@@ -118,6 +120,17 @@ pub trait Acts<const D: usize> {
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
     /// The first link or body on which what acts is not finite at q, or ∇̄Φ from another position to q.
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault>;
+}
+
+/// Terms whose laws can be found by their type.
+pub trait Laws {
+    /// The first law of a type.
+    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any>;
+}
+
+/// The law, if it is of the type.
+fn if_of<X: 'static>(law: &mut X, of: TypeId) -> Option<&mut dyn Any> {
+    (TypeId::of::<X>() == of).then_some(law)
 }
 
 /// Where what acts is not finite.

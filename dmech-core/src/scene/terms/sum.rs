@@ -1,8 +1,10 @@
 //! Nothing, and several terms together.
 
+use core::any::{Any, TypeId};
+
 use super::stencil::Stencil;
 use super::sweep::Kicked;
-use super::{Acts, Fault, Moving, Term};
+use super::{Acts, Fault, Laws, Moving, Term};
 use crate::error::Error;
 use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
@@ -17,6 +19,21 @@ impl<const D: usize, P> Term<D, P> for () {
 
     fn prepare(self, _: &Bodies<D, P>) -> Result<(), Error> {
         Ok(())
+    }
+}
+
+impl Laws for () {
+    fn law(&mut self, _: TypeId) -> Option<&mut dyn Any> {
+        None
+    }
+}
+
+impl<A: Laws, B: Laws> Laws for (A, B) {
+    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
+        match self.0.law(of) {
+            Some(law) => Some(law),
+            None => self.1.law(of),
+        }
     }
 }
 

@@ -262,6 +262,10 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         Ok(effort)
     }
 
+    fn within(&self, system: &Y, dt: f64, from: &Start<'_, Y>) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+        self.scheme.within(system, dt, from)
+    }
+
     #[inline]
     fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
         self.scheme.position(&memory.inner)

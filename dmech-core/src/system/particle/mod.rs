@@ -54,8 +54,13 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         self.law.field(self.mass, t)
     }
 
-    /// Refuses masses and states that are not numbers.
-    pub(crate) fn check(&self, mass: f64, start: &State<D, R>) -> Result<(), Error> {
+    /// The law, to be changed.
+    pub(crate) fn law_mut(&mut self) -> &mut L {
+        &mut self.law
+    }
+
+    /// Refuses masses that are not numbers.
+    pub(crate) fn check_masses(&self, mass: f64) -> Result<(), Error> {
         let positive = |x: f64| x > 0.0 && x.is_finite();
         if !positive(mass) || !positive(self.mass.to_f64()) {
             return Err(Error::Mass { mass });
@@ -66,14 +71,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
                 || !positive(R::from_f64(ratio * mass).to_f64())
             {
                 return Err(Error::Mass { mass: ratio });
-            }
-        }
-        if !start.t.is_finite() {
-            return Err(Error::State { quantity: "t", value: start.t });
-        }
-        for (quantity, components) in [("q", &start.q), ("v", &start.v)] {
-            if let Some(value) = components.iter().find(|x| !x.finite().all()) {
-                return Err(Error::State { quantity, value: value.to_f64() });
             }
         }
         Ok(())
@@ -309,6 +306,18 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     #[inline(always)]
     fn effort(found: &Self::Found) -> Effort {
         Effort { evaluations: found.increment.evaluations, iterations: found.increment.iterations }
+    }
+
+    fn check(&self, state: &State<D, R>) -> Result<(), Error> {
+        if !state.t.is_finite() {
+            return Err(Error::State { quantity: "t", value: state.t });
+        }
+        for (quantity, components) in [("q", &state.q), ("v", &state.v)] {
+            if let Some(value) = components.iter().find(|x| !x.finite().all()) {
+                return Err(Error::State { quantity, value: value.to_f64() });
+            }
+        }
+        Ok(())
     }
 
     fn prepare(&self, start: &State<D, R>, slope: &mut [R; D]) -> Result<(), Error> {

@@ -1,0 +1,126 @@
+//! Steppers that change between steps.
+
+use core::ops::{Deref, DerefMut};
+
+use dmech_scalar::Real;
+
+use crate::error::Error;
+use crate::invariant::Invariant;
+use crate::law::Law;
+use crate::scheme::Scheme;
+use crate::stepper::{Stepper, check_step};
+use crate::system::{Particle, System};
+
+/// Changes between steps, as a game makes them: from then on it is the motion of a new simulation from the state now, and what
+/// the scheme carries is begun anew. Time and the counts of steps and of work go on.
+impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
+    /// The energy now, Σ m v²/2 + Φ(q), where the system keeps it.
+    pub fn energy(&self) -> Option<f64> {
+        let state = self.state();
+        let [q, v] = self.system.vectors(&state);
+        let t = Y::Scalar::from_f64(Y::time(&state));
+        let energy = || self.system.potential(t, &q) + self.system.kinetic_energy(&v);
+        self.system.conserves(Invariant::Energy).then(|| energy().to_f64())
+    }
+
+    /// Goes on from another state: another place, another velocity, another time.
+    ///
+    /// # Errors
+    /// [`Error::State`] and what the start of a simulation may be refused for; the stepper then stays as it was.
+    pub fn set_state(&mut self, state: Y::State) -> Result<(), Error> {
+        self.system.check(&state)?;
+        self.begin_from(state)
+    }
+
+    /// Goes on in steps of another length; the longest, where the steps follow the motion.
+    ///
+    /// # Errors
+    /// [`Error::TimeStep`]; the stepper then stays as it was.
+    pub fn set_dt(&mut self, dt: f64) -> Result<(), Error> {
+        check_step::<Y::Scalar>(self.scheme.tolerance(), dt)?;
+        let before = core::mem::replace(&mut self.dt, dt);
+        self.pace();
+        let begun = self.begin_from(self.state_at(before));
+        if begun.is_err() {
+            self.dt = before;
+            self.pace();
+        }
+        begun
+    }
+
+    /// The state now, reached in steps of the length `dt`.
+    fn state_at(&self, dt: f64) -> Y::State {
+        let stride = self.system.stride(Y::Scalar::from_f64(dt), S::SHARE);
+        self.state_of(&stride, self.scheme.time(Y::time(&self.start), self.steps, dt, &self.memory))
+    }
+
+    fn pace(&mut self) {
+        self.system.set_stride(&mut self.stride, Y::Scalar::from_f64(self.dt), S::SHARE);
+        self.scheme.pace(&self.system, &self.stride, &mut self.workspace);
+    }
+}
+
+/// A system with a law of the type X.
+pub trait Holds<X> {
+    /// The law, if there is one; the first, if there are several.
+    fn law_mut(&mut self) -> Option<&mut X>;
+}
+
+impl<L: Law<D, R>, const D: usize, R: Real> Holds<L> for Particle<L, D, R> {
+    fn law_mut(&mut self) -> Option<&mut L> {
+        Some(Particle::law_mut(self))
+    }
+}
+
+impl<L: Law<D, R> + Clone, S: Scheme<Particle<L, D, R>>, const D: usize, R: Real> Stepper<Particle<L, D, R>, S> {
+    /// The law, to be changed: `stepper.law_mut().k = 4.0;`.
+    ///
+    /// The change counts when what this returns goes out of scope. A law that has no finite value where the motion is then
+    /// stands in the way of the next step.
+    pub fn law_mut(&mut self) -> LawMut<'_, Particle<L, D, R>, S, L> {
+        let law = self.law().clone();
+        LawMut { stepper: self, law, changed: false }
+    }
+}
+
+/// A law of a stepper, to be changed.
+pub struct LawMut<'a, Y: System + Holds<X>, S: Scheme<Y>, X: Clone> {
+    pub(crate) stepper: &'a mut Stepper<Y, S>,
+    pub(crate) law: X,
+    pub(crate) changed: bool,
+}
+
+impl<Y: System + Holds<X>, S: Scheme<Y>, X: Clone> Deref for LawMut<'_, Y, S, X> {
+    type Target = X;
+
+    fn deref(&self) -> &X {
+        &self.law
+    }
+}
+
+impl<Y: System + Holds<X>, S: Scheme<Y>, X: Clone> DerefMut for LawMut<'_, Y, S, X> {
+    fn deref_mut(&mut self) -> &mut X {
+        self.changed = true;
+        &mut self.law
+    }
+}
+
+impl<Y: System + Holds<X>, S: Scheme<Y>, X: Clone> Drop for LawMut<'_, Y, S, X> {
+    fn drop(&mut self) {
+        if !self.changed {
+            return;
+        }
+        let state = self.stepper.state();
+        if let Some(law) = self.stepper.system.law_mut() {
+            law.clone_from(&self.law);
+        }
+        // Where the law has no value, what the scheme carries stays, and the next step says why it fails.
+        let _ = self.stepper.begin_from(state);
+    }
+}
+
+impl<Y: System + Holds<X>, S: Scheme<Y>, X: Clone + core::fmt::Debug> core::fmt::Debug for LawMut<'_, Y, S, X> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_tuple("LawMut").field(&self.law).finish()
+    }
+}

@@ -1,0 +1,136 @@
+//! What accompanies a run.
+
+use core::ops::ControlFlow;
+
+use super::event::Event;
+use super::zero::zero;
+use crate::error::Error;
+use crate::simulation::Simulation;
+
+/// What accompanies a run beside its record: events, observers, streams. They stand in a list in the type of the simulation, so
+/// that nothing is left of them in a run that has none.
+pub trait Attend<X> {
+    /// How many events it looks for.
+    const EVENTS: usize = 0;
+    /// Whether it looks at states at the end of steps.
+    const OBSERVES: bool = false;
+
+    /// Looks at the first state.
+    ///
+    /// # Errors
+    /// [`Error`] for what cannot be looked for.
+    fn begin(&mut self, _start: &X) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// Finds what happened within a step; the number of its first event is `which`.
+    ///
+    /// # Errors
+    /// [`Error`] of the shortened steps.
+    fn meet(&mut self, _which: usize, _step: &mut Within<'_, X>) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// After so many steps, may look at the state, and stop the run.
+    fn observe(&mut self, _steps: u64, _now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    /// Takes a recorded state, which the run then does not keep.
+    ///
+    /// # Errors
+    /// [`Error::Stream`]
+    fn take(&mut self, _state: &X) -> Result<bool, Error> {
+        Ok(false)
+    }
+
+    /// The run has ended.
+    ///
+    /// # Errors
+    /// [`Error::Stream`]
+    fn end(&mut self) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+impl<X> Attend<X> for () {}
+
+impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
+    const EVENTS: usize = A::EVENTS + B::EVENTS;
+    const OBSERVES: bool = A::OBSERVES || B::OBSERVES;
+
+    fn begin(&mut self, start: &X) -> Result<(), Error> {
+        self.0.begin(start)?;
+        self.1.begin(start)
+    }
+
+    fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
+        self.0.meet(which, step)?;
+        self.1.meet(which + A::EVENTS, step)
+    }
+
+    fn observe(&mut self, steps: u64, now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
+        // Both look, also where one stops the run.
+        match [self.0.observe(steps, now), self.1.observe(steps, now)] {
+            [ControlFlow::Continue(()), ControlFlow::Continue(())] => ControlFlow::Continue(()),
+            _ => ControlFlow::Break(()),
+        }
+    }
+
+    fn take(&mut self, state: &X) -> Result<bool, Error> {
+        Ok(self.0.take(state)? | self.1.take(state)?)
+    }
+
+    fn end(&mut self) -> Result<(), Error> {
+        self.0.end().and(self.1.end())
+    }
+}
+
+impl<L, X, S, O> Simulation<L, X, S, O> {
+    pub(crate) fn attended<A>(self, also: A) -> Simulation<L, X, S, (O, A)> {
+        let Simulation { law, start, scheme, settings, attend } = self;
+        Simulation { law, start, scheme, settings, attend: (attend, also) }
+    }
+}
+
+/// A step, and the states within it.
+pub struct Within<'a, X> {
+    /// The state at its end.
+    pub end: &'a X,
+    /// The times of its ends.
+    pub times: [f64; 2],
+    pub(super) at: &'a mut dyn FnMut(f64) -> Result<X, Error>,
+    pub(super) happened: &'a mut Vec<Happened<X>>,
+}
+
+/// An event, and whether it ends the run.
+pub(super) struct Happened<X> {
+    pub(super) stops: bool,
+    pub(super) event: Event<X>,
+}
+
+impl<X: Clone> Within<'_, X> {
+    /// The state where a function is zero that has these values, of different signs, at the ends of the step.
+    ///
+    /// # Errors
+    /// [`Error`] of the shortened steps.
+    pub fn zero(&mut self, values: [f64; 2], function: &mut impl FnMut(&X) -> f64) -> Result<X, Error> {
+        let [start, end] = self.times;
+        if values[1] == 0.0 {
+            return Ok(self.end.clone());
+        }
+        let time = zero(|t| (self.at)(t).map(|state| function(&state)), [start, end], values)?;
+        if time == end { Ok(self.end.clone()) } else { (self.at)(time) }
+    }
+
+    /// Tells of an event, and whether it ends the run.
+    pub fn happened(&mut self, stops: bool, event: Event<X>) {
+        self.happened.push(Happened { stops, event });
+    }
+}
+
+impl<X: core::fmt::Debug> core::fmt::Debug for Within<'_, X> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Within").field("end", self.end).field("times", &self.times).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,70 @@
+//! Observers.
+
+use core::ops::ControlFlow;
+
+use super::attend::Attend;
+use crate::setup::Setup;
+use crate::simulation::Simulation;
+
+impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
+    /// Shows the state after every n-th step to a function, which may stop the run. Nothing is kept of what it sees.
+    ///
+    /// ```
+    /// use core::ops::ControlFlow;
+    /// use dmech_core::prelude::*;
+    /// # #[derive(Clone, Copy)]
+    /// # struct Spring { k: f64 }
+    /// # impl Conservative for Spring {}
+    /// # impl Potential<1> for Spring {
+    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
+    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
+    /// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
+    /// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+    /// # }
+    /// let (mut farthest, mut seen) = (0.0_f64, 0);
+    /// let run = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.5]))
+    ///     .scheme(Leapfrog)
+    ///     .dt(0.01)
+    ///     .record_every(1000)
+    ///     .observe(5, |state| {
+    ///         farthest = farthest.max(state.q[0].abs());
+    ///         seen += 1;
+    ///         if seen < 400 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    ///     })
+    ///     .run(1_000_000)?;
+    /// assert_eq!((run.steps(), run.stopped()), (2000, true));
+    /// assert!((farthest - 1.0625_f64.sqrt()).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// With n = 0 it is never called.
+    pub fn observe<F: FnMut(&X::State) -> ControlFlow<()>>(
+        self,
+        n: u64,
+        function: F,
+    ) -> Simulation<L, X, S, (O, Observer<F>)> {
+        self.attended(Observer { n, function })
+    }
+}
+
+/// A function that sees the state after every n-th step.
+#[derive(Clone)]
+pub struct Observer<F> {
+    n: u64,
+    function: F,
+}
+
+impl<F> core::fmt::Debug for Observer<F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Observer").field("n", &self.n).finish_non_exhaustive()
+    }
+}
+
+impl<X, F: FnMut(&X) -> ControlFlow<()>> Attend<X> for Observer<F> {
+    const OBSERVES: bool = true;
+
+    fn observe(&mut self, steps: u64, now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
+        if self.n != 0 && steps.is_multiple_of(self.n) { (self.function)(&now()) } else { ControlFlow::Continue(()) }
+    }
+}

@@ -1,0 +1,45 @@
+//! Scenes that change between steps.
+
+use core::any::TypeId;
+
+use super::system::SceneSystem;
+use super::terms::{Acts, Laws};
+use crate::changes::{Holds, LawMut};
+use crate::error::{Error, SceneError};
+use crate::scheme::Scheme;
+use crate::stepper::Stepper;
+
+impl<X: 'static, const D: usize, A: Laws> Holds<X> for SceneSystem<D, A> {
+    fn law_mut(&mut self) -> Option<&mut X> {
+        self.acts.law(TypeId::of::<X>())?.downcast_mut()
+    }
+}
+
+impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSystem<D, A>, S> {
+    /// Puts body i, counted from 0, to another place with another velocity: the hand of a player, a pin that is carried along.
+    /// What the scheme carries of all bodies is begun anew, which costs an evaluation of the forces.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] for a body that is not there, a state that is not finite, a pinned body with a velocity; the stepper
+    /// then stays as it was.
+    pub fn set_body(&mut self, i: usize, q: [f64; D], v: [f64; D]) -> Result<(), Error> {
+        let mut state = self.state();
+        let bodies = state.q.len();
+        let (Some(place), Some(velocity)) = (state.q.get_mut(i), state.v.get_mut(i)) else {
+            return Err(SceneError::NoBody { body: i, bodies }.into());
+        };
+        (*place, *velocity) = (q, v);
+        self.set_state(state)
+    }
+
+    /// The first law of the type X, to be changed: `stepper.law_mut::<Wind>()`; `None` if no law of the scene is one.
+    ///
+    /// The change counts when what this returns goes out of scope.
+    pub fn law_mut<X: Clone + 'static>(&mut self) -> Option<LawMut<'_, SceneSystem<D, A>, S, X>>
+    where
+        A: Laws,
+    {
+        let law = Holds::<X>::law_mut(&mut self.system)?.clone();
+        Some(LawMut { stepper: self, law, changed: false })
+    }
+}

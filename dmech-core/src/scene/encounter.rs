@@ -1,0 +1,74 @@
+//! Encounters of bodies.
+
+use super::builder::Scene;
+use super::state::SceneState;
+use super::terms::Term;
+use crate::error::{Error, SceneError};
+use crate::run::{Attend, Crossing, Event, Within};
+use crate::simulation::Simulation;
+
+impl<const D: usize, P, L: Term<D, P>, S, O> Simulation<(), Scene<D, P, L>, S, O> {
+    /// Watches for pairs of bodies that come nearer to one another than a distance, which
+    /// [`Run::events`](crate::Run::events) then has, with [`bodies`](crate::Event::bodies) and the state at that distance. Pairs
+    /// that are nearer at the start have met before. A pair that comes and goes within one step may be missed; each step
+    /// looks at all pairs.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// let scene = Scene::<1>::new().body(1.0, [0.0], [0.0]).body(1.0, [3.0], [-1.0]).body(1.0, [-9.0], [2.0]);
+    /// let run = Simulation::scene(scene).scheme(Leapfrog).dt(0.3).encounter(0.5).run_until(6.0)?;
+    /// let met: Vec<_> = run.events().iter().map(|event| (event.bodies().unwrap(), event.state().t)).collect();
+    /// assert_eq!(met.len(), 3);
+    /// assert!(met[0].0 == [0, 1] && (met[0].1 - 2.5).abs() < 1e-14);
+    /// assert!(met[1].0 == [1, 2] && (met[1].1 - 11.5 / 3.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When run: [`SceneError::Encounter`] where the distance is not positive and finite.
+    pub fn encounter(self, distance: f64) -> Simulation<(), Scene<D, P, L>, S, (O, Encounter)> {
+        self.attended(Encounter { distance, excess: Vec::new() })
+    }
+}
+
+/// The distance at which bodies meet, and by how much the squares of the distances of all pairs exceed its own.
+#[derive(Clone, Debug)]
+pub struct Encounter {
+    distance: f64,
+    excess: Vec<f64>,
+}
+
+/// |q_a − q_b|² − r².
+fn excess<const D: usize>(state: &SceneState<D>, [a, b]: [usize; 2], distance: f64) -> f64 {
+    let separation = state.q[a].iter().zip(&state.q[b]).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+    separation - distance * distance
+}
+
+fn pairs(bodies: usize) -> impl Iterator<Item = [usize; 2]> {
+    (0..bodies).flat_map(move |b| (0..b).map(move |a| [a, b]))
+}
+
+impl<const D: usize> Attend<SceneState<D>> for Encounter {
+    const EVENTS: usize = 1;
+
+    fn begin(&mut self, start: &SceneState<D>) -> Result<(), Error> {
+        if !(self.distance > 0.0 && self.distance.is_finite()) {
+            return Err(SceneError::Encounter { distance: self.distance }.into());
+        }
+        self.excess = pairs(start.q.len()).map(|pair| excess(start, pair, self.distance)).collect();
+        Ok(())
+    }
+
+    fn meet(&mut self, which: usize, step: &mut Within<'_, SceneState<D>>) -> Result<(), Error> {
+        for (pair, last) in pairs(step.end.q.len()).zip(&mut self.excess) {
+            let now = excess(step.end, pair, self.distance);
+            let before = core::mem::replace(last, now);
+            if before > 0.0 && now <= 0.0 {
+                let mut function = |state: &SceneState<D>| excess(state, pair, self.distance);
+                let state = step.zero([before, now], &mut function)?;
+                step.happened(false, Event::new(which, state, Crossing::Falling, Some(pair)));
+            }
+        }
+        Ok(())
+    }
+}

@@ -77,7 +77,8 @@ pub mod prelude {
         Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
     pub use crate::{
-        Crossing, Drift, Error, Event, Interrupted, Invariant, Kept, Particle, Run, Simulation, State, Stepper,
+        Crossing, Csv, Drift, Error, Event, Interrupted, Invariant, Kept, Npy, Particle, Run, Simulation, State,
+        Stepper,
     };
     pub use dmech_scalar::{DoubleDouble, Real as _};
 }

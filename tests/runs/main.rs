@@ -1,5 +1,9 @@
-//! Runs: saved, resumed, shown.
+//! Runs: recorded, seen, changed, saved, resumed, shown.
 
+mod changes;
 mod checkpoint;
+mod events;
+mod output;
 mod progress;
 mod resumed;
+mod streams;

@@ -4,9 +4,7 @@ use std::time::Instant;
 
 use super::attend::{Attend, Happened, Within};
 use super::due::Due;
-#[cfg(feature = "progress")]
-use super::progress::Bar;
-use super::progress::{Follow, Shown, Unseen};
+use super::progress::{Follow, Shown};
 use super::report::Work;
 use super::{Interrupted, Run, Watch};
 use crate::error::Error;
@@ -25,12 +23,7 @@ pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
 ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     let mut log = Log::new(&stepper, run, due, attend);
     log.run.expect(if steps == UNCOUNTED { 0 } else { log.due.states(steps) });
-    #[cfg(feature = "progress")]
-    if let Some(bar) = shown.bar {
-        return log.follow(stepper, steps, Bar::new(bar, steps));
-    }
-    let Shown { .. } = shown;
-    log.follow(stepper, steps, Unseen)
+    log.write(stepper, steps, Follow::new(shown, steps))
 }
 
 /// What is written down of a motion.
@@ -41,9 +34,12 @@ struct Log<Y: System, O> {
     /// The time of the start, and of the next state that is recorded by time.
     start: f64,
     next: Option<f64>,
-    /// States that were due so far, and steps until the next is.
+    /// States recorded by time so far.
     recorded: u64,
+    /// Steps until a state is recorded by number.
     until_record: u64,
+    /// The steps after which the invariants were looked at last.
+    looked_at: u64,
     attend: O,
     happened: Vec<Happened<Y::State>>,
     /// What states between steps have cost.
@@ -69,15 +65,15 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let until_record = if let Due::Every(n) = due { n } else { u64::MAX };
         let (next, watch) = (due.time(t, 0), Watch::begin(stepper));
         let (happened, between) = (Vec::new(), Effort64::default());
-        Log { run, watch, due, start: t, next, recorded: 0, until_record, attend, happened, between }
+        Log { run, watch, due, start: t, next, recorded: 0, until_record, looked_at: 0, attend, happened, between }
     }
 
-    /// The loop, once for runs that are shown and once for those that are not.
-    fn follow<S: Scheme<Y>, F: Follow>(
+    /// The whole run.
+    fn write<S: Scheme<Y>>(
         mut self,
         mut stepper: Stepper<Y, S>,
         steps: u64,
-        mut follow: F,
+        mut follow: Follow,
     ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
         let clock = Instant::now();
         let outcome = self.begin(&stepper).and_then(|()| self.go(&mut stepper, steps, &mut follow));
@@ -88,9 +84,9 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             Ok(stopped)
         });
         let outcome = self.attend.end().and(outcome);
-        follow.end(outcome.is_ok());
-        if !matches!(self.due, Due::Every(n) if n == self.until_record) {
-            self.watch.observe(&stepper, &stepper.state());
+        follow.end(stepper.steps(), outcome.is_ok());
+        if self.looked_at != stepper.steps() {
+            self.look_at(&stepper, &stepper.state());
         }
         let Log { mut run, watch, between: Effort64 { evaluations, iterations }, .. } = self;
         let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());
@@ -114,37 +110,47 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
     }
 
     /// Makes the steps; where the run was stopped, if it was.
-    fn go<S: Scheme<Y>, F: Follow>(
+    fn go<S: Scheme<Y>>(
         &mut self,
         stepper: &mut Stepper<Y, S>,
         steps: u64,
-        follow: &mut F,
+        follow: &mut Follow,
     ) -> Result<Option<Y::State>, Error> {
+        // Steps until a state is recorded or the bar is looked at, and how many there were.
+        let mut row = follow.look(0).min(self.until_record);
+        let mut left = row;
         for _ in 0..steps {
             if stepper.arrived() {
                 break;
             }
             let before = (O::EVENTS > 0 || self.is_due_before(stepper)).then(|| stepper.state());
             self.watch.step(stepper)?;
-            follow.step();
             if let Some(before) = before {
                 if let Some(stopped) = self.look_into_the_step(stepper, &before)? {
                     return Ok(Some(stopped));
                 }
             }
-            self.until_record -= 1;
-            if self.until_record == 0 {
-                let Due::Every(n) = self.due else { continue };
-                self.until_record = n;
-                let state = stepper.state();
-                self.watch.observe(stepper, &state);
-                self.keep(state)?;
+            left -= 1;
+            if left == 0 {
+                self.count(stepper, row)?;
+                row = follow.look(stepper.steps()).min(self.until_record);
+                left = row;
             }
             if O::OBSERVES && self.attend.observe(stepper.steps(), &mut || stepper.state()).is_break() {
                 return Ok(Some(stepper.state()));
             }
         }
         Ok(None)
+    }
+
+    /// Counts a row of steps, and records the state if it is due.
+    fn count<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, steps: u64) -> Result<(), Error> {
+        self.until_record -= steps;
+        let (0, &Due::Every(n)) = (self.until_record, &self.due) else { return Ok(()) };
+        self.until_record = n;
+        let state = stepper.state();
+        self.look_at(stepper, &state);
+        self.keep(state)
     }
 
     /// Whether a state is to be recorded that the next step may reach.
@@ -186,9 +192,14 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             any = true;
         }
         if any {
-            self.watch.observe(stepper, &after);
+            self.look_at(stepper, &after);
         }
         Ok(stopped)
+    }
+
+    fn look_at<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
+        self.watch.observe(stepper, state);
+        self.looked_at = stepper.steps();
     }
 
     fn state_at<S: Scheme<Y>>(

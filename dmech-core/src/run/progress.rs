@@ -1,23 +1,5 @@
 //! Showing how far a run is.
 
-/// Follows a run step by step.
-pub(crate) trait Follow {
-    /// A step was made.
-    fn step(&mut self);
-    /// The run ended after its last step, or before.
-    fn end(self, complete: bool);
-}
-
-/// Nobody looks: nothing is left of it in the loop.
-pub(crate) struct Unseen;
-
-impl Follow for Unseen {
-    #[inline(always)]
-    fn step(&mut self) {}
-    #[inline(always)]
-    fn end(self, _: bool) {}
-}
-
 /// Whether a run is to be shown.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Shown {
@@ -25,8 +7,43 @@ pub(crate) struct Shown {
     pub(crate) bar: Option<indicatif::ProgressBar>,
 }
 
+/// Follows a run, if it is shown.
+pub(crate) struct Follow {
+    #[cfg(feature = "progress")]
+    bar: Option<Bar>,
+}
+
+impl Follow {
+    #[cfg_attr(not(feature = "progress"), expect(unused_variables, reason = "nothing is shown"))]
+    pub(crate) fn new(shown: Shown, steps: u64) -> Self {
+        Follow {
+            #[cfg(feature = "progress")]
+            bar: shown.bar.map(|bar| Bar::new(bar, steps)),
+        }
+    }
+
+    /// So many steps are made; how many more until it wants to know again.
+    #[cfg_attr(not(feature = "progress"), expect(unused_variables, reason = "nothing is shown"))]
+    pub(crate) fn look(&mut self, steps: u64) -> u64 {
+        #[cfg(feature = "progress")]
+        if let Some(bar) = &mut self.bar {
+            return bar.glance(steps);
+        }
+        u64::MAX
+    }
+
+    /// The run ended after its last step, or before.
+    #[cfg_attr(not(feature = "progress"), expect(unused_variables, reason = "nothing is shown"))]
+    pub(crate) fn end(self, steps: u64, complete: bool) {
+        #[cfg(feature = "progress")]
+        if let Some(bar) = self.bar {
+            bar.end(steps, complete);
+        }
+    }
+}
+
 #[cfg(feature = "progress")]
-pub(crate) use bar::Bar;
+use bar::Bar;
 
 #[cfg(feature = "progress")]
 mod bar {
@@ -35,7 +52,7 @@ mod bar {
 
     use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-    use super::{Follow, Shown};
+    use super::Shown;
     use crate::simulation::Simulation;
 
     /// Drawings per second at most.
@@ -84,26 +101,24 @@ mod bar {
     }
 
     /// A bar, and how many steps go by until the clock is read again.
-    pub(crate) struct Bar {
+    pub(super) struct Bar {
         bar: ProgressBar,
-        done: u64,
-        next: u64,
         stride: u64,
         glanced: Instant,
     }
 
     impl Bar {
-        pub(crate) fn new(bar: ProgressBar, steps: u64) -> Self {
+        pub(super) fn new(bar: ProgressBar, steps: u64) -> Self {
             if steps != crate::span::UNCOUNTED {
                 bar.set_length(steps);
             }
             bar.set_position(0);
             bar.reset_eta();
-            Bar { bar, done: 0, next: 1, stride: 1, glanced: Instant::now() }
+            Bar { bar, stride: 1, glanced: Instant::now() }
         }
 
         #[cold]
-        fn glance(&mut self) {
+        pub(super) fn glance(&mut self, steps: u64) -> u64 {
             let now = Instant::now();
             let passed = now - self.glanced;
             // Twice as many steps, or half as many, until about GLANCE goes by between two looks at the clock.
@@ -112,23 +127,13 @@ mod bar {
             } else if passed > GLANCE * 2 {
                 self.stride = (self.stride / 2).max(1);
             }
-            self.next = self.done.saturating_add(self.stride);
             self.glanced = now;
-            self.bar.set_position(self.done);
-        }
-    }
-
-    impl Follow for Bar {
-        #[inline(always)]
-        fn step(&mut self) {
-            self.done += 1;
-            if self.done >= self.next {
-                self.glance();
-            }
+            self.bar.set_position(steps);
+            self.stride
         }
 
-        fn end(self, complete: bool) {
-            self.bar.set_position(self.done);
+        pub(super) fn end(self, steps: u64, complete: bool) {
+            self.bar.set_position(steps);
             if complete {
                 self.bar.finish();
             } else {

@@ -1,0 +1,204 @@
+//! Steppers that change between steps: as a new simulation from the state now, for every scheme, on laws and on scenes.
+
+use dmech::SceneError;
+use dmech::extend::Scheme;
+use dmech::models::Kepler;
+use dmech::models::pairs::{Gravity, Spring};
+use dmech::prelude::*;
+use dmech_core::extend::Particle;
+
+const START: State<2> = State { t: 0.3, q: [0.8, 0.1], v: [0.0, 1.2] };
+
+/// Law, state and step change; every time the motion is that of a new simulation, to the bit, and the time goes on.
+fn law<S: Scheme<Particle<Kepler, 2>> + Copy>(scheme: S) {
+    let begin =
+        |gm, state: State<2>, dt| Simulation::new(Kepler { gm }, state).scheme(scheme).dt(dt).stepper().unwrap();
+    let mut stepper = begin(1.3, START, 0.01);
+    stepper.advance(37).unwrap();
+    stepper.law_mut().gm = 0.9;
+    assert_eq!(stepper.law().gm, 0.9);
+    let mut other = begin(0.9, stepper.state(), 0.01);
+    let same = |stepper: &mut dmech::Stepper<_, S>, other: &mut dmech::Stepper<_, S>| {
+        for _ in 0..3 {
+            stepper.step().unwrap();
+            other.step().unwrap();
+            assert_eq!(stepper.state(), other.state());
+        }
+        stepper.advance(20).unwrap();
+        other.advance(20).unwrap();
+        assert_eq!(stepper.state(), other.state());
+    };
+    same(&mut stepper, &mut other);
+    stepper.set_dt(0.004).unwrap();
+    same(&mut stepper, &mut begin(0.9, other.state(), 0.004));
+    let moved = State { v: [0.1, -1.1], ..stepper.state() };
+    stepper.set_state(moved).unwrap();
+    assert_eq!(stepper.state(), moved);
+    same(&mut stepper, &mut begin(0.9, moved, 0.004));
+    assert_eq!(stepper.steps(), 37 + 3 * 23);
+    assert!((stepper.t() - (0.3 + 0.37 + 0.23 + 2.0 * 23.0 * 0.004)).abs() < 1e-13);
+    // What is refused changes nothing.
+    let before = stepper.state();
+    for dt in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(stepper.set_dt(dt), Err(Error::TimeStep { .. })));
+    }
+    assert!(matches!(
+        stepper.set_state(State { q: [f64::NAN, 0.0], ..before }),
+        Err(Error::State { quantity: "q", .. })
+    ));
+    assert!(matches!(stepper.set_state(State { t: f64::INFINITY, ..before }), Err(Error::State { quantity: "t", .. })));
+    assert!(stepper.set_state(State { q: [0.0; 2], ..before }).is_err());
+    assert_eq!((stepper.state(), stepper.dt()), (before, 0.004));
+    same(&mut stepper, &mut begin(0.9, moved, 0.004).advanced(23));
+}
+
+trait Advanced {
+    fn advanced(self, steps: u64) -> Self;
+}
+
+impl<Y: dmech::extend::System, S: Scheme<Y>> Advanced for dmech::Stepper<Y, S> {
+    fn advanced(mut self, steps: u64) -> Self {
+        for _ in 0..3 {
+            self.step().unwrap();
+        }
+        self.advance(steps - 3).unwrap();
+        self
+    }
+}
+
+#[test]
+fn one_law_changes_under_every_scheme() {
+    law(Leapfrog);
+    law(CompensatedLeapfrog);
+    law(Explicit);
+    law(Implicit);
+    law(DiscreteGradient);
+    law(Kanatani);
+    law(Kanatani.start(Start::BackwardStep));
+    law(Nystrom::order6());
+    law(ForceGradient::order6());
+    law(Composed::order4(Leapfrog));
+    law(Composed::order6(DiscreteGradient));
+    law(Composed::order4(Implicit));
+}
+
+#[test]
+fn adaptive_steppers_change_too() {
+    let begin =
+        |gm, state| Simulation::new(Kepler { gm }, state).scheme(Nystrom::order6()).adaptive(1e-8).stepper().unwrap();
+    let mut stepper = begin(1.3, START);
+    stepper.advance(40).unwrap();
+    stepper.law_mut().gm = 0.9;
+    let mut other = begin(0.9, stepper.state());
+    for _ in 0..50 {
+        stepper.step().unwrap();
+        other.step().unwrap();
+        assert_eq!(stepper.state(), other.state());
+    }
+    stepper.set_dt(1e-3).unwrap();
+    stepper.step().unwrap();
+    assert!((stepper.t() - other.t() - 1e-3).abs() < 1e-13, "{} {}", stepper.t(), other.t());
+}
+
+#[test]
+fn the_energy_is_that_of_the_state() {
+    let mut stepper = Simulation::new(Kepler { gm: 1.3 }, START).mass(1.7).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    let energy = |gm: f64, state: State<2>| {
+        0.5 * 1.7 * (state.v[0].powi(2) + state.v[1].powi(2)) - gm / state.q[0].hypot(state.q[1])
+    };
+    stepper.advance(11).unwrap();
+    assert!((stepper.energy().unwrap() - energy(1.3, stepper.state())).abs() < 1e-15);
+    stepper.law_mut().gm = 2.0;
+    assert!((stepper.energy().unwrap() - energy(2.0, stepper.state())).abs() < 1e-15);
+}
+
+/// A law that has no value stands in the way of the next step, and a better one lets it go on.
+#[test]
+fn a_broken_law_is_told_by_the_next_step() {
+    let mut stepper = Simulation::new(Kepler { gm: 1.3 }, START).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    stepper.advance(5).unwrap();
+    let state = stepper.state();
+    stepper.law_mut().gm = f64::NAN;
+    assert!(stepper.step().is_err() && stepper.advance(3).is_err());
+    assert_eq!(stepper.state(), state);
+    stepper.law_mut().gm = 1.3;
+    stepper.step().unwrap();
+    // Looking at it changes nothing.
+    let same = stepper.clone();
+    assert_eq!(stepper.law_mut().gm, 1.3);
+    assert_eq!(stepper.steps(), same.steps());
+}
+
+fn web()
+-> Scene<2, (), ((((), dmech::scene::OnBonds<Spring>), dmech::scene::OnPairs<Gravity>), dmech::scene::OnEach<Wind>)> {
+    Scene::new()
+        .body(1.0, [0.0, 0.0], [0.0, 0.0])
+        .body(1.3, [1.1, 0.0], [0.0, 0.3])
+        .body(0.7, [2.0, 0.4], [0.1, 0.0])
+        .pin(0)
+        .bonds(Spring { k: 3.0, length: 1.0 }, [(0, 1), (1, 2)])
+        .pairs(Gravity { g: 0.2 })
+        .field(Wind { blow: 0.1 })
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Wind {
+    blow: f64,
+}
+
+#[dmech::law]
+impl Wind {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -self.blow * q[0]
+    }
+}
+
+macro_rules! scene {
+    ($scheme:expr) => {{
+        let mut stepper = Simulation::scene(web()).scheme($scheme).dt(0.01).stepper().unwrap();
+        stepper.advance(25).unwrap();
+        stepper.set_body(1, [1.2, 0.2], [0.0, -0.2]).unwrap();
+        stepper.set_body(0, [0.0, 0.1], [0.0, 0.0]).unwrap();
+        stepper.law_mut::<Wind>().unwrap().blow = 0.4;
+        stepper.law_mut::<Spring>().unwrap().k = 2.0;
+        assert!(stepper.law_mut::<Kepler>().is_none());
+        let state = stepper.state();
+        assert_eq!((state.q[1], state.v[1], state.q[0]), ([1.2, 0.2], [0.0, -0.2], [0.0, 0.1]));
+        // The same, set up anew.
+        let scene = Scene::new()
+            .body(1.0, state.q[0], state.v[0])
+            .body(1.3, state.q[1], state.v[1])
+            .body(0.7, state.q[2], state.v[2])
+            .pin(0)
+            .at_time(state.t)
+            .bonds(Spring { k: 2.0, length: 1.0 }, [(0, 1), (1, 2)])
+            .pairs(Gravity { g: 0.2 })
+            .field(Wind { blow: 0.4 });
+        let mut other = Simulation::scene(scene).scheme($scheme).dt(0.01).stepper().unwrap();
+        stepper.advance(40).unwrap();
+        other.advance(40).unwrap();
+        assert_eq!(stepper.state(), other.state());
+        assert_eq!((stepper.steps(), stepper.energy()), (65, other.energy()));
+        // What is refused changes nothing.
+        assert_eq!(stepper.set_body(3, [0.0; 2], [0.0; 2]), Err(SceneError::NoBody { body: 3, bodies: 3 }.into()));
+        assert!(stepper.set_body(0, [0.0; 2], [0.0, 1.0]).is_err());
+        assert!(stepper.set_body(1, [f64::NAN, 0.0], [0.0; 2]).is_err());
+        assert!(stepper.set_body(1, [0.0, 0.1], [0.0; 2]).is_err(), "where body 0 is");
+        let mut short = stepper.state();
+        short.q.pop();
+        assert!(stepper.set_state(short).is_err());
+        assert_eq!(stepper.state(), other.state());
+        stepper.step().unwrap();
+    }};
+}
+
+#[test]
+fn scenes_change_under_every_kind_of_scheme() {
+    scene!(Leapfrog);
+    scene!(Nystrom::order6());
+    scene!(Implicit);
+    scene!(DiscreteGradient);
+    scene!(Kanatani);
+    scene!(Composed::order4(DiscreteGradient));
+}

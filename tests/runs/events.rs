@@ -1,0 +1,221 @@
+//! Events: where, when, which, in what order, and what they leave alone.
+
+use core::cell::Cell;
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::ops::ControlFlow;
+
+use dmech::extend::Scheme;
+use dmech::models::pairs::Gravity;
+use dmech::models::{Kepler, Pendulum};
+use dmech::prelude::*;
+use dmech_core::extend::Particle;
+
+/// q = cos 2t.
+#[derive(Clone, Copy, Debug)]
+struct Spring {
+    k: f64,
+}
+
+#[dmech::law]
+impl Spring {
+    #[potential]
+    fn energy(&self, q: [f64; 1]) -> f64 {
+        0.5 * self.k * q[0] * q[0]
+    }
+}
+
+fn spring<S: Scheme<Particle<Spring, 1>>>(scheme: S, dt: f64) -> Simulation<Spring, State<1>, S> {
+    Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0])).scheme(scheme).dt(dt)
+}
+
+fn times<const D: usize>(run: &Run<State<D>>, which: usize) -> Vec<f64> {
+    run.events().iter().filter(|event| event.which() == which).map(|event| event.state().t).collect()
+}
+
+/// The error of the times falls with the order of the scheme, down to rounding.
+#[test]
+fn times_have_the_order_of_the_scheme() {
+    fn error<S: Scheme<Particle<Spring, 1>>>(scheme: S, dt: f64) -> f64 {
+        let run = spring(scheme, dt).event(|state| state.q[0] - 0.3, Crossing::Any).run_until(3.0).unwrap();
+        let exact = |n: i32| {
+            let angle = 0.3_f64.acos();
+            0.5 * if n % 2 == 0 { f64::from(n / 2) * TAU + angle } else { f64::from(n / 2 + 1) * TAU - angle }
+        };
+        assert_eq!(run.events().len(), 2);
+        (0..2).fold(0.0, |worst: f64, n| worst.max((run.events()[n as usize].state().t - exact(n)).abs()))
+    }
+    for (order, [coarse, half]) in [
+        (2, [error(Leapfrog, 0.05), error(Leapfrog, 0.025)]),
+        (2, [error(DiscreteGradient, 0.05), error(DiscreteGradient, 0.025)]),
+        (2, [error(Kanatani, 0.05), error(Kanatani, 0.025)]),
+        (4, [error(Nystrom::order4(), 0.2), error(Nystrom::order4(), 0.1)]),
+        (6, [error(Nystrom::order6(), 0.3), error(Nystrom::order6(), 0.15)]),
+        (4, [error(Composed::order4(DiscreteGradient), 0.2), error(Composed::order4(DiscreteGradient), 0.1)]),
+    ] {
+        let measured = (coarse / half).log2();
+        assert!((measured - f64::from(order)).abs() < 0.7, "{order}: {coarse:e} {half:e}");
+    }
+    assert!(error(Nystrom::order8(), 0.05) < 2e-13);
+}
+
+/// Directions, counts, numbers of events, their order within a step, and the steps, which do not move.
+#[test]
+fn many_events_come_in_the_order_of_their_times() {
+    let simulation = || spring(Nystrom::order8(), 0.5).record_every(1);
+    let run = simulation()
+        .event(|state| state.q[0] - 0.1, Crossing::Falling)
+        .event(|state| state.v[0], Crossing::Any)
+        .event(|state| state.q[0] + 0.1, Crossing::Falling)
+        .event(|state| state.q[0], Crossing::Rising)
+        .event(|state| state.q[0], Crossing::Falling)
+        .run_until(20.0)
+        .unwrap();
+    let expected: Vec<_> = (0..5).map(|which| times(&run, which).len()).collect();
+    // 20 over the period π: six periods and 1.15 of the next, in which q falls through 0.1, 0 and −0.1 at 0.73 to 0.84.
+    assert_eq!(expected, [7, 12, 7, 6, 7]);
+    assert!(run.events().windows(2).all(|pair| pair[0].state().t <= pair[1].state().t));
+    // Three of them lie in one step.
+    let step = |t: f64| (t / 0.5).floor();
+    let firsts: Vec<_> = run.events().iter().take(3).map(|event| (event.which(), step(event.state().t))).collect();
+    assert_eq!(firsts, [(0, 1.0), (4, 1.0), (2, 1.0)]);
+    assert!(run.events().iter().filter(|event| event.which() == 1).all(|event| event.state().v[0].abs() < 1e-14));
+    assert_eq!(run.events()[0].crossing(), Crossing::Falling);
+    let plain = simulation().run_until(20.0).unwrap();
+    assert_eq!(run.states(), plain.states());
+    assert!(!run.stopped() && plain.events().is_empty());
+}
+
+/// A zero at the start is no event; one that falls on the end of a step is one; a zero that stays is not another.
+#[test]
+fn zeros_at_the_ends_of_steps_are_counted_once() {
+    #[derive(Clone, Copy)]
+    struct Free;
+    impl Conservative for Free {}
+    impl Potential<1> for Free {
+        fn potential(&self, _: [f64; 1]) -> f64 {
+            0.0
+        }
+        fn gradient(&self, _: [f64; 1]) -> [f64; 1] {
+            [0.0]
+        }
+        fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] {
+            [[0.0]]
+        }
+        fn discrete_gradient(&self, _: [f64; 1], _: [f64; 1]) -> [f64; 1] {
+            [0.0]
+        }
+        fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] {
+            [[0.0]]
+        }
+    }
+    let flight = || Simulation::new(Free, State::new([-1.0], [1.0])).scheme(Leapfrog).dt(0.25);
+    // −1, −0.75, …: 0 at the fourth step exactly.
+    let run = flight().event(|state| state.q[0], Crossing::Any).run(12).unwrap();
+    assert_eq!(times(&run, 0), [1.0]);
+    let run = flight().event(|state| state.q[0] + 1.0, Crossing::Any).run(12).unwrap();
+    assert!(run.events().is_empty());
+    // Zero for a while.
+    let clipped = |state: &State<1>| if state.q[0].abs() <= 0.5 { 0.0 } else { state.q[0] };
+    assert_eq!(times(&flight().event(clipped, Crossing::Any).run(12).unwrap(), 0), [0.5]);
+    // The end of the run, and a step that only rounding ends there.
+    assert_eq!(times(&flight().event(|state| state.q[0], Crossing::Rising).run(4).unwrap(), 0), [1.0]);
+    assert!(flight().event(|state| state.q[0], Crossing::Falling).run(12).unwrap().events().is_empty());
+    // A function that is no number for a while has no zero there.
+    let broken = |state: &State<1>| if state.q[0] < 0.1 { f64::NAN } else { state.q[0] - 0.6 };
+    assert_eq!(times(&flight().event(broken, Crossing::Any).run(12).unwrap(), 0), [1.6]);
+    // At times where a rounding is large.
+    let late = Simulation::new(Free, State::new([-1.0], [1.0]).at_time(1e12)).scheme(Leapfrog).dt(0.3);
+    let run = late.event(|state| state.q[0], Crossing::Any).run(12).unwrap();
+    assert!((times(&run, 0)[0] - 1e12 - 1.0).abs() <= 2e-4);
+}
+
+/// What stops a run ends it at its time: nothing after it is recorded or seen.
+#[test]
+fn a_stop_ends_the_run_where_it_happens() {
+    let run = spring(Nystrom::order8(), 0.25)
+        .event(|state| state.q[0] + 0.5, Crossing::Falling)
+        .stop_when(|state| state.q[0], Crossing::Falling)
+        .event(|state| state.q[0] - 0.1, Crossing::Any)
+        .record_dt(0.1)
+        .run_until(20.0)
+        .unwrap();
+    assert!(run.stopped());
+    assert!((run.last().t - 0.5 * FRAC_PI_2).abs() < 1e-9 && run.last().q[0].abs() < 1e-15);
+    assert_eq!(run.events().iter().map(Event::which).collect::<Vec<_>>(), [2, 1]);
+    assert_eq!(run.events()[1].state(), run.last());
+    assert_eq!((run.states().len(), run.steps()), (8, 4));
+    assert!(run.states().iter().all(|state| state.t <= run.last().t));
+    // Before the run ends by itself, and with nothing to stop it.
+    let run = spring(Leapfrog, 0.01).stop_when(|state| state.q[0] - 2.0, Crossing::Any).run(1000).unwrap();
+    assert!(!run.stopped() && run.steps() == 1000);
+    // Adaptive steps that land on an end.
+    let law = Kepler { gm: 1.0 };
+    let ellipse = Simulation::new(law, law.pericentre(1.0, 0.8)).scheme(Nystrom::order8()).adaptive(1e-10);
+    let run = ellipse.stop_when(|state| state.q[1], Crossing::Falling).run_until(100.0).unwrap();
+    assert!((run.last().t - PI).abs() < 1e-8 && (run.last().q[0] + 1.8).abs() < 1e-8, "{:?}", run.last());
+}
+
+#[test]
+fn observers_see_every_nth_state_and_may_stop() {
+    let (seen, other) = (Cell::new(0), Cell::new(0));
+    let run = spring(Leapfrog, 0.01)
+        .observe(7, |state| {
+            seen.set(seen.get() + 1);
+            assert!((state.t - 0.07 * f64::from(seen.get())).abs() < 1e-12);
+            if seen.get() == 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+        .observe(5, |_| {
+            other.set(other.get() + 1);
+            ControlFlow::Continue(())
+        })
+        .observe(0, |_| panic!("never"))
+        .record_every(100)
+        .run(1000)
+        .unwrap();
+    assert_eq!((run.steps(), run.stopped(), seen.get(), other.get()), (35, true, 5, 7));
+    assert!((run.last().t - 0.35).abs() < 1e-15);
+    let whole = spring(Leapfrog, 0.01).record_every(100).run(35).unwrap();
+    assert_eq!(run.last(), whole.last());
+    assert_eq!(run.drift(Invariant::Energy).unwrap().max_abs(), whole.drift(Invariant::Energy).unwrap().max_abs());
+}
+
+/// Encounters name the bodies; those that are near at the start have met before.
+#[test]
+fn encounters_name_the_bodies() {
+    let scene = Scene::<2>::new()
+        .body(1.0, [0.0, 0.0], [0.0, 0.0])
+        .body(1.0, [0.1, 0.0], [0.0, 0.0])
+        .body(1.0, [-3.0, 0.0], [1.0, 0.0])
+        .body(1.0, [0.0, 5.0], [0.0, -1.0])
+        .body(1.0, [10.0, 10.0], [0.0, 0.0]);
+    let run = Simulation::scene(scene).scheme(Leapfrog).dt(0.07).encounter(0.5).run_until(6.0).unwrap();
+    let met: Vec<_> = run.events().iter().map(|event| (event.bodies().unwrap(), event.state().t)).collect();
+    let pairs: Vec<_> = met.iter().map(|&(pair, _)| pair).collect();
+    assert_eq!(pairs, [[0, 2], [1, 2], [0, 3], [1, 3]]);
+    for ((_, t), exact) in met.iter().zip([2.5, 2.6, 4.5, 5.0 - (0.25_f64 - 0.01).sqrt()]) {
+        assert!((t - exact).abs() < 1e-12, "{t} {exact}");
+    }
+    let lone = Scene::<2>::new().body(1.0, [0.0, 0.0], [1.0, 0.0]).pairs(Gravity { g: 1.0 });
+    assert!(
+        Simulation::scene(lone.clone()).scheme(Leapfrog).dt(0.1).encounter(0.5).run(9).unwrap().events().is_empty()
+    );
+    for distance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = Simulation::scene(lone.clone()).scheme(Leapfrog).dt(0.1).encounter(distance).run(9).unwrap_err();
+        assert!(matches!(refused.cause(), Error::Scene(dmech::SceneError::Encounter { .. })));
+    }
+}
+
+/// A pendulum that is never stopped keeps its events to rounding over many periods: none is lost, none is doubled.
+#[test]
+fn ten_thousand_events_lose_none() {
+    let law = Pendulum { k: 1.0 };
+    let simulation = Simulation::new(law, State::new([1.0], [0.0])).scheme(Nystrom::order6()).dt(0.1);
+    let run = simulation.record_every(u64::MAX).event(|state| state.q[0], Crossing::Any).run_until(33_500.0).unwrap();
+    assert!(run.events().len() > 9_900, "{}", run.events().len());
+    let half = 3.349_914_735_000_2;
+    let gaps = run.events().windows(2).map(|pair| pair[1].state().t - pair[0].state().t);
+    let worst = gaps.fold(0.0, |worst: f64, gap| worst.max((gap - half).abs()));
+    assert!(worst < 1e-4, "{worst:e}");
+    let signs = run.events().windows(2).all(|pair| pair[0].crossing() != pair[1].crossing());
+    assert!(signs);
+}

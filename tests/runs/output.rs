@@ -1,0 +1,197 @@
+//! Output at given times: every scheme, on laws and on scenes, with its order and without moving its steps.
+
+use dmech::extend::{Scheme, Setup};
+use dmech::models::Kepler;
+use dmech::models::pairs::Gravity;
+use dmech::prelude::*;
+
+const LAW: Kepler = Kepler { gm: 1.3 };
+
+fn planet() -> Simulation<Kepler, State<2>> {
+    Simulation::new(LAW, LAW.pericentre(0.9, 0.4).at_time(0.7))
+}
+
+fn three_bodies() -> Scene<2, (), ((), dmech::scene::OnPairs<Gravity>)> {
+    Scene::new()
+        .body(1.3, [0.0, 0.0], [0.0, -0.1])
+        .body(0.4, [1.1, 0.0], [0.0, 1.1])
+        .body(0.2, [-2.3, 0.3], [0.1, -0.7])
+        .pairs(Gravity { g: 1.0 })
+}
+
+/// The largest distance between two lists of positions.
+fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).fold(0.0, f64::max)
+}
+
+/// Runs with and without output between the steps end in the same state, to the bit.
+fn leaves_the_steps_where_they_are<L, X, S>(simulation: &dyn Fn() -> Simulation<L, X, S>) -> Run<X::State>
+where
+    X: Setup<L>,
+    X::State: PartialEq,
+    S: Scheme<X::System>,
+{
+    let plain = simulation().run_until(5.0).unwrap();
+    let seen = simulation().record_at((0..40).map(|k| 0.7 + 0.11 * f64::from(k))).run_until(5.0).unwrap();
+    assert_eq!(seen.last(), plain.last());
+    assert_eq!((seen.steps(), plain.steps()), (plain.steps(), seen.steps()));
+    assert!(seen.report().evaluations() > plain.report().evaluations());
+    seen
+}
+
+/// The error between the steps of a scheme at a step and at half of it.
+macro_rules! of_order {
+    ($($scheme:expr, $dt:expr;)*) => {{ let mut count = 0; $({
+        let fine = planet().scheme(Nystrom::order8()).dt(0.002).record_at((0..40).map(|k| 0.7 + 0.11 * f64::from(k)));
+        let truth: Vec<_> = fine.run_until(5.0).unwrap().states().to_vec();
+        let error = |dt: f64| {
+            let run = leaves_the_steps_where_they_are(&|| planet().scheme($scheme).dt(dt));
+            assert_eq!(run.states().len(), 40);
+            run.states().iter().zip(&truth).fold(0.0_f64, |worst, (state, truth)| {
+                assert_eq!(state.t, truth.t);
+                let v = distance(&[state.v], &[truth.v]);
+                worst.max(distance(&[state.q], &[truth.q])).max(v)
+            })
+        };
+        let [coarse, half] = [error($dt), error(0.5 * $dt)];
+        let (order, scheme) = ((coarse / half).log2(), $scheme);
+        let expected = f64::from(order_of(&scheme));
+        // Some gain an order or two where the error of the phase is small.
+        assert!(order > expected - 0.5, "{scheme:?}: {coarse:e}, {half:e}: order {order:.2}");
+        count += 1;
+    })* count }};
+}
+
+fn order_of<M: Method>(_: &M) -> u32 {
+    M::ORDER
+}
+
+#[test]
+fn every_scheme_has_its_order_between_its_steps() {
+    let count = of_order! {
+        Leapfrog, 0.02;
+        CompensatedLeapfrog, 0.02;
+        Implicit, 0.02;
+        DiscreteGradient, 0.02;
+        Kanatani, 0.02;
+        Nystrom::order4(), 0.1;
+        Nystrom::order6(), 0.15;
+        ForceGradient::order4(), 0.1;
+        ForceGradient::order6(), 0.15;
+        Composed::order4(Leapfrog), 0.1;
+        Composed::order4(DiscreteGradient), 0.1;
+        Composed::order6(DiscreteGradient), 0.15;
+        Composed::order4(Implicit), 0.1;
+    };
+    assert_eq!(count, 13);
+}
+
+#[test]
+fn adaptive_steps_do_not_move() {
+    leaves_the_steps_where_they_are(&|| planet().scheme(Nystrom::order6()).adaptive(1e-9));
+    leaves_the_steps_where_they_are(&|| planet().scheme(Composed::order4(DiscreteGradient)).adaptive(1e-6));
+    leaves_the_steps_where_they_are(&|| {
+        Simulation::scene(three_bodies().at_time(0.7)).scheme(Nystrom::order8()).adaptive(1e-9)
+    });
+}
+
+/// A scene gives between its steps what it gives in steps that end there.
+#[test]
+fn scenes_have_states_between_their_steps() {
+    let times = [0.0, 0.013, 0.5, 0.517, 1.999, 2.0];
+    let run =
+        Simulation::scene(three_bodies()).scheme(Nystrom::order8()).dt(0.05).record_at(times).run_until(2.0).unwrap();
+    assert_eq!(run.states().iter().map(|state| state.t).collect::<Vec<_>>(), times);
+    for state in &run.states()[1..] {
+        let alone = Simulation::scene(three_bodies()).scheme(Nystrom::order8()).dt(state.t / 200.0).run(200).unwrap();
+        assert!(distance(&state.q, &alone.last().q) < 1e-11 && distance(&state.v, &alone.last().v) < 1e-11);
+    }
+    for scheme_has in [
+        leaves_the_steps_where_they_are(&|| Simulation::scene(three_bodies().at_time(0.7)).scheme(Leapfrog).dt(0.01)),
+        leaves_the_steps_where_they_are(&|| Simulation::scene(three_bodies().at_time(0.7)).scheme(Kanatani).dt(0.01)),
+        leaves_the_steps_where_they_are(&|| {
+            Simulation::scene(three_bodies().at_time(0.7)).scheme(DiscreteGradient).dt(0.01)
+        }),
+    ] {
+        assert_eq!(scheme_has.states().len(), 40);
+    }
+}
+
+/// The start, the end, equal times, times in any order, times that rounding puts beside a step.
+#[test]
+fn times_at_the_edges_are_recorded() {
+    let times = |run: &Run<State<2>>| run.states().iter().map(|state| state.t).collect::<Vec<_>>();
+    let simulation = || planet().scheme(Leapfrog).dt(0.1);
+    let run = simulation().record_at([1.7, 0.7, 0.8, 1.25, 1.25, 0.7]).run_until(1.7).unwrap();
+    assert_eq!(times(&run), [0.7, 0.7, 0.8, 1.25, 1.25, 1.7]);
+    assert_eq!(run.states()[0], run.states()[1]);
+    assert_eq!(run.states()[3], run.states()[4]);
+    // 0.7 + 10 · 0.1 is not 1.7 in `f64`, and the run ends before or after it by a rounding.
+    let all: Vec<_> = (0..=1000).map(|k| 0.7 + 0.1 * f64::from(k)).collect();
+    assert_eq!(times(&simulation().record_at(all.iter().copied()).run_until(100.7).unwrap()), all);
+    let every = simulation().record_every(1).run_until(100.7).unwrap();
+    for (state, at) in every.states().iter().zip(simulation().record_dt(0.1).run_until(100.7).unwrap().states()) {
+        assert!((state.t - at.t).abs() < 1e-13 && distance(&[state.q], &[at.q]) < 1e-11);
+    }
+    // Those beyond the end are not reached; nothing, and no step.
+    assert_eq!(times(&simulation().record_at([0.75, 9.0]).run(1).unwrap()), [0.75]);
+    assert!(simulation().record_at([]).run(3).unwrap().states().is_empty());
+    assert_eq!(times(&simulation().record_at([0.7, 0.71]).run(0).unwrap()), [0.7]);
+    assert_eq!(times(&simulation().record_dt(0.25).run(4).unwrap()).len(), 2);
+}
+
+#[test]
+fn times_that_cannot_be_are_refused() {
+    let simulation = || planet().scheme(Leapfrog).dt(0.1);
+    let cause = |simulation: Simulation<Kepler, State<2>, Leapfrog>| simulation.run(3).unwrap_err().cause();
+    assert_eq!(cause(simulation().record_at([0.9, 0.3])), Error::RecordAt { time: 0.3, start: 0.7 });
+    assert!(matches!(cause(simulation().record_at([0.9, f64::NAN])), Error::RecordAt { time, .. } if time.is_nan()));
+    assert!(matches!(cause(simulation().record_at([f64::INFINITY])), Error::RecordAt { .. }));
+    for dt in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        assert!(matches!(cause(simulation().record_dt(dt)), Error::RecordDt { .. }));
+    }
+    let message = cause(simulation().record_at([0.3])).to_string();
+    assert_eq!(message, "no state can be recorded at t = 0.3: the run starts at t = 0.7");
+}
+
+/// What is recorded between steps does not weaken what is said of the invariants, and is itself as exact.
+#[test]
+fn invariants_hold_between_the_steps() {
+    let energy =
+        |state: &State<2>| 0.5 * (state.v[0].powi(2) + state.v[1].powi(2)) - 1.3 / state.q[0].hypot(state.q[1]);
+    let run = planet().scheme(DiscreteGradient).dt(0.05).record_dt(0.013).run_until(20.0).unwrap();
+    let first = energy(&run.states()[0]);
+    assert!(run.states().len() > 1000);
+    assert!(run.states().iter().all(|state| (energy(state) / first - 1.0).abs() < 1e-13));
+    assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+    assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-13);
+}
+
+#[test]
+fn a_stepper_has_the_states_of_its_next_step() {
+    let mut stepper = planet().scheme(Nystrom::order8()).dt(0.1).stepper().unwrap();
+    stepper.advance(13).unwrap();
+    let (t, state) = (stepper.t(), stepper.state());
+    let middle = stepper.at(t + 0.04).unwrap();
+    assert_eq!(middle.t, t + 0.04);
+    assert_eq!(stepper.at(t).unwrap(), state);
+    let end = stepper.at(t + 0.1).unwrap();
+    assert_eq!(stepper.state(), state);
+    stepper.step().unwrap();
+    assert!(distance(&[end.q], &[stepper.q()]) < 1e-14);
+    let t = stepper.t();
+    assert_eq!(stepper.at(t - 0.01), Err(Error::OutsideStep { time: t - 0.01, from: t, to: t + 0.1 }));
+    assert!(stepper.at(t + 0.11).is_err() && stepper.at(f64::NAN).is_err());
+    let adaptive = planet().scheme(Nystrom::order8()).adaptive(1e-9).stepper().unwrap();
+    assert!(adaptive.at(0.7 + 0.5 * adaptive.next_dt()).is_ok());
+}
+
+/// A step that fails keeps what was recorded before; a law that is not finite between two steps fails the output.
+#[test]
+fn a_failed_run_keeps_its_output() {
+    let falling = State::new([1.0, 0.0], [0.0, 0.0]);
+    let failed = Simulation::new(LAW, falling).scheme(DiscreteGradient).dt(0.05).record_dt(0.02).run_until(10.0);
+    let failed = failed.unwrap_err();
+    assert!(failed.run().states().len() > 10, "{failed}");
+    assert!(failed.run().last().t < 10.0 && failed.run().steps() > 0);
+}

@@ -132,7 +132,7 @@ pub use crate::law::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use crate::law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
-pub use crate::run::{Attend, Columns, Observer, Passage, Sink, Stream, Watch, Within};
+pub use crate::run::{Attend, Blend, Columns, Observer, Passage, Sink, Stream, Watch, Weights, Within};
 #[cfg(feature = "scene")]
 pub use crate::scene::Encounter;
 pub use crate::scheme::{Adaptable, Adaptive, Effort, Method, OneStep, Scheme, Steps, WithoutVelocities};

@@ -307,7 +307,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         let (first, mass) = (start.start(), start.mass(settings.mass));
         let run = Run::empty(first, &scheme, settings.dt.unwrap_or(f64::NAN), mass);
         let (due, shown) = (settings.due.clone(), settings.shown.clone());
-        let prepared = due.check(<X::System as System>::time(&run.last())).and_then(|()| {
+        let prepared = due.check(<X::System as System>::time(run.last())).and_then(|()| {
             let stepper = Simulation { law, start, scheme, settings, attend: () }.stepper()?;
             stepper.system.check_potential(&stepper.start)?;
             Ok((count(&stepper)?, stepper))

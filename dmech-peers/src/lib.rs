@@ -11,6 +11,7 @@
 //! from before its solver is made until the position at the end is known.
 
 mod entrant;
+mod laws;
 mod measure;
 mod problem;
 mod report;
@@ -18,8 +19,9 @@ mod schemes;
 mod twins;
 
 pub use entrant::{Crate, Entrant, Finish, tolerances};
+pub use laws::{ThreeBodies, three_bodies};
 pub use measure::{Line, measure};
 pub use problem::{Eight, Fput, Motion, Planet, Problem, Swing, eccentric, eight, fput, orbit, pendulum};
 pub use report::{GOALS, Report};
-pub use schemes::{ThreeBodies, chain_schemes, law_schemes, three_bodies};
+pub use schemes::{chain_schemes, law_schemes};
 pub use twins::twins;

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use dmech::models::{Kepler, Pendulum};
 use dmech::prelude::*;
 
-use crate::schemes::{chain, three_bodies};
+use crate::laws::{chain, three_bodies};
 
 /// q″ = a(q), by hand.
 pub trait Motion<const D: usize>: Copy {

@@ -1,9 +1,10 @@
 //! The schemes of dmech that take part: one list, for laws of one body and for the chain.
 
 use dmech::prelude::*;
-use dmech::scene::{Chain, Linked};
+use dmech::{StudyError, StudyReport};
 
 use crate::entrant::{Crate, Entrant, Finish, steps};
+use crate::laws::chain;
 use crate::problem::{Fput, Problem};
 
 /// The list: names in pictures, and schemes.
@@ -21,12 +22,6 @@ macro_rules! every_scheme {
         $add!("DG 4", Composed::order4(DiscreteGradient));
         $add!("DG 6", Composed::order6(DiscreteGradient));
         $add!("DG 8", Composed::order8(DiscreteGradient));
-    };
-}
-
-/// The same for schemes that need the Hessian, which a scene does not have.
-macro_rules! every_hessian_scheme {
-    ($add:ident) => {
         $add!("FG 4", ForceGradient::order4());
         $add!("FG 6", ForceGradient::order6());
         $add!("FG 8", ForceGradient::order8());
@@ -48,40 +43,47 @@ macro_rules! every_adaptive_scheme {
     };
 }
 
+/// The one run of a study, which steps to the end exactly and does not watch what it times.
+fn finish(report: Result<StudyReport, StudyError>) -> Result<Finish, String> {
+    let report = report.map_err(|error| error.to_string())?;
+    let row = report.rows().first().ok_or("no run")?;
+    let figures = row.result().map_err(|error| error.to_string())?;
+    let (error, evaluations, time) = (figures.error(), figures.evaluations(), figures.time());
+    Ok(Finish { error, evaluations, time })
+}
+
+/// Adds every scheme of a list, in steps of equal length.
+macro_rules! entrants {
+    ($list:ident, $problem:ident, $entrants:ident, $study:expr) => {{
+        macro_rules! add {
+            ($label:literal, $scheme:expr) => {
+                let study = $study;
+                let run = move |steps: f64| {
+                    finish(study().scheme($scheme).ladder([$problem.end / steps]).repetitions(1).run())
+                };
+                let knobs = steps($problem.end, $problem.coarse);
+                $entrants.push(Entrant::new(Crate::Dmech, name(&$scheme), $label, knobs, run));
+            };
+        }
+        $list!(add);
+    }};
+}
+
 /// All schemes on a law of one body of mass 1.
 pub fn law_schemes<'a, L, M, const D: usize>(law: L, problem: &'a Problem<M, D>) -> Vec<Entrant<'a>>
 where
     L: Law<D> + VelocityIndependent + Clone + 'a,
 {
     let mut entrants = Vec::new();
-    macro_rules! add {
-        ($label:literal, $scheme:expr) => {
-            let law = law.clone();
-            let run = move |steps: f64| {
-                let simulation = Simulation::new(law.clone(), problem.start).scheme($scheme).dt(problem.end / steps);
-                Finish::of(&problem.truth, || {
-                    let mut stepper = simulation.stepper().map_err(|error| error.to_string())?;
-                    stepper.advance(steps as u64).map_err(|error| error.to_string())?;
-                    Ok((stepper.q(), stepper.evaluations()))
-                })
-            };
-            entrants.push(Entrant::new(Crate::Dmech, name(&$scheme), $label, steps(problem.end, problem.coarse), run));
-        };
-    }
-    every_scheme!(add);
-    every_hessian_scheme!(add);
+    let study = || {
+        let law = law.clone();
+        move || Study::new(law.clone(), problem.start, problem.end).exact(|_| problem.truth)
+    };
+    entrants!(every_scheme, problem, entrants, study());
     macro_rules! add_adaptive {
         ($label:literal, $scheme:expr) => {
-            let law = law.clone();
-            // A study steps to the end exactly, without watching the run that it times.
-            let run = move |tolerance: f64| {
-                let study = Study::new(law.clone(), problem.start, problem.end).adaptive($scheme, [tolerance]);
-                let report = study.exact(|_| problem.truth).repetitions(1).run().map_err(|error| error.to_string())?;
-                let row = report.rows().first().ok_or("no run")?;
-                let figures = row.result().map_err(|error| error.to_string())?;
-                let (error, evaluations, time) = (figures.error(), figures.evaluations(), figures.time());
-                Ok(Finish { error, evaluations, time })
-            };
+            let study = study();
+            let run = move |tolerance: f64| finish(study().adaptive($scheme, [tolerance]).repetitions(1).run());
             let name = format!("{}, adaptive", name(&$scheme));
             entrants.push(Entrant::new(Crate::Dmech, name, $label, crate::tolerances(), run));
         };
@@ -90,80 +92,22 @@ where
     entrants
 }
 
-/// All schemes on the chain, as a scene.
+/// All schemes on the chain, as a scene between two pinned bodies.
 pub fn chain_schemes(problem: &Problem<Fput, 64>) -> Vec<Entrant<'_>> {
     let mut entrants = Vec::new();
-    macro_rules! add {
-        ($label:literal, $scheme:expr) => {
-            let scene = chain(&problem.start, problem.motion.alpha);
-            let run = move |steps: f64| {
-                let simulation = Simulation::scene(scene.clone()).scheme($scheme).dt(problem.end / steps);
-                Finish::of(&problem.truth, || {
-                    let mut stepper = simulation.stepper().map_err(|error| error.to_string())?;
-                    stepper.advance(steps as u64).map_err(|error| error.to_string())?;
-                    Ok((core::array::from_fn(|j| stepper.q().get(j + 1)[0]), stepper.evaluations()))
-                })
-            };
-            entrants.push(Entrant::new(Crate::Dmech, name(&$scheme), $label, steps(problem.end, problem.coarse), run));
-        };
-    }
-    every_scheme!(add);
+    let study = || {
+        let scene = chain(&problem.start, problem.motion.alpha);
+        let ends = |x: &[f64; 64]| [&[0.0], x.as_slice(), &[0.0]].concat().into_iter().map(|x| [x]).collect::<Vec<_>>();
+        let truth = ends(&problem.truth);
+        move || {
+            let truth = truth.clone();
+            Study::scene(scene.clone(), problem.end).exact(move |_| truth.clone())
+        }
+    };
+    entrants!(every_scheme, problem, entrants, study());
     entrants
 }
 
 fn name<S: Method>(_: &S) -> &'static str {
     S::NAME
-}
-
-/// Three bodies of mass 1 in the plane as one law of six coordinates, g = 1.
-#[derive(Clone, Copy, Debug)]
-pub struct ThreeBodies {
-    g: f64,
-}
-
-#[dmech::law]
-impl ThreeBodies {
-    /// −g Σ 1/rᵢⱼ.
-    #[potential]
-    fn energy(&self, q: [f64; 6]) -> f64 {
-        let mut sum = 0.0;
-        for i in 0..3 {
-            for j in 0..i {
-                let (x, y) = (q[2 * i] - q[2 * j], q[2 * i + 1] - q[2 * j + 1]);
-                sum -= self.g / (x * x + y * y).sqrt();
-            }
-        }
-        sum
-    }
-}
-
-/// g = 1.
-pub fn three_bodies() -> ThreeBodies {
-    ThreeBodies { g: 1.0 }
-}
-
-/// A spring of energy r²/2 + α r³/3, where r is by how much it is longer than at rest: as the others get it, without the terms
-/// that the library's spring has besides.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Spring {
-    alpha: f64,
-}
-
-#[dmech::law]
-impl Spring {
-    #[pair]
-    fn energy(&self, d: [f64; 1]) -> f64 {
-        // d is the position of a body less that of the next.
-        let r = -d[0];
-        r * r * (0.5 + self.alpha * r / 3.0)
-    }
-}
-
-/// 64 masses between pinned bodies 0 and 65.
-pub(crate) fn chain(start: &State<64>, alpha: f64) -> Scene<1, (), ((), Linked<Spring, Chain>)> {
-    let mut scene = Scene::new().body(1.0, [0.0], [0.0]);
-    for (q, v) in start.q.into_iter().zip(start.v) {
-        scene = scene.body(1.0, [q], [v]);
-    }
-    scene.body(1.0, [0.0], [0.0]).pin(0).pin(65).chain(Spring { alpha })
 }

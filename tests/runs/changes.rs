@@ -202,3 +202,38 @@ fn scenes_change_under_every_kind_of_scheme() {
     scene!(Kanatani);
     scene!(Composed::order4(DiscreteGradient));
 }
+
+/// A law that is there or not: free motion without it, and with it what it is alone.
+fn conditional<S: Scheme<Particle<Kepler, 2>> + Scheme<Particle<Option<Kepler>, 2>> + Copy>(scheme: S) {
+    let law = Kepler { gm: 1.3 };
+    let alone = Simulation::new(law, START).scheme(scheme).dt(0.01).run(50).unwrap();
+    let some = Simulation::new(Some(law), START).scheme(scheme).dt(0.01).run(50).unwrap();
+    assert_eq!(alone.states(), some.states());
+    let mut stepper = Simulation::new(Some(law), START).scheme(scheme).dt(0.01).stepper().unwrap();
+    stepper.advance(50).unwrap();
+    *stepper.law_mut() = None;
+    let State { q, v, .. } = stepper.state();
+    stepper.advance(100).unwrap();
+    assert!((stepper.q()[0] - q[0] - v[0]).abs() < 1e-13 && (stepper.q()[1] - q[1] - v[1]).abs() < 1e-13, "{scheme:?}");
+    assert_eq!(stepper.energy().unwrap(), 0.5 * (stepper.state().v[0].powi(2) + stepper.state().v[1].powi(2)));
+    *stepper.law_mut() = Some(law);
+    stepper.step().unwrap();
+}
+
+#[test]
+fn a_law_may_come_and_go() {
+    conditional(Leapfrog);
+    conditional(Explicit);
+    conditional(Implicit);
+    conditional(DiscreteGradient);
+    conditional(Kanatani);
+    conditional(ForceGradient::order4());
+    conditional(Composed::order4(DiscreteGradient));
+    let scene = Scene::new().body(1.0, [0.0, 0.0], [0.0, 0.1]).body(2.0, [1.0, 0.0], [0.0, 0.0]).field(None::<Wind>);
+    let mut stepper = Simulation::scene(scene).scheme(DiscreteGradient).dt(0.1).stepper().unwrap();
+    stepper.advance(10).unwrap();
+    assert_eq!(stepper.state().q[1], [1.0, 0.0]);
+    *stepper.law_mut::<Option<Wind>>().unwrap() = Some(Wind { blow: 0.2 });
+    stepper.advance(10).unwrap();
+    assert!((stepper.state().q[1][0] - 1.0 - 0.5 * 0.2 / 2.0).abs() < 1e-13);
+}

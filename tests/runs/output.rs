@@ -186,6 +186,35 @@ fn a_stepper_has_the_states_of_its_next_step() {
     assert!(adaptive.at(0.7 + 0.5 * adaptive.next_dt()).is_ok());
 }
 
+/// Between recorded states, at their ends, beside them and outside; on unequal steps, at the end that was not due.
+#[test]
+fn a_run_has_the_states_between_those_that_it_recorded() {
+    let truth = |t: f64| planet().scheme(Nystrom::order8()).dt((t - 0.7) / 400.0).run(400).unwrap().last().q;
+    let run = planet().scheme(Nystrom::order8()).dt(0.02).run_until(5.0).unwrap();
+    let adaptive = planet().scheme(Nystrom::order8()).adaptive(1e-12).run_until(5.0).unwrap();
+    for t in [0.7001, 0.712, 1.0, 2.345_678, 4.98, 4.9999] {
+        for run in [&run, &adaptive] {
+            let state = run.at(t).unwrap();
+            assert!(distance(&[state.q], &[truth(t)]) < 1e-10, "{t} {:e}", distance(&[state.q], &[truth(t)]));
+            assert_eq!(state.t, t);
+        }
+    }
+    assert_eq!(run.at(run.states()[7].t).as_ref(), Some(&run.states()[7]));
+    assert_eq!((run.at(0.6999), run.at(5.1), run.at(f64::NAN)), (None, None, None));
+    // The last state, which was not due; two states; one.
+    let few = planet().scheme(Leapfrog).dt(0.01).record_every(30).run(40).unwrap();
+    assert!(distance(&[few.at(1.09).unwrap().q], &[truth(1.09)]) < 1e-3);
+    let two = planet().scheme(Leapfrog).dt(0.01).run(1).unwrap();
+    assert!(distance(&[two.at(0.705).unwrap().q], &[truth(0.705)]) < 1e-5);
+    let one = planet().scheme(Leapfrog).dt(0.01).run(0).unwrap();
+    assert!(one.at(0.7).is_some() && one.at(0.705).is_none());
+    let scene = Simulation::scene(three_bodies()).scheme(Nystrom::order6()).dt(0.02).run_until(1.0).unwrap();
+    let between =
+        Simulation::scene(three_bodies()).scheme(Nystrom::order6()).dt(0.02).record_at([0.437]).run_until(1.0).unwrap();
+    let (a, b) = (scene.at(0.437).unwrap(), &between.states()[0]);
+    assert!(distance(&a.q, &b.q) < 1e-8 && distance(&a.v, &b.v) < 1e-6);
+}
+
 /// A step that fails keeps what was recorded before; a law that is not finite between two steps fails the output.
 #[test]
 fn a_failed_run_keeps_its_output() {

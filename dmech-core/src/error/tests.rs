@@ -16,6 +16,10 @@ fn all(x: f64) -> Vec<Error> {
         Error::Mass { mass: x },
         Error::State { quantity, value },
         Error::RecordEvery,
+        Error::RecordDt { dt },
+        Error::RecordAt { time, start: x },
+        Error::OutsideStep { time, from: x, to: end },
+        Error::Stream(std::io::ErrorKind::StorageFull),
         Error::EndTime { end, dt },
         Error::TimeStandsStill { time, dt },
         Error::Law { quantity, value, time },
@@ -32,6 +36,8 @@ fn all(x: f64) -> Vec<Error> {
             SceneError::Mass { body, mass: x },
             SceneError::State { body, quantity, value },
             SceneError::Pin { body, bodies: 3 },
+            SceneError::NoBody { body, bodies: 3 },
+            SceneError::Encounter { distance: x },
             SceneError::PinnedMoves { body, speed: x },
             SceneError::Bond { a: 1, b: 5, bodies: 3 },
             SceneError::SelfBond { body },
@@ -66,6 +72,7 @@ fn listed(error: &Error) -> bool {
         Mass { .. } | State { .. } | RecordEvery | EndTime { .. } | TimeStandsStill { .. } | Law { .. } => true,
         Underflow { .. } | Link { .. } | Body { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
+        RecordDt { .. } | RecordAt { .. } | OutsideStep { .. } | Stream(_) => true,
         #[cfg(feature = "scene")]
         Scene(_) => true,
         #[cfg(feature = "serde")]
@@ -87,6 +94,6 @@ fn numbers_in_messages_have_few_digits() {
         assert!(longest(&text) <= 17, "{text}");
         numbers += text.matches("2.5").count();
     }
-    let scene = if cfg!(feature = "scene") { 3 } else { 0 };
-    assert_eq!(numbers, 3 * (51 + scene + if cfg!(feature = "serde") { 6 } else { 0 }));
+    let scene = if cfg!(feature = "scene") { 4 } else { 0 };
+    assert_eq!(numbers, 3 * (57 + scene + if cfg!(feature = "serde") { 6 } else { 0 }));
 }

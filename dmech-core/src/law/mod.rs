@@ -2,6 +2,7 @@
 
 mod field;
 mod masses;
+mod optional;
 mod pair;
 mod potential;
 #[doc(hidden)]

@@ -1,9 +1,4 @@
-//! Events: where a function of the state passes through zero.
-
-use super::attend::{Attend, Within};
-use crate::error::Error;
-use crate::setup::Setup;
-use crate::simulation::Simulation;
+//! What happened in a run.
 
 /// The directions in which a function of the state may pass through zero to be an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +12,7 @@ pub enum Crossing {
 }
 
 impl Crossing {
-    fn admits(self, rising: bool) -> bool {
+    pub(super) fn admits(self, rising: bool) -> bool {
         match self {
             Crossing::Rising => rising,
             Crossing::Falling => !rising,
@@ -58,100 +53,5 @@ impl<X> Event<X> {
     /// The two bodies of an encounter.
     pub fn bodies(&self) -> Option<[usize; 2]> {
         self.bodies
-    }
-}
-
-impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
-    /// Watches for passages of a function of the state through zero, which [`Run::events`](crate::Run::events) then has: a
-    /// plane that is crossed, a turning point, an angle.
-    ///
-    /// The sign is looked at after each step. Where it has changed, the time is found to its rounding by shortened steps of the
-    /// same scheme, so that the event has the order of the scheme and the steps do not move. Several events of one step come in
-    /// the order of their times. A zero at the start is none, and one that falls on the end of a step is counted once. A
-    /// function that passes through zero twice within one step may be missed: take steps shorter than it lasts.
-    ///
-    /// ```
-    /// use dmech_core::prelude::*;
-    /// # #[derive(Clone, Copy)]
-    /// # struct Spring { k: f64 }
-    /// # impl Conservative for Spring {}
-    /// # impl Potential<1> for Spring {
-    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
-    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
-    /// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
-    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
-    /// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
-    /// # }
-    /// let spring = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0])).scheme(Nystrom::order8()).dt(0.1);
-    /// let run = spring.event(|state| state.q[0], Crossing::Falling).record_every(100).run_until(10.0)?;
-    /// let quarter = std::f64::consts::FRAC_PI_4;
-    /// for (n, event) in run.events().iter().enumerate() {
-    ///     assert!((event.state().t - quarter * (1.0 + 4.0 * n as f64)).abs() < 1e-10);
-    /// }
-    /// assert_eq!(run.events().len(), 3);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn event<F: FnMut(&X::State) -> f64>(
-        self,
-        function: F,
-        crossing: Crossing,
-    ) -> Simulation<L, X, S, (O, Passage<F>)> {
-        self.attended(Passage::new(function, crossing, false))
-    }
-
-    /// As [`event`](Simulation::event), and the run ends there: [`Run::last`](crate::Run::last) is the state at the event,
-    /// [`Run::stopped`](crate::Run::stopped) says so, and the step in which it happened counts as made.
-    pub fn stop_when<F: FnMut(&X::State) -> f64>(
-        self,
-        function: F,
-        crossing: Crossing,
-    ) -> Simulation<L, X, S, (O, Passage<F>)> {
-        self.attended(Passage::new(function, crossing, true))
-    }
-}
-
-/// A function of the state whose passages through zero are events.
-#[derive(Clone)]
-pub struct Passage<F> {
-    function: F,
-    crossing: Crossing,
-    stops: bool,
-    /// Its last value: the side on which the motion is.
-    last: f64,
-}
-
-impl<F> Passage<F> {
-    fn new(function: F, crossing: Crossing, stops: bool) -> Self {
-        Passage { function, crossing, stops, last: 0.0 }
-    }
-}
-
-impl<F> core::fmt::Debug for Passage<F> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Passage { crossing, stops, last, .. } = self;
-        f.debug_struct("Passage").field("crossing", crossing).field("stops", stops).field("last", last).finish()
-    }
-}
-
-impl<X: Clone, F: FnMut(&X) -> f64> Attend<X> for Passage<F> {
-    const EVENTS: usize = 1;
-
-    fn begin(&mut self, start: &X) -> Result<(), Error> {
-        self.last = (self.function)(start);
-        Ok(())
-    }
-
-    fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
-        let Passage { function, crossing, stops, last } = self;
-        let now = function(step.end);
-        let before = core::mem::replace(last, now);
-        let rising = before < 0.0 && now >= 0.0;
-        if !(rising || before > 0.0 && now <= 0.0) || !crossing.admits(rising) {
-            return Ok(());
-        }
-        let crossing = if rising { Crossing::Rising } else { Crossing::Falling };
-        let state = step.zero([before, now], function)?;
-        step.happened(*stops, Event::new(which, state, crossing, None));
-        Ok(())
     }
 }

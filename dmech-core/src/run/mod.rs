@@ -1,12 +1,14 @@
 //! Running: the loop, what it records and watches, what comes back.
 
 mod attend;
+mod between;
 mod csv;
 mod due;
 mod event;
 mod interrupted;
 mod motion;
 mod observe;
+mod passage;
 mod progress;
 mod report;
 mod stream;
@@ -14,12 +16,14 @@ mod watch;
 mod zero;
 
 pub use attend::{Attend, Within};
+pub use between::{Blend, Weights};
 pub use csv::Columns;
 pub(crate) use due::Due;
-pub use event::{Crossing, Event, Passage};
+pub use event::{Crossing, Event};
 pub use interrupted::Interrupted;
 pub(crate) use motion::record;
 pub use observe::Observer;
+pub use passage::Passage;
 pub(crate) use progress::Shown;
 pub use report::Report;
 pub use stream::{Csv, Npy, Sink, Stream};

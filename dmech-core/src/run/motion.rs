@@ -125,10 +125,10 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             }
             let before = (O::EVENTS > 0 || self.is_due_before(stepper)).then(|| stepper.state());
             self.watch.step(stepper)?;
-            if let Some(before) = before {
-                if let Some(stopped) = self.look_into_the_step(stepper, &before)? {
-                    return Ok(Some(stopped));
-                }
+            if let Some(before) = before
+                && let Some(stopped) = self.look_into_the_step(stepper, &before)?
+            {
+                return Ok(Some(stopped));
             }
             left -= 1;
             if left == 0 {

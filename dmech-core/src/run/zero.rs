@@ -19,7 +19,7 @@ pub(super) fn zero<E>(
     for _ in 0..MOST {
         let nearest = if fa.abs() < fb.abs() { a } else { b };
         let least = rounding / (b - a).abs();
-        if fa == 0.0 || fb == 0.0 || !(least < 0.5) {
+        if fa == 0.0 || fb == 0.0 || least.is_nan() || least >= 0.5 {
             return Ok(nearest);
         }
         let time = share.clamp(least, 1.0 - least).mul_add(b - a, a);
@@ -58,10 +58,10 @@ mod tests {
             (|x| x.sin(), 8),
             (|x| x.exp_m1(), 9),
             (|x| x * x * x, 140),
-            (|x| if x < 0.0 { x } else { 1e9 * x }, 70),
-            (|x| if x < 0.0 { -1.0 } else { 1.0 }, 70),
-            (|x| (1e6 * x).tanh(), 70),
-            (|x| x.signum() * x.abs().sqrt(), 70),
+            (|x| if x < 0.0 { x } else { 1e9 * x }, 110),
+            (|x| if x < 0.0 { -1.0 } else { 1.0 }, 110),
+            (|x| (1e6 * x).tanh(), 110),
+            (|x| x.signum() * x.abs().sqrt(), 110),
         ];
         for (shape, most) in shapes {
             for origin in [0.0, 3.0, -1e3, 1e9] {

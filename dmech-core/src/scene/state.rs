@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use dmech_scalar::Compensated;
 
-use crate::run::Columns;
+use crate::run::{Blend, Columns, Weights};
 
 /// Time, positions and velocities of the bodies of a scene, in the order in which they were added.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +46,26 @@ fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     let mut sum = Compensated::new(0.0);
     terms.for_each(|term| sum.add(term));
     sum.value()
+}
+
+impl<const D: usize> Blend for SceneState<D> {
+    fn time(&self) -> f64 {
+        self.t
+    }
+
+    fn blend(time: f64, states: &[Self], weights: &[Weights]) -> Self {
+        let zero = || states.first().map_or(Vec::new(), |state| vec![[0.0; D]; state.q.len()]);
+        let mut sum = SceneState { t: time, q: zero(), v: zero() };
+        for (state, &Weights { position: [a, b], velocity: [c, d] }) in states.iter().zip(weights) {
+            for (i, (q, v)) in state.q.iter().zip(&state.v).enumerate() {
+                for k in 0..D {
+                    sum.q[i][k] += a * q[k] + b * v[k];
+                    sum.v[i][k] += c * q[k] + d * v[k];
+                }
+            }
+        }
+        sum
+    }
 }
 
 /// The columns are `t`, then `q3_0` for component 0 of the position of body 3, and `v3_0` for that of its velocity.

@@ -1,0 +1,133 @@
+//! A law that may be there or not.
+
+use dmech_scalar::Real;
+
+use super::field::Linearised;
+use super::{Field, Law, MassIndependent, Potential, VelocityIndependent};
+use crate::newton::{self, Equation, Increment, NotConverged};
+
+/// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
+/// `stepper.law_mut()` changes it on the way.
+#[diagnostic::do_not_recommend]
+impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
+    type Field<'a>
+        = Option<L::Field<'a>>
+    where
+        L: 'a;
+
+    const AUTONOMOUS: bool = L::AUTONOMOUS;
+
+    #[inline(always)]
+    fn field(&self, mass: R, t: R) -> Self::Field<'_> {
+        self.as_ref().map(|law| law.field(mass, t))
+    }
+
+    #[inline(always)]
+    fn mass_ratios(&self) -> [f64; D] {
+        self.as_ref().map_or([1.0; D], L::mass_ratios)
+    }
+
+    fn written(&self) -> Option<&dyn super::written::Written<D>> {
+        self.as_ref()?.written()
+    }
+}
+
+impl<L: VelocityIndependent> VelocityIndependent for Option<L> {}
+impl<L: MassIndependent> MassIndependent for Option<L> {}
+
+/// Nothing acts.
+const fn nothing<const D: usize, R: Real>() -> [[R; D]; D] {
+    [[R::ZERO; D]; D]
+}
+
+impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Option<F> {
+    const CENTRAL: bool = F::CENTRAL;
+    const LINEAR: bool = F::LINEAR;
+    const PIECEWISE: bool = F::PIECEWISE;
+
+    #[inline(always)]
+    fn potential(&self, q: [R; D]) -> R {
+        self.as_ref().map_or(R::ZERO, |field| field.potential(q))
+    }
+    #[inline(always)]
+    fn gradient(&self, q: [R; D]) -> [R; D] {
+        self.as_ref().map_or([R::ZERO; D], |field| field.gradient(q))
+    }
+    #[inline(always)]
+    fn hessian(&self, q: [R; D]) -> [[R; D]; D] {
+        self.as_ref().map_or(nothing(), |field| field.hessian(q))
+    }
+    #[inline(always)]
+    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
+        self.as_ref().map_or([R::ZERO; D], |field| field.discrete_gradient(a, b))
+    }
+    #[inline(always)]
+    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
+        self.as_ref().map_or(nothing(), |field| field.discrete_gradient_jacobian(a, b))
+    }
+}
+
+/// What a scheme asks is asked of the law, so that it is stepped as it would be alone.
+impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Option<F> {
+    const FORCED: bool = F::FORCED;
+    const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
+
+    #[inline(always)]
+    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.as_ref().map_or([R::ZERO; D], |field| field.slope(q, v))
+    }
+    #[inline(always)]
+    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.as_ref().map_or([R::ZERO; D], |field| field.half_force(q, v))
+    }
+    #[inline(always)]
+    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
+        self.as_ref().map_or([R::ZERO; D], |field| field.force(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.as_ref().map_or(nothing(), |field| field.force_dq(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.as_ref().map_or(nothing(), |field| field.force_dv(q, v, t))
+    }
+    #[inline(always)]
+    fn time(&self) -> R {
+        self.as_ref().map_or(R::ZERO, F::time)
+    }
+    #[inline(always)]
+    fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
+        self.as_ref().map_or(v, |field| field.kick(c, q, v))
+    }
+    #[inline(always)]
+    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
+        self.as_ref().map_or(v, |field| field.gradient_kick(c, e, q, v))
+    }
+    fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.as_ref().map_or_else(|| free(equation), |field| field.implicit_increment(equation))
+    }
+    fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.as_ref().map_or_else(|| free(equation), |field| field.discrete_increment(equation))
+    }
+    fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.as_ref().map_or_else(|| free(equation), |field| field.potential_increment(equation))
+    }
+    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
+        self.as_ref().map_or_else(|| Ok((free(equation)?, [R::ZERO; D])), |field| field.workless_increment(equation))
+    }
+    fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.end_slope(b, v, t))
+    }
+    fn secant_slope(&self, a: [R; D], b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.secant_slope(a, b, v, t))
+    }
+    fn middle_slope(&self, ends: [[R; D]; 2], mean: [R; D], t: R) -> Linearised<D, R> {
+        self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.middle_slope(ends, mean, t))
+    }
+}
+
+/// Free motion: the drift.
+fn free<const D: usize, R: Real>(equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+    newton::linear(equation, |_| ([R::ZERO; D], nothing()))
+}

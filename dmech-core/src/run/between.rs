@@ -1,0 +1,110 @@
+//! States between those that were recorded.
+
+use dmech_scalar::Real;
+
+use super::Run;
+use crate::state::State;
+
+/// A state between others.
+pub trait Blend: Sized {
+    /// Its time.
+    fn time(&self) -> f64;
+    /// At a time: Σ (a q + b v) and its derivative Σ (a′ q + b′ v) over some states, with their weights.
+    fn blend(time: f64, states: &[Self], weights: &[Weights]) -> Self;
+}
+
+/// What position and velocity of a state count in those of another.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights {
+    /// a and b.
+    pub position: [f64; 2],
+    /// a′ and b′.
+    pub velocity: [f64; 2],
+}
+
+impl<const D: usize, R: Real> Blend for State<D, R> {
+    fn time(&self) -> f64 {
+        self.t
+    }
+
+    fn blend(time: f64, states: &[Self], weights: &[Weights]) -> Self {
+        let mut sum = State { t: time, q: [R::ZERO; D], v: [R::ZERO; D] };
+        for (state, weights) in states.iter().zip(weights) {
+            let [[a, b], [c, d]] = [weights.position, weights.velocity].map(|x| x.map(R::from_f64));
+            for i in 0..D {
+                sum.q[i] += a * state.q[i] + b * state.v[i];
+                sum.v[i] += c * state.q[i] + d * state.v[i];
+            }
+        }
+        sum
+    }
+}
+
+/// Hermite's weights at a time: with ℓⱼ Lagrange's polynomials, a = (1 − 2 (t − tⱼ) ℓⱼ′(tⱼ)) ℓⱼ² and b = (t − tⱼ) ℓⱼ².
+fn hermite(time: f64, nodes: &[f64]) -> Vec<Weights> {
+    let of = |(j, &at): (usize, &f64)| {
+        let others = || nodes.iter().enumerate().filter(move |&(k, _)| k != j).map(|(_, &node)| node);
+        let l: f64 = others().map(|node| (time - node) / (at - node)).product();
+        let rise: f64 = others().map(|node| (at - node).recip()).sum();
+        let slope: f64 = others()
+            .map(|left| {
+                let rest = others().filter(|&node| node != left).map(|node| (time - node) / (at - node));
+                rest.product::<f64>() / (at - left)
+            })
+            .sum();
+        let (from, tilt) = (time - at, 1.0 - 2.0 * (time - at) * rise);
+        Weights {
+            position: [tilt * l * l, from * l * l],
+            velocity: [2.0 * (tilt * slope - rise * l) * l, l * (l + 2.0 * from * slope)],
+        }
+    };
+    nodes.iter().enumerate().map(of).collect()
+}
+
+impl<X: Blend + Clone> Run<X> {
+    /// The state at a time between two that were recorded: the polynomial through positions and velocities of the nearest, of so
+    /// high a degree that after every step recorded it has the order of the scheme. `None` before the first and after the last.
+    ///
+    /// It knows nothing of the law: where few states were recorded, ask for the times before the run, with
+    /// [`record_at`](crate::Simulation::record_at).
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// # #[derive(Clone, Copy)]
+    /// # struct Spring { k: f64 }
+    /// # impl Conservative for Spring {}
+    /// # impl Potential<1> for Spring {
+    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
+    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
+    /// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
+    /// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+    /// # }
+    /// let spring = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0])).scheme(Nystrom::order8()).dt(0.1);
+    /// let run = spring.run_until(3.0)?;
+    /// let state = run.at(1.234).unwrap();
+    /// assert!((state.q[0] - 2.468_f64.cos()).abs() < 1e-11 && (state.v[0] + 2.0 * 2.468_f64.sin()).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn at(&self, t: f64) -> Option<X> {
+        let states = &self.states;
+        let after = states.partition_point(|state| state.time() < t);
+        if states.get(after).is_some_and(|state| state.time() == t) {
+            return states.get(after).cloned();
+        }
+        if after == 0 || t.is_nan() {
+            return None;
+        }
+        let most = self.report.order().div_ceil(2) as usize + 1;
+        // The end of the run belongs to it also where it was not due.
+        let unrecorded = states.last().is_some_and(|state| state.time() < self.last.time());
+        let first = after.saturating_sub(most / 2).min((states.len() + usize::from(unrecorded)).saturating_sub(most));
+        let mut near: Vec<X> = states.iter().skip(first).take(most).cloned().collect();
+        if unrecorded && near.len() < most {
+            near.push(self.last.clone());
+        }
+        near.dedup_by(|a, b| a.time() == b.time());
+        let nodes: Vec<f64> = near.iter().map(Blend::time).collect();
+        nodes.last().is_some_and(|&end| t < end).then(|| X::blend(t, &near, &hermite(t, &nodes)))
+    }
+}

@@ -219,3 +219,23 @@ fn ten_thousand_events_lose_none() {
     let signs = run.events().windows(2).all(|pair| pair[0].crossing() != pair[1].crossing());
     assert!(signs);
 }
+
+/// The crossings of Hénon and Heiles's section at E = 1/8: times and places against a run in 31 digits, whose events it finds with
+/// the same words.
+#[test]
+fn a_poincare_section_is_exact() {
+    use dmech::models::HenonHeiles;
+    let vx = (2.0_f64 * 0.125 - 0.16 * 0.16 + 2.0 / 3.0 * 0.16_f64.powi(3)).sqrt();
+    let law = HenonHeiles { lambda: 1.0 };
+    let run = Simulation::new(law, State::new([0.0, 0.16], [vx, 0.0])).scheme(Nystrom::order8()).dt(0.0625);
+    let run = run.event(|state| state.q[0], Crossing::Rising).record_every(u64::MAX).run_until(200.0).unwrap();
+    let exact = State::<2, DoubleDouble>::new([0.0, 0.16].map(Into::into), [vx, 0.0].map(Into::into));
+    let exact = Simulation::new(law, exact).scheme(Nystrom::order8()).dt(0.03125).record_every(u64::MAX);
+    let exact = exact.event(|state| state.q[0].to_f64(), Crossing::Rising).run_until(200.0).unwrap();
+    assert_eq!((run.events().len(), exact.events().len()), (32, 32));
+    for (event, exact) in run.events().iter().zip(exact.events()) {
+        let (state, exact) = (event.state(), exact.state());
+        assert!((state.t - exact.t).abs() < 1e-10, "{} {}", state.t, exact.t);
+        assert!((state.q[1] - exact.q[1].to_f64()).abs() < 1e-10 && (state.v[1] - exact.v[1].to_f64()).abs() < 1e-10);
+    }
+}

@@ -154,6 +154,20 @@ fn times_that_cannot_be_are_refused() {
     assert_eq!(message, "no state can be recorded at t = 0.3: the run starts at t = 0.7");
 }
 
+/// What no memory holds is refused before the first step, and written by a stream.
+#[test]
+fn records_that_do_not_fit_are_refused_at_once() {
+    let simulation = || planet().scheme(Leapfrog).dt(0.1);
+    let states = 1 << 50;
+    let refused = simulation().run(states - 1).unwrap_err();
+    assert_eq!(refused.cause(), Error::Recording { states, bytes: 40 * states });
+    assert_eq!(refused.run().steps(), 0);
+    let scene = Simulation::scene(three_bodies()).scheme(Leapfrog).dt(0.1);
+    assert!(matches!(scene.run(states).unwrap_err().cause(), Error::Recording { bytes, .. } if bytes > 96 * states));
+    let stopped = simulation().observe(9, |_| core::ops::ControlFlow::Break(()));
+    assert_eq!(stopped.stream(Csv(std::io::sink())).run(states).unwrap().steps(), 9);
+}
+
 /// What is recorded between steps does not weaken what is said of the invariants, and is itself as exact.
 #[test]
 fn invariants_hold_between_the_steps() {

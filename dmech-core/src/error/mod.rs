@@ -92,6 +92,17 @@ pub enum Error {
         /// The time of the start.
         start: f64,
     },
+    /// The states to be recorded do not fit into memory.
+    #[error(
+        "recording {states} states takes {} bytes, more than there are: record fewer with .record_every(n), or write them as they come with .stream(Csv(file))",
+        Number(*bytes as f64)
+    )]
+    Recording {
+        /// The states of the whole run.
+        states: u64,
+        /// The memory that they take.
+        bytes: u64,
+    },
     /// A time at which a stepper has no state: it lies outside the next step.
     #[error("t = {} does not lie in the next step, from t = {} to {}", Number(*time), Number(*from), Number(*to))]
     OutsideStep {

@@ -14,6 +14,8 @@ pub trait Attend<X> {
     const EVENTS: usize = 0;
     /// Whether it looks at states at the end of steps.
     const OBSERVES: bool = false;
+    /// Whether it takes the recorded states.
+    const STREAMS: bool = false;
 
     /// Looks at the first state.
     ///
@@ -58,6 +60,7 @@ impl<X> Attend<X> for () {}
 impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     const EVENTS: usize = A::EVENTS + B::EVENTS;
     const OBSERVES: bool = A::OBSERVES || B::OBSERVES;
+    const STREAMS: bool = A::STREAMS || B::STREAMS;
 
     fn begin(&mut self, start: &X) -> Result<(), Error> {
         self.0.begin(start)?;

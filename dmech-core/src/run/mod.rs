@@ -29,6 +29,7 @@ pub use report::Report;
 pub use stream::{Csv, Npy, Sink, Stream};
 pub use watch::Watch;
 
+use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, Kept};
 use crate::scheme::Method;
 use report::Work;
@@ -45,7 +46,7 @@ pub struct Run<X> {
     report: Report,
 }
 
-/// States to make room for in advance; a longer run grows as it goes.
+/// States to make room for in advance, whatever the machine.
 const ROOM: u64 = 1 << 16;
 
 impl<X> Run<X> {
@@ -55,8 +56,15 @@ impl<X> Run<X> {
         Run { states: Vec::new(), last: start, events: Vec::new(), stopped: false, report }
     }
 
-    pub(crate) fn expect(&mut self, states: u64) {
+    /// Refuses more states, each of so many bytes, than there is memory for, before the run and not when it is full.
+    fn expect(&mut self, states: u64, size: usize) -> Result<(), Error> {
+        let bytes = states.saturating_mul(size as u64);
+        let room = usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
+        if states > ROOM && !room {
+            return Err(Error::Recording { states, bytes });
+        }
         self.states.reserve(states.min(ROOM) as usize);
+        Ok(())
     }
 
     /// The states that were recorded: the first, then every n-th; or those at the times that were asked for.

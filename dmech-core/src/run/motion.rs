@@ -22,7 +22,11 @@ pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
     shown: Shown,
 ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     let mut log = Log::new(&stepper, run, due, attend);
-    log.run.expect(if steps == UNCOUNTED { 0 } else { log.due.states(steps) });
+    // A stream keeps none.
+    let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps) };
+    if let Err(cause) = log.run.expect(states, Y::size(&stepper.start)) {
+        return Err(Interrupted::new(log.run, cause));
+    }
     log.write(stepper, steps, Follow::new(shown, steps))
 }
 

@@ -131,6 +131,8 @@ fn told(error: &io::Error) -> Error {
 }
 
 impl<X, W: Sink<X>> Attend<X> for Stream<W> {
+    const STREAMS: bool = true;
+
     fn take(&mut self, state: &X) -> Result<bool, Error> {
         self.sink.write(self.rows, state).map_err(|error| told(&error))?;
         self.rows += 1;

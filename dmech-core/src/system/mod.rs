@@ -71,6 +71,10 @@ pub trait System: Sized {
     fn state(&self, t: f64, q: &Self::Vector, v: &Self::Vector) -> Self::State;
     /// The time of a state.
     fn time(state: &Self::State) -> f64;
+    /// The memory that a recorded state takes, in bytes.
+    fn size(_state: &Self::State) -> usize {
+        size_of::<Self::State>()
+    }
     /// No vector.
     fn zero(&self) -> Self::Vector;
     /// The beginning of a compensated sum.

@@ -160,6 +160,10 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         state.t
     }
 
+    fn size(state: &SceneState<D>) -> usize {
+        size_of_val(state) + 2 * size_of_val(state.q.as_slice())
+    }
+
     fn zero(&self) -> Vectors<D> {
         Vectors::zeros(self.masses.len())
     }

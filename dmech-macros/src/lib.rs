@@ -33,11 +33,26 @@ use proc_macro::TokenStream;
 /// - constant `for` loops, `(a..b).map(…).sum()`, `+=` and its kin;
 /// - fields of `self`, constants and helper methods of the same block, `std::f64::consts`;
 /// - `sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh
-///   atanh hypot abs signum recip mul_add min max clamp`.
+///   atanh hypot abs signum recip mul_add min max clamp`;
+/// - `round floor ceil trunc fract rem_euclid` where the law is periodic, as `x - l * (x / l).round()` for the nearest image.
 ///
 /// Anything else is a compile error on that very expression, which says what to write instead. A law with a choice must be
-/// continuous; its force need not be. `x.clamp(low, high)` panics in Rust where the bounds are in the wrong order: those that
+/// continuous; its force need not be. What is rounded counts as constant between its jumps, also for derivatives; across a
+/// jump the discrete gradient takes the whole difference, so that the energy-exact schemes keep the energy there too. The
+/// law must be continuous in what is rounded by itself: a function of the distance of images is, or a periodic one. `x.clamp(low, high)` panics in Rust where the bounds are in the wrong order: those that
 /// the macro can see are checked when the program is compiled, of fields of the law it computes `x.max(low).min(high)`.
+///
+/// ```ignore
+/// /// A bead in a periodic box of length l with a spring to its nearest image of the centre, k |d|²/2.
+/// #[dmech::law]
+/// impl Cell {
+///     #[potential]
+///     fn energy(&self, q: [f64; 2]) -> f64 {
+///         let d = q.map(|x| x - self.l * (x / self.l).round());
+///         0.5 * self.k * (d[0] * d[0] + d[1] * d[1])
+///     }
+/// }
+/// ```
 ///
 /// # What is implemented
 ///

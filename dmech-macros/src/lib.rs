@@ -13,6 +13,7 @@ use proc_macro::TokenStream;
 /// | `#[force]` | `q`, `v`; `m`, `t` | a force, alone or beside a potential | the same |
 /// | `#[pair]` | the distance `r` or the separation `d` = q_a − q_b; `ma`, `mb`, `a: &P`, `b: &P`, `t` | the energy of two bodies | pairs, chains, bonds of a scene |
 /// | `#[pair_force]` | `d`, `va`, `vb`, and as above | the force on a from b | the same |
+/// | `#[invariant]` | `q`, `v`; `t` | a number that the motion keeps | watched in runs of a particle |
 ///
 /// ```ignore
 /// #[dmech::law]
@@ -59,6 +60,19 @@ use proc_macro::TokenStream;
 /// `Potential` with gradient, Hessian, discrete gradient and its Jacobian, `Force` with its Jacobians, `Law` (or `PairLaw`),
 /// which simulations run, and `Derivation`, whose `derivation()` shows all of it in readable mathematics with what each
 /// function costs. Everything is generic over the scalar: `f64`, `f32`, 31 digits, SIMD lanes.
+///
+/// # Invariants of a law's own
+///
+/// What a law keeps beside energy and momenta stands in its block as an `#[invariant]`, up to eight of them beside a potential
+/// or a force. A run watches them at the recorded states, in the scalar that it is made with: `run.drift_of("area")` tells how
+/// each moved, and the report has a line for it. No scheme promises anything of them.
+///
+/// ```ignore
+///     #[invariant]
+///     fn area(&self, q: [f64; 2], v: [f64; 2]) -> f64 {
+///         0.5 * (q[0] * v[1] - q[1] * v[0])
+///     }
+/// ```
 ///
 /// # Options
 ///

@@ -1,5 +1,6 @@
 //! Runs: saved, resumed, shown.
 
 mod checkpoint;
+mod own_invariants;
 mod progress;
 mod resumed;

@@ -14,7 +14,7 @@ pub(crate) use progress::Shown;
 pub use report::Report;
 pub use watch::Watch;
 
-use crate::invariant::{Drift, Drifts, Invariant, Kept};
+use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
 use crate::scheme::Method;
 use report::Work;
 
@@ -62,6 +62,12 @@ impl<X> Run<X> {
         self.report.drift(invariant)
     }
 
+    /// How an invariant moved that the law declares itself, a method `#[invariant] fn name(…)`; `None` where it has none of
+    /// this name.
+    pub fn drift_of(&self, name: &str) -> Option<Drift> {
+        self.report.drift_of(name)
+    }
+
     /// How well the scheme must keep an invariant that the law has.
     pub fn kept(&self, invariant: Invariant) -> Kept {
         self.report.kept(invariant)
@@ -79,9 +85,9 @@ impl<X: Clone> Run<X> {
         self.states.push(state);
     }
 
-    pub(crate) fn finish(&mut self, last: X, drifts: Drifts, work: Work) {
+    pub(crate) fn finish(&mut self, last: X, drifts: Drifts, own: OwnDrifts, work: Work) {
         self.last = last;
-        self.report.finish(drifts, work);
+        self.report.finish(drifts, own, work);
     }
 }
 

@@ -66,7 +66,8 @@ fn record_seen<Y: System, S: Scheme<Y>, F: Follow>(
     }
     let (steps, evaluations, iterations) = (stepper.steps(), stepper.evaluations(), stepper.iterations());
     let range = stepper.scheme.range(&stepper.memory);
-    run.finish(last, watch.drifts(), Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range });
+    let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range };
+    run.finish(last, watch.drifts(), watch.own_drifts(), work);
     match failure {
         None => Ok(run),
         Some(cause) => Err(Interrupted::new(run, cause)),

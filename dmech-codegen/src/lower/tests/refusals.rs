@@ -601,6 +601,54 @@ fn vectors() {
 }
 
 #[test]
+fn invariants_that_are_none() {
+    for (invariant, message) in [
+        (
+            "fn kept(&self, q: [f64; 2], «m»: f64) -> f64 { q[0] }",
+            "`m` is not an argument a conserved quantity can have; expected one of: `q` (position), `v` (velocity), `t` (time). Parameters are fields of the law: `self.k`",
+        ),
+        (
+            "fn kept(&self, q: [f64; 2]) -> «[f64; 2]» { q }",
+            "a conserved quantity is one number: the method returns `f64`",
+        ),
+        (
+            "fn «kept»(&self, q: [f64; 3]) -> f64 { q[2] }",
+            "`kept` has 3 coordinates, and the potential of this law has 2",
+        ),
+        (
+            "fn kept(&self, q: [f64; 2]) -> f64 { q[0].«squared»() }",
+            "`squared` is not a function of `f64`; write `powi(2)` or `x * x`",
+        ),
+        (
+            "fn kept(&self, q: [f64; 2]) -> f64 { self.«kept»(q) }",
+            "`kept` calls itself; a formula has no recursion, write a `for` loop over a constant range",
+        ),
+    ] {
+        let potential = "#[potential] fn energy(&self, q: [f64; 2]) -> f64 { q[0] * q[1] }";
+        refused_block(&format!("impl Law {{ {potential} #[invariant] {invariant} }}"), &[message]);
+    }
+    let one = |name: String| format!("#[invariant] fn {name}(&self, q: f64) -> f64 {{ q }}");
+    let eight: String = (0..8).map(|k| one(format!("k{k}"))).collect();
+    refused_block(
+        &format!(
+            "impl Law {{ #[potential] fn energy(&self, q: f64) -> f64 {{ q }} {eight} {} }}",
+            one("«k8»".to_owned())
+        ),
+        &["a run watches 8 invariants of a law, and `k8` is one more; leave one away"],
+    );
+    refused_block(
+        "impl «Law» { #[invariant] fn kept(&self, q: f64) -> f64 { q } }",
+        &[
+            "no method of this block has a role; mark the one that returns the energy of `Law` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
+        ],
+    );
+    refused_block(
+        "impl Law { #[pair] fn energy(&self, d: [f64; 2]) -> f64 { d[0] * d[0] } #[invariant] fn «kept»(&self, q: [f64; 2]) -> f64 { q[0] } }",
+        &["`kept` is an invariant of one body in a law between two; what many bodies keep is watched in an observer"],
+    );
+}
+
+#[test]
 fn everything_in_one_run() {
     refused(
         "«z» + «2» * q[0] + q[«5»] + «w».sin() + q[1].«fma»()",

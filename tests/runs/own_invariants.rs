@@ -1,7 +1,7 @@
 //! Invariants that a law declares itself.
 
-use dmech::models::Kepler;
 use dmech::prelude::*;
+use dmech::{Error, models::Kepler};
 
 /// A planet, with what no scheme knows of it; the perturbation c/r³ turns its pericentre.
 #[derive(Clone, Copy, Debug)]
@@ -69,6 +69,37 @@ fn the_report_shows_them() -> Result<(), Box<dyn std::error::Error>> {
         report(Simulation::new(Kepler { gm: 1.0 }, START).scheme(DiscreteGradient).dt(0.01).run(10)?.to_string());
     assert_eq!(own.len(), none.len() + 2);
     Ok(())
+}
+
+/// A constant of one's own that the macro takes for that of `std`.
+mod consts {
+    pub(super) const PI: f64 = 3.0;
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Disguised {
+    k: f64,
+}
+
+#[dmech::law]
+impl Disguised {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        0.5 * self.k * q * q
+    }
+
+    #[invariant]
+    fn kept(&self, q: f64, v: f64) -> f64 {
+        consts::PI * (0.5 * v * v + self.energy(q))
+    }
+}
+
+#[test]
+fn what_is_watched_is_what_is_written() {
+    let simulation = Simulation::new(Disguised { k: 1.7 }, State::new([0.4], [0.3])).scheme(Leapfrog);
+    let error = simulation.dt(0.1).run(1).unwrap_err().cause();
+    let Error::NotAsWritten(difference) = error else { panic!("{error}") };
+    assert_eq!((difference.quantity(), difference.written()), ("kept", 3.0 * (0.045 + 0.5 * 1.7 * 0.4 * 0.4)));
 }
 
 /// A spring whose rest position moves: what it keeps names the time, and has more digits than `f64`.

@@ -91,7 +91,7 @@ pub(crate) fn invariant_of_two(name: &Ident) -> Error {
     at(
         name,
         format!(
-            "`{name}` is an invariant of one body in a law between two; what many bodies keep is watched in an observer"
+            "`{name}` is an invariant of one body in a law between two; what many bodies keep is computed from the states of the run"
         ),
     )
 }

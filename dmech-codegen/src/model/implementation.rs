@@ -13,7 +13,7 @@ use super::{
 };
 
 /// How many invariants a run watches for a law: `MAX_OWN` of the core.
-const MAX_INVARIANTS: usize = 8;
+pub(crate) const MAX_INVARIANTS: usize = 8;
 
 /// Reads the block that the attribute stands on.
 pub(crate) fn from_impl(options: TokenStream, item: TokenStream) -> Parsed {

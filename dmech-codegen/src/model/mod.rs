@@ -25,7 +25,7 @@ use crate::role::Role;
 
 pub use argument::Body;
 pub(crate) use derived::from_derive;
-pub(crate) use implementation::from_impl;
+pub(crate) use implementation::{MAX_INVARIANTS, from_impl};
 pub use pair::PairSignature;
 
 pub(crate) use argument::{Argument, PairArgument, Quantity, Shape};

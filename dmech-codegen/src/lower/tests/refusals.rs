@@ -644,7 +644,9 @@ fn invariants_that_are_none() {
     );
     refused_block(
         "impl Law { #[pair] fn energy(&self, d: [f64; 2]) -> f64 { d[0] * d[0] } #[invariant] fn «kept»(&self, q: [f64; 2]) -> f64 { q[0] } }",
-        &["`kept` is an invariant of one body in a law between two; what many bodies keep is watched in an observer"],
+        &[
+            "`kept` is an invariant of one body in a law between two; what many bodies keep is computed from the states of the run",
+        ],
     );
 }
 

@@ -87,11 +87,11 @@ pub const GM_MERCURY: f64 = 2.203_186_855_140_000_3e13;
 /// Strength of Venus, m³/s², DE440.
 pub const GM_VENUS: f64 = 3.248_585_92e14;
 /// Strength of the Earth without the Moon, m³/s², DE440.
-pub const GM_EARTH: f64 = 3.986_004_355_070_226_6e14;
+pub const GM_EARTH: f64 = 3.986_004_355_070_227e14;
 /// Strength of the Moon, m³/s², DE440.
-pub const GM_MOON: f64 = 4.902_800_118_457_549_6e12;
+pub const GM_MOON: f64 = 4.902_800_118_457_55e12;
 /// Strength of Mars with its moons, m³/s², DE440.
-pub const GM_MARS: f64 = 4.282_837_581_575_610_2e13;
+pub const GM_MARS: f64 = 4.282_837_581_575_61e13;
 /// Strength of Jupiter with its moons, m³/s², DE440.
 pub const GM_JUPITER: f64 = 1.267_127_641e17;
 /// Strength of Saturn with its moons, m³/s², DE440.
@@ -99,7 +99,7 @@ pub const GM_SATURN: f64 = 3.794_058_484_18e16;
 /// Strength of Uranus with its moons, m³/s², DE440.
 pub const GM_URANUS: f64 = 5.794_556_4e15;
 /// Strength of Neptune with its moons, m³/s², DE440.
-pub const GM_NEPTUNE: f64 = 6.836_527_100_580_4e15;
+pub const GM_NEPTUNE: f64 = 6.836_527_100_580_399e15;
 /// Strength of Pluto with its moons, m³/s², DE440.
 pub const GM_PLUTO: f64 = 9.755e11;
 

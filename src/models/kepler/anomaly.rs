@@ -18,7 +18,7 @@
 //!     assert!((anomaly::mean_to_true(e, mean) - 1.2).abs() < 1e-15, "{e}");
 //! }
 //! // Halley's comet a quarter of its period after the pericentre.
-//! assert!((anomaly::mean_to_true(0.967, 0.5 * core::f64::consts::PI).to_degrees() - 171.9).abs() < 0.1);
+//! assert!((anomaly::mean_to_true(0.967, 0.5 * core::f64::consts::PI).to_degrees() - 173.3).abs() < 0.1);
 //! ```
 //!
 //! # Source

@@ -161,7 +161,7 @@ mod tests {
 
     /// (e, time, [x, y, vx, vy]), with 60 digits by bisection of t = s + e G₃(1 − e, s).
     #[rustfmt::skip]
-    #[allow(clippy::excessive_precision, clippy::unreadable_literal)]
+    #[allow(clippy::approx_constant)]
     const EXACT: [(f64, f64, [f64; 4]); 25] = [
         (0.0, 0.3, [0.955336489125606, 0.29552020666133955, -0.29552020666133955, 0.955336489125606]),
         (1e-09, 2.9, [-0.9709581661370543, 0.23924933344459867, -0.23924933285342356, -0.9709581627378573]),

@@ -99,7 +99,7 @@ impl Kepler {
     /// ```
     /// let law = dmech::models::Kepler { gm: 2.0 };
     /// let orbit = law.elements(&law.pericentre(2.0, 0.6))?;
-    /// assert!((orbit.half_axis() - 2.0).abs() < 1e-15 && (orbit.eccentricity - 0.6).abs() < 1e-15);
+    /// assert!((orbit.half_axis() - 2.0).abs() < 1e-14 && (orbit.eccentricity - 0.6).abs() < 1e-15);
     /// # Ok::<(), dmech::models::kepler::OrbitError>(())
     /// ```
     ///

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dmech::models::kepler::{Elements, OrbitError, anomaly};
+use dmech::models::units::*;
 use dmech::models::{Kepler, Kepler3};
 use dmech::prelude::*;
 
@@ -217,4 +218,27 @@ fn refusals() {
     assert!(Elements { eccentricity: 1.0, ..circle }.with_true_anomaly(0.0, PI).is_err());
     assert!(Elements { eccentricity: 0.5, ..circle }.with_true_anomaly(0.0, PI).is_ok());
     assert!(anomaly::true_to_mean(2.0, 2.2).is_nan());
+}
+
+/// Energies of 1e33 J and of 1e-18 J, steps of a day and of 1e-18 s: the columns of a report stay, and no number is a row
+/// of zeros.
+#[test]
+fn reports_in_si_read_well() -> Result<(), Box<dyn std::error::Error>> {
+    let earth = Kepler { gm: GM_SUN * EARTH_MASS };
+    let start = State::new([AU, 0.0], [0.0, (GM_SUN / AU).sqrt()]);
+    let year = Simulation::new(earth, start).mass(EARTH_MASS).scheme(DiscreteGradient).dt(DAY).run(365)?.to_string();
+    let electron = Kepler { gm: COULOMB * ELEMENTARY_CHARGE * ELEMENTARY_CHARGE };
+    let start = State::new([BOHR_RADIUS, 0.0], [0.0, (electron.gm / ELECTRON_MASS / BOHR_RADIUS).sqrt()]);
+    let atom = Simulation::new(electron, start).mass(ELECTRON_MASS).scheme(DiscreteGradient).dt(1e-18).run(100)?;
+    assert!((atom.drift(Invariant::AngularMomentum).unwrap().start() / REDUCED_PLANCK - 1.0).abs() < 1e-9);
+    let atom = atom.to_string();
+    for (report, parts) in
+        [(&year, ["dt = 86400, 365", " -2.64", "e33 "]), (&atom, ["dt = 1e-18, 100", " -2.179", "e-18 "])]
+    {
+        assert!(parts.iter().all(|part| report.contains(part)) && !report.contains("00000"), "{report}");
+        let column = report.lines().find_map(|line| line.find("must be")).unwrap();
+        let table: Vec<_> = report.lines().filter_map(|line| line.find("exact")).collect();
+        assert_eq!(table, [column; 3], "{report}");
+    }
+    Ok(())
 }

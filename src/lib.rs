@@ -48,6 +48,7 @@
 //! lies above `high` or one of them is NaN. Bounds that the macro can see are checked when the program is compiled; for fields of
 //! the law, the generated code computes `x.max(low).min(high)`.
 //!
+//! An `#[invariant]`, a number of `q` and `v`, is watched in runs beside energy and momenta: [`Run::drift_of`].
 //! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
 //! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog`,
 //! `Nystrom`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the program is compiled.

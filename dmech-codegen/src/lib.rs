@@ -20,6 +20,7 @@ pub use lower::{Lowered, LoweredPair, Parameter, Read, Source};
 pub use model::{Body, Model, PairSignature};
 
 use dmech_symbolic::kernel::{ForcedKernels, Kernels, PairKernels, PairLaw};
+use dmech_symbolic::program::Program;
 use proc_macro2::TokenStream;
 
 use model::{Parsed, Refusal, Refused};
@@ -34,6 +35,8 @@ pub struct Derivation {
     pub kernels: Kernels,
     /// The programs derived from its force.
     pub forced: Option<ForcedKernels>,
+    /// What the law says it keeps.
+    pub invariants: Vec<Program>,
 }
 
 /// A law between two bodies with everything that follows from it, before it is printed.
@@ -107,11 +110,12 @@ fn derive_all(model: Result<Model, Refused>) -> Result<Derived, Refused> {
         let kernels = PairKernels::new(&mut lowered.graph, &law, &lowered.variables, &pair.variables);
         return Ok(Derived::Pair(Box::new(PairDerivation { model, lowered, pair, kernels })));
     }
-    let Lowered { graph, variables, potential, force, parameters, .. } = &mut lowered;
+    let Lowered { graph, variables, potential, force, invariants, parameters, .. } = &mut lowered;
     let kernels = Kernels::new(graph, *potential, variables);
     let time = parameters.iter().find(|p| matches!(p.source, Source::Time)).map(|p| p.symbol);
     let forced = force.as_ref().map(|force| ForcedKernels::new(graph, *potential, force, time, variables));
-    Ok(Derived::One(Box::new(Derivation { model, lowered, kernels, forced })))
+    let invariants = invariants.iter().map(|&invariant| Program::schedule(graph, &[invariant])).collect();
+    Ok(Derived::One(Box::new(Derivation { model, lowered, kernels, forced, invariants })))
 }
 
 /// The body of a law that is refused for its signature is read all the same, so that its mistakes show in the same run.

@@ -7,6 +7,7 @@ pub(crate) enum Role {
     Force,
     Pair,
     PairForce,
+    Invariant,
 }
 
 /// An argument that a role knows by its name.
@@ -45,7 +46,7 @@ const A: KnownArgument = known("a", "data of a", Kind::Data);
 const B: KnownArgument = known("b", "data of b", Kind::Data);
 
 impl Role {
-    pub(crate) const ALL: [Self; 4] = [Self::Potential, Self::Force, Self::Pair, Self::PairForce];
+    pub(crate) const ALL: [Self; 5] = [Self::Potential, Self::Force, Self::Pair, Self::PairForce, Self::Invariant];
 
     /// The attribute that gives it.
     pub(crate) fn name(self) -> &'static str {
@@ -54,6 +55,7 @@ impl Role {
             Self::Force => "force",
             Self::Pair => "pair",
             Self::PairForce => "pair_force",
+            Self::Invariant => "invariant",
         }
     }
 
@@ -64,6 +66,7 @@ impl Role {
             Self::Force => "force",
             Self::Pair => "pair potential",
             Self::PairForce => "pair force",
+            Self::Invariant => "conserved quantity",
         }
     }
 
@@ -72,6 +75,7 @@ impl Role {
         match self {
             Self::Potential => &[Q, M, T],
             Self::Force => &[Q, V, M, T],
+            Self::Invariant => &[Q, V, T],
             Self::Pair => &[R, D, MA, MB, A, B, T],
             Self::PairForce => &[D, VA, VB, MA, MB, A, B, T],
         }
@@ -84,6 +88,7 @@ impl Role {
             Self::Force => "force(&self, v: [f64; 2]) -> [f64; 2]",
             Self::Pair => "energy(&self, r: f64) -> f64",
             Self::PairForce => "force(&self, d: [f64; 2]) -> [f64; 2]",
+            Self::Invariant => "momentum(&self, q: [f64; 2], v: [f64; 2]) -> f64",
         }
     }
 

@@ -124,7 +124,7 @@ pub use crate::checkpoint::{Carried, Saved};
 #[cfg(feature = "serde")]
 pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};
-pub use crate::invariant::{Drifts, Kept};
+pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;
 pub use crate::law::Masses;

@@ -64,6 +64,28 @@ impl core::fmt::Display for Kept {
 /// The drift of each invariant, by `Invariant as usize`.
 pub type Drifts = [Option<Drift>; Invariant::ALL.len()];
 
+/// How many invariants of its own a law can have watched.
+pub const MAX_OWN: usize = 8;
+
+/// The drifts of the invariants that a law declares itself, by name.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct OwnDrifts {
+    pub(crate) names: &'static [&'static str],
+    pub(crate) drifts: [Option<Drift>; MAX_OWN],
+}
+
+impl OwnDrifts {
+    /// Each with its name, in the order in which they are declared.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, Drift)> + '_ {
+        self.names.iter().zip(&self.drifts).filter_map(|(&name, drift)| Some((name, (*drift)?)))
+    }
+
+    /// That of one name.
+    pub fn of(&self, name: &str) -> Option<Drift> {
+        self.iter().find_map(|(own, drift)| (own == name).then_some(drift))
+    }
+}
+
 /// How an invariant moved over the recorded states.
 ///
 /// For the angular momentum of more than two coordinates the values are norms of a tensor, and deviations the norm of

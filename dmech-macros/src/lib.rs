@@ -13,6 +13,7 @@ use proc_macro::TokenStream;
 /// | `#[force]` | `q`, `v`; `m`, `t` | a force, alone or beside a potential | the same |
 /// | `#[pair]` | the distance `r` or the separation `d` = q_a − q_b; `ma`, `mb`, `a: &P`, `b: &P`, `t` | the energy of two bodies | pairs, chains, bonds of a scene |
 /// | `#[pair_force]` | `d`, `va`, `vb`, and as above | the force on a from b | the same |
+/// | `#[invariant]` | `q`, `v`; `t` | a number that the motion keeps | watched in runs of a particle |
 ///
 /// ```ignore
 /// #[dmech::law]
@@ -33,17 +34,45 @@ use proc_macro::TokenStream;
 /// - constant `for` loops, `(a..b).map(…).sum()`, `+=` and its kin;
 /// - fields of `self`, constants and helper methods of the same block, `std::f64::consts`;
 /// - `sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh
-///   atanh hypot abs signum recip mul_add min max clamp`.
+///   atanh hypot abs signum recip mul_add min max clamp`;
+/// - `round floor ceil trunc fract rem_euclid` where the law is periodic, as `x - l * (x / l).round()` for the nearest image.
 ///
 /// Anything else is a compile error on that very expression, which says what to write instead. A law with a choice must be
-/// continuous; its force need not be. `x.clamp(low, high)` panics in Rust where the bounds are in the wrong order: those that
+/// continuous; its force need not be. What is rounded counts as constant between its jumps, also for derivatives; across a
+/// jump the discrete gradient takes the whole difference, so that the energy-exact schemes keep the energy there too. The
+/// law must be continuous in what is rounded by itself: a function of the distance of images is, or a periodic one. `x.clamp(low, high)` panics in Rust where the bounds are in the wrong order: those that
 /// the macro can see are checked when the program is compiled, of fields of the law it computes `x.max(low).min(high)`.
+///
+/// ```ignore
+/// /// A bead in a periodic box of length l with a spring to its nearest image of the centre, k |d|²/2.
+/// #[dmech::law]
+/// impl Cell {
+///     #[potential]
+///     fn energy(&self, q: [f64; 2]) -> f64 {
+///         let d = q.map(|x| x - self.l * (x / self.l).round());
+///         0.5 * self.k * (d[0] * d[0] + d[1] * d[1])
+///     }
+/// }
+/// ```
 ///
 /// # What is implemented
 ///
 /// `Potential` with gradient, Hessian, discrete gradient and its Jacobian, `Force` with its Jacobians, `Law` (or `PairLaw`),
 /// which simulations run, and `Derivation`, whose `derivation()` shows all of it in readable mathematics with what each
 /// function costs. Everything is generic over the scalar: `f64`, `f32`, 31 digits, SIMD lanes.
+///
+/// # Invariants of a law's own
+///
+/// What a law keeps beside energy and momenta stands in its block as an `#[invariant]`, up to eight of them beside a potential
+/// or a force. A run watches them at the recorded states, in the scalar that it is made with: `run.drift_of("area")` tells how
+/// each moved, and the report has a line for it. No scheme promises anything of them.
+///
+/// ```ignore
+///     #[invariant]
+///     fn area(&self, q: [f64; 2], v: [f64; 2]) -> f64 {
+///         0.5 * (q[0] * v[1] - q[1] * v[0])
+///     }
+/// ```
 ///
 /// # Options
 ///

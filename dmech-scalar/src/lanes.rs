@@ -375,7 +375,7 @@ impl Real for Lanes {
         Self(self.0.sqrt())
     }
     lane_by_lane! {
-        powf(p); cbrt(); exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
+        round(); floor(); trunc(); powf(p); cbrt(); exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
         sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
         sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
         sinc(); sinc_slope(); sinhc(); sinhc_slope(); atanc(); atanc_slope(); atanhc(); atanhc_slope();

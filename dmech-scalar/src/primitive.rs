@@ -97,7 +97,7 @@ macro_rules! primitive {
                 if FUSED { $real::mul_add(self, b, c) } else { self * b + c }
             }
             from_std! { $real:
-                recip(); abs(); signum(); min(other: Self); max(other: Self);
+                recip(); abs(); signum(); round(); floor(); trunc(); min(other: Self); max(other: Self);
                 powi(n: i32); powf(p: Self); sqrt(); cbrt();
                 exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
                 sin(); cos(); tan(); asin(); acos(); atan(); atan2(x: Self);

@@ -86,6 +86,12 @@ pub trait Real:
     fn abs(self) -> Self;
     /// ±1, with the sign of self (also of a signed zero).
     fn signum(self) -> Self;
+    /// The nearest integer, halves away from 0.
+    fn round(self) -> Self;
+    /// The largest integer that is not larger.
+    fn floor(self) -> Self;
+    /// The integer toward 0.
+    fn trunc(self) -> Self;
     /// The smaller.
     fn min(self, other: Self) -> Self;
     /// The larger.

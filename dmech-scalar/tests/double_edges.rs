@@ -12,7 +12,7 @@ fn what_is_not_finite_is_what_it_is_in_f64() {
         ($($name:ident)*) => { [$((stringify!($name), DoubleDouble::$name as fn(DoubleDouble) -> DoubleDouble, <f64 as Real>::$name as fn(f64) -> f64)),*] };
     }
     let functions = both!(
-        recip abs signum sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh
+        recip abs signum round floor trunc sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh
         acosh atanh sinc sinc_slope sinhc sinhc_slope atanc atanc_slope atanhc atanhc_slope
     );
     let mut checked = 0;
@@ -90,4 +90,29 @@ fn compensated_sums_do_no_harm() {
     assert!(errors[1] <= errors[0] && errors[0] < 1e-27 && sum.lo.to_f64().abs() < 1e-27, "{errors:?}");
     let (high, low) = two_sum(DoubleDouble::from(1e300), tenth);
     assert!(high.to_f64() == 1e300 && (high + low - DoubleDouble::from(1e300)).to_f64().abs() <= 0.1);
+}
+
+/// Steps beside which the high part says nothing: the low part tells on which side a number is.
+#[test]
+fn steps_see_the_low_part() {
+    let tiny = 2f64.powi(-70);
+    for (hi, lo, round, floor, trunc) in [
+        (0.5, -tiny, 0.0, 0.0, 0.0),
+        (0.5, 0.0, 1.0, 0.0, 0.0),
+        (-0.5, tiny, 0.0, -1.0, 0.0),
+        (-0.5, 0.0, -1.0, -1.0, 0.0),
+        (-2.5, 0.0, -3.0, -3.0, -2.0),
+        (1.0, -tiny, 1.0, 0.0, 0.0),
+        (-1.0, tiny, -1.0, -1.0, 0.0),
+        (-1.0, -tiny, -1.0, -2.0, -1.0),
+        (7.25, tiny, 7.0, 7.0, 7.0),
+    ] {
+        let x = DoubleDouble::new(hi, lo);
+        assert_eq!([x.round(), x.floor(), x.trunc()], [round, floor, trunc].map(DoubleDouble::from), "{hi} + {lo:e}");
+    }
+    // Whole numbers beyond 2⁵³ with a part of their own below.
+    let large = DoubleDouble::new(2f64.powi(60), 0.75);
+    assert_eq!(large.floor(), DoubleDouble::new(2f64.powi(60), 0.0));
+    assert_eq!(large.round(), DoubleDouble::new(2f64.powi(60), 1.0));
+    assert_eq!((-large).floor(), DoubleDouble::new(-2f64.powi(60), -1.0));
 }

@@ -56,8 +56,8 @@ macro_rules! unary {
     ($($name:ident)*) => { [$((stringify!($name), <Lanes as Real>::$name, <f64 as Real>::$name)),*] };
 }
 
-const UNARY: [Unary; 32] = unary! {
-    recip abs signum sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh acosh
+const UNARY: [Unary; 35] = unary! {
+    recip abs signum round floor trunc sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan sinh cosh tanh asinh acosh
     atanh sinc sinc_slope sinhc sinhc_slope atanc atanc_slope atanhc atanhc_slope
 };
 

@@ -102,6 +102,10 @@ macro_rules! laws_of {
 
             assert_eq!(Real::signum(-0.0 as $real), -1.0);
             assert_eq!((Real::signum(0.0 as $real), Real::signum(a), Real::signum(b)), (1.0, 1.0, -1.0));
+            assert_eq!(
+                (Real::round(b), Real::floor(b), Real::trunc(b), Real::round(2.5 as $real)),
+                (-1.0, -1.0, 0.0, 3.0)
+            );
             assert_eq!((Real::min(a, b), Real::max(a, b)), (b, a));
             assert_eq!(Real::powi(b, 3), b * b * b);
             assert!((Real::powf(a, b) - (b * a.ln()).exp()).abs() < 2.0 * $real::EPSILON);

@@ -20,6 +20,7 @@
 //! | [`Wall`] | 1 | piecewise potential | period |
 //! | [`LennardJones`] | 1 | potential | period of small vibrations |
 //!
+//! Elements of orbits are in [`kepler`], constants of nature and units in [`units`].
 //! Laws between two bodies are in [`pairs`]: gravity, charges, atoms, springs, chains, contacts.
 //!
 //! ```
@@ -38,7 +39,6 @@ mod driven_pendulum;
 mod duffing;
 mod elliptic;
 mod henon_heiles;
-mod kepler;
 mod lennard_jones;
 mod magnetic_field;
 mod morse;
@@ -47,7 +47,9 @@ mod quartic;
 mod van_der_pol;
 mod wall;
 
+pub mod kepler;
 pub mod pairs;
+pub mod units;
 
 pub use anharmonic::Anharmonic;
 pub use damped_pendulum::DampedPendulum;

@@ -8,6 +8,7 @@ mod language;
 mod magnetic;
 mod masses;
 mod models;
+mod orbits;
 mod pair_models;
 mod pairs;
 mod random;

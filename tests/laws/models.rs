@@ -175,6 +175,9 @@ impl Real for Dual {
         recip |x| -1.0 / (x * x);
         abs |x| x.signum();
         signum |_x| 0.0;
+        round |_x| 0.0;
+        floor |_x| 0.0;
+        trunc |_x| 0.0;
         sqrt |x| 0.5 / x.sqrt();
         exp |x| x.exp();
         exp_m1 |x| x.exp();

@@ -4,6 +4,7 @@ mod changes;
 mod checkpoint;
 mod events;
 mod output;
+mod own_invariants;
 mod progress;
 mod resumed;
 mod streams;

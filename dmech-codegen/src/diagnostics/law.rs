@@ -161,6 +161,10 @@ pub(crate) fn second_of_its_role(second: &Ident, first: &Ident, role: Role) -> E
     )
 }
 
+pub(crate) fn too_many_invariants(beyond: &Ident, most: usize) -> Error {
+    at(beyond, format!("a run watches {most} invariants of a law, and `{beyond}` is one more; leave one away"))
+}
+
 pub(crate) fn second_closure(attribute: &impl ToTokens) -> Error {
     at(attribute, "a second potential, and a law has one; add the two in one closure")
 }
@@ -252,7 +256,7 @@ pub(crate) fn argument_of_another_role(name: &Ident, role: Role) -> Option<Error
         Some(super::pair::argument_of_one_body(name, role))
     } else if role == Role::PairForce && is(&["r"]) {
         Some(super::pair::distance_of_a_force(name))
-    } else if role.force().knows(&name.to_string()) && !role.is_force() {
+    } else if role.force().knows(&name.to_string()) && !role.is_force() && role != Role::Invariant {
         Some(velocity_of_a_potential(name, role))
     } else {
         None
@@ -334,6 +338,10 @@ pub(crate) fn too_many_coordinates(ty: &impl ToTokens, count: usize, most: usize
 
 pub(crate) fn returns_nothing(whole: &impl ToTokens) -> Error {
     at(whole, "a potential returns the potential energy; add `-> f64`")
+}
+
+pub(crate) fn wrong_invariant(at_this: &impl ToTokens) -> Error {
+    at(at_this, "a conserved quantity is one number: the method returns `f64`")
 }
 
 pub(crate) fn wrong_return(ty: &impl ToTokens) -> Error {

@@ -87,6 +87,15 @@ pub(crate) fn method_of_data(name: &Ident) -> Error {
     )
 }
 
+pub(crate) fn invariant_of_two(name: &Ident) -> Error {
+    at(
+        name,
+        format!(
+            "`{name}` is an invariant of one body in a law between two; what many bodies keep is computed from the states of the run"
+        ),
+    )
+}
+
 pub(crate) fn one_body_beside(name: &Ident) -> Error {
     at(
         name,

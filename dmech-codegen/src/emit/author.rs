@@ -8,7 +8,7 @@ use syn::{ReturnType, parse_quote};
 use super::function::on_law;
 use super::names::{ident, receiver, runtime, underscored};
 use crate::lower::{Parameter, Source};
-use crate::model::{Body, Formula, Model, PairArgument, Quantity, Shape};
+use crate::model::{Body, Formula, MAX_INVARIANTS, Model, PairArgument, Quantity, Shape};
 
 /// The items of `Author` or, between two bodies, of `PairAuthor`.
 pub(super) fn items(
@@ -50,6 +50,16 @@ pub(super) fn items(
         _ => None,
     });
     let fields: Vec<_> = fields.collect();
+    let kept = (!model.invariants.is_empty()).then(|| {
+        let values = model.invariants.iter().map(|invariant| call(model, invariant));
+        let absent = (model.invariants.len()..MAX_INVARIANTS).map(|_| quote!(0.0));
+        let values = values.chain(absent);
+        quote! {
+            fn invariants(&#receiver, #place: &#runtime::written::Place<#dimension>) -> #runtime::written::Kept {
+                [#(#values),*]
+            }
+        }
+    });
     let see = underscored(&see, !fields.is_empty());
     quote! {
         fn own(&#receiver, #place: &#runtime::written::Place<#dimension>, #(#bodies),*)
@@ -57,6 +67,7 @@ pub(super) fn items(
         {
             #runtime::written::Values { potential: #potential, force: #force }
         }
+        #kept
         fn fields(&#receiver, #see: &mut dyn ::core::ops::FnMut(&'static ::core::primitive::str, ::core::primitive::f64)) {
             #(#fields)*
         }

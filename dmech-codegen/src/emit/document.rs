@@ -90,7 +90,7 @@ fn way(step: &Step) -> &'static str {
 
 /// The whole derivation as a text.
 pub(super) fn derivation(derivation: &Derivation) -> String {
-    let Derivation { model, lowered, kernels, forced } = derivation;
+    let Derivation { model, lowered, kernels, forced, .. } = derivation;
     let mut formulas = Formulas { graph: &lowered.graph, dimension: model.dimension, lines: vec![] };
     let mut costs = vec![("kick", &kernels.kick)];
     if model.potential.is_some() {
@@ -105,6 +105,8 @@ pub(super) fn derivation(derivation: &Derivation) -> String {
         costs[0].1 = &forced.kick;
         costs.push(("force", &forced.force));
     }
+    let kept = model.invariants.iter().zip(&lowered.invariants);
+    formulas.lines.extend(kept.map(|(method, &e)| (method.ident.to_string(), shown(&lowered.graph, e))));
     let title = format!("{}, {}", model.name, count(model.dimension, "coordinate"));
     text(title, formulas.lines, structure(derivation), &costs)
 }
@@ -145,13 +147,15 @@ fn structure(derivation: &Derivation) -> Vec<&'static str> {
     if forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise) {
         found.push("piecewise: across a seam the discrete gradient is the quotient of what it must make up");
     }
-    found.extend(of_time(&lowered.parameters));
+    let acting = || lowered.force.iter().flatten().chain([&lowered.potential]);
+    let acts = |p: &&Parameter| acting().any(|&e| lowered.graph.depends_on(e, &[p.symbol]));
+    found.extend(of_time(lowered.parameters.iter().filter(acts)));
     found
 }
 
 /// What follows from naming the time.
-pub(super) fn of_time(parameters: &[Parameter]) -> Option<&'static str> {
-    let names_time = parameters.iter().any(|p| matches!(p.source, Source::Time));
+pub(super) fn of_time<'a>(mut parameters: impl Iterator<Item = &'a Parameter>) -> Option<&'static str> {
+    let names_time = parameters.any(|p| matches!(p.source, Source::Time));
     names_time.then_some("names the time: the energy is not kept")
 }
 

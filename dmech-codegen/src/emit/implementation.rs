@@ -16,7 +16,7 @@ use crate::model::Model;
 /// A conservative law is a `Potential`, and its own field at all times. One that names `m` or `t`, or has a force, is a law whose field at a
 /// moment is a hidden struct; what can be had without mass and time is implemented for the type itself too.
 pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
-    let Derivation { model, lowered, kernels, forced } = derivation;
+    let Derivation { model, lowered, kernels, forced, invariants } = derivation;
     let Lowered { graph, variables, potential, force, parameters, .. } = lowered;
     let scalar = scalar_name(model);
     let module = module(model);
@@ -90,6 +90,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             ::core::option::Option::Some(self)
         }
     };
+    let kept = bare.invariants(&model.invariants, invariants);
     let own = parameters_of(model);
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
     let derivation = derivation(&own_generics);
@@ -138,6 +139,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                     fn field(&self, #mass: #scalar, #t: #scalar) -> &Self {
                         self
                     }
+                    #kept
                     #written
                 }
             };
@@ -207,6 +209,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                 fn field(&self, #mass: #scalar, #t: #scalar) -> Self::Field<'_> {
                     #moment { law: self, mass: #mass, t: #t }
                 }
+                #kept
                 #written
             }
 

@@ -5,6 +5,7 @@ mod body;
 mod document;
 mod function;
 mod implementation;
+mod invariant;
 mod kernels;
 mod middle;
 mod names;

@@ -97,7 +97,7 @@ pub(super) fn derivation(derivation: &PairDerivation) -> String {
         });
         costs.extend([("force", &force.force), ("its Jacobians", &force.jacobians)]);
     }
-    found.extend(of_time(&lowered.parameters));
+    found.extend(of_time(lowered.parameters.iter()));
     let title = format!("{}, between two bodies in {place}, d = q_a − q_b", model.name);
     text(title, formulas.lines, found, &costs)
 }

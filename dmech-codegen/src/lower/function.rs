@@ -17,9 +17,9 @@ use super::value::{Given, Value};
 /// Functions of one argument, by their name in Rust.
 fn unary(name: &str) -> Option<Unary> {
     use Unary::*;
-    const OF_F64: [Unary; 23] = [
+    const OF_F64: [Unary; 26] = [
         Sqrt, Cbrt, Exp, Exp2, ExpM1, Ln, Ln1p, Log2, Log10, Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh, Asinh,
-        Acosh, Atanh, Abs, Signum,
+        Acosh, Atanh, Abs, Signum, Round, Floor, Trunc,
     ];
     OF_F64.into_iter().find(|f| f.method() == name)
 }
@@ -27,8 +27,8 @@ fn unary(name: &str) -> Option<Unary> {
 /// How many arguments beside the receiver a function takes.
 pub(super) fn arity(name: &str) -> Option<usize> {
     match name {
-        "recip" | "sin_cos" | "to_radians" | "to_degrees" => Some(0),
-        "powi" | "powf" | "atan2" | "hypot" | "min" | "max" | "log" => Some(1),
+        "recip" | "sin_cos" | "to_radians" | "to_degrees" | "ceil" | "fract" => Some(0),
+        "powi" | "powf" | "atan2" | "hypot" | "min" | "max" | "log" | "rem_euclid" => Some(1),
         "mul_add" | "clamp" => Some(2),
         name => unary(name).map(|_| 0),
     }
@@ -67,6 +67,11 @@ impl<'m> Interpreter<'m> {
         {
             return self.refuse(body::clamped_the_wrong_way(e, low, high));
         }
+        if let ("rem_euclid", &[period], &[at]) = (text.as_str(), &others[..], &places[..])
+            && self.graph.is_zero(period)
+        {
+            return self.refuse(body::division_by_zero(at));
+        }
         let graph = &mut self.graph;
         Value::Number(match (text.as_str(), &others[..]) {
             ("recip", []) => graph.recip(x),
@@ -95,6 +100,22 @@ impl<'m> Interpreter<'m> {
                 graph.add(&[product, b])
             }
             ("clamp", &[low, high]) => graph.clamp(x, low, high),
+            ("ceil", []) => {
+                let turned = graph.neg(x);
+                let floor = graph.unary(Unary::Floor, turned);
+                graph.neg(floor)
+            }
+            ("fract", []) => {
+                let whole = graph.unary(Unary::Trunc, x);
+                graph.sub(x, whole)
+            }
+            ("rem_euclid", &[period]) => {
+                let period = graph.unary(Unary::Abs, period);
+                let periods = graph.div(x, period);
+                let whole = graph.unary(Unary::Floor, periods);
+                let start = graph.mul(&[period, whole]);
+                graph.sub(x, start)
+            }
             _ => match unary(&text) {
                 Some(f) => graph.unary(f, x),
                 None => return self.refuse(body::unknown_function(name)),

@@ -30,14 +30,21 @@ impl<'m> Interpreter<'m> {
             }
             None => Some(None),
         };
+        let mut invariants = vec![];
+        for invariant in &model.invariants {
+            let value = self.read(invariant);
+            invariants.extend(self.result(value, Shape::Number, invariant).into_iter().flatten());
+        }
         match (potential, force) {
             (Some(potential), Some(force)) if self.mistakes.errors.is_empty() => {
                 let Self { mut graph, variables, mut parameters, pair, .. } = self;
-                let roots: Vec<_> = std::iter::once(potential).chain(force.iter().flatten().copied()).collect();
+                let kept = invariants.iter().copied();
+                let roots: Vec<_> =
+                    std::iter::once(potential).chain(force.iter().flatten().copied()).chain(kept).collect();
                 // What was read and then cancelled is no parameter of the law.
                 parameters.retain(|parameter| roots.iter().any(|&root| graph.depends_on(root, &[parameter.symbol])));
                 let pair = pair.map(|variables| super::pair::lowered(&mut graph, variables, &parameters));
-                Ok(Lowered { graph, variables, potential, force, parameters, pair })
+                Ok(Lowered { graph, variables, potential, force, invariants, parameters, pair })
             }
             _ => Err(self.mistakes),
         }

@@ -16,7 +16,9 @@ pub struct Lowered {
     pub potential: Expr,
     /// F in `variables.q` and `variables.v`.
     pub force: Option<Vec<Expr>>,
-    /// What else the potential reads, in order of first use.
+    /// What the law says it keeps, in `variables.q` and `variables.v`.
+    pub invariants: Vec<Expr>,
+    /// What else these read, in order of first use.
     pub parameters: Vec<Parameter>,
     /// What only a law between two bodies has.
     pub pair: Option<LoweredPair>,

@@ -88,6 +88,7 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
             body: block(*closure.body),
         }),
         force: None,
+        invariants: vec![],
         pair: None,
         methods: BTreeMap::new(),
         constants: BTreeMap::new(),

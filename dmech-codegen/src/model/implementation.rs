@@ -12,6 +12,9 @@ use super::{
     Formula, Model, PairSignature, Parsed, Quantity, Sibling, attribute, finish, nesting, options, pair, signature,
 };
 
+/// How many invariants a run watches for a law: `MAX_OWN` of the core.
+pub(crate) const MAX_INVARIANTS: usize = 8;
+
 /// Reads the block that the attribute stands on.
 pub(crate) fn from_impl(options: TokenStream, item: TokenStream) -> Parsed {
     let mut mistakes = Mistakes::default();
@@ -53,12 +56,18 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
     for item in items {
         members.take(item, errors);
     }
-    let Members { potential, force, pair: role_is_pair, methods, constants, had_role, .. } = members;
+    let Members { potential, force, invariants, pair: role_is_pair, mut methods, constants, had_role, .. } = members;
     if potential.is_none() && force.is_none() {
-        if !had_role {
+        if !had_role || !invariants.is_empty() {
             errors.push(law::no_role(&self_ty));
         }
         return Some(Model::unread(*self_ty, generics, krate, name));
+    }
+    if !invariants.is_empty() {
+        // An energy of one's own is the kinetic energy and `self.energy(q)`.
+        for method in potential.iter().chain(&force).chain(&invariants) {
+            insert(&mut methods, method.sig.ident.to_string(), method.clone(), false);
+        }
     }
     let docs = potential.iter().chain(&force).flat_map(|method| method.attrs.clone());
     let docs = docs.filter(|a| a.path().is_ident("doc")).collect();
@@ -82,7 +91,9 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
             (None, other) => data = other,
             _ => {}
         }
-        names.extend(checked.list.iter().map(|argument| argument.quantity));
+        if role != Role::Invariant {
+            names.extend(checked.list.iter().map(|argument| argument.quantity));
+        }
         let formula =
             Formula { role, ident: method.sig.ident, arguments: checked.list, body: method.block, closure: None };
         (formula, checked.result)
@@ -90,6 +101,13 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
     let roles = if role_is_pair { [Role::Pair, Role::PairForce] } else { [Role::Potential, Role::Force] };
     let potential = potential.map(|method| read(method, roles[0], errors).0);
     let force = force.map(|method| read(method, roles[1], errors));
+    let invariants: Vec<_> = invariants.into_iter().map(|method| read(method, Role::Invariant, errors).0).collect();
+    if let Some(beyond) = invariants.get(MAX_INVARIANTS) {
+        errors.push(law::too_many_invariants(&beyond.ident, MAX_INVARIANTS));
+    }
+    if let (true, Some(first)) = (role_is_pair, invariants.first()) {
+        errors.push(diagnostics::pair::invariant_of_two(&first.ident));
+    }
     Some(Model {
         self_ty: *self_ty,
         generics,
@@ -102,6 +120,7 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
         pair: role_is_pair.then_some(PairSignature { data }),
         potential,
         force,
+        invariants,
         methods,
         constants,
         fields: None,
@@ -123,6 +142,7 @@ fn type_name(ty: &Type) -> Option<String> {
 struct Members {
     potential: Option<ImplItemFn>,
     force: Option<ImplItemFn>,
+    invariants: Vec<ImplItemFn>,
     /// They are a `#[pair]` and a `#[pair_force]`.
     pair: bool,
     methods: BTreeMap<String, Sibling<ImplItemFn>>,
@@ -193,6 +213,10 @@ impl Members {
         };
         if let Some(cfg) = method.attrs.iter().find(|a| is_cfg(a)) {
             errors.push(law::conditional_potential(cfg));
+        }
+        if role == Role::Invariant {
+            self.invariants.push(method);
+            return;
         }
         if role.is_of_two() != self.pair && (self.potential.is_some() || self.force.is_some()) {
             errors.push(diagnostics::pair::one_body_beside(&method.sig.ident));

@@ -25,7 +25,7 @@ use crate::role::Role;
 
 pub use argument::Body;
 pub(crate) use derived::from_derive;
-pub(crate) use implementation::from_impl;
+pub(crate) use implementation::{MAX_INVARIANTS, from_impl};
 pub use pair::PairSignature;
 
 pub(crate) use argument::{Argument, PairArgument, Quantity, Shape};
@@ -82,6 +82,8 @@ pub struct Model {
     pub(crate) potential: Option<Formula>,
     /// The force, if the law has one, and how its value is written.
     pub(crate) force: Option<(Formula, Shape)>,
+    /// What the law says it keeps, in order.
+    pub(crate) invariants: Vec<Formula>,
     /// The other methods of the block, by name.
     pub(crate) methods: BTreeMap<String, Sibling<ImplItemFn>>,
     /// The constants of the block, by name.
@@ -127,6 +129,7 @@ impl Model {
             pair: None,
             potential: None,
             force: None,
+            invariants: vec![],
             methods: BTreeMap::new(),
             constants: BTreeMap::new(),
             fields: None,
@@ -154,7 +157,7 @@ impl Model {
 
     /// The methods with a role.
     pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
-        self.potential.iter().chain(self.force.iter().map(|(force, _)| force))
+        self.potential.iter().chain(self.force.iter().map(|(force, _)| force)).chain(&self.invariants)
     }
 
     /// The names under which the body may call the law's own type: `Self`, `Kepler`.

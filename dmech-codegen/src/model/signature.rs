@@ -61,6 +61,12 @@ pub(super) fn check(
     }
     if role.is_force() {
         arguments.result = returns_force(signature, arguments.dimension, constants, errors);
+    } else if role == Role::Invariant {
+        match &signature.output {
+            ReturnType::Type(_, ty) if known_type(ty) == Known::Float && !matches!(&**ty, Type::Reference(_)) => {}
+            ReturnType::Type(_, ty) => errors.push(law::wrong_invariant(ty)),
+            ReturnType::Default => errors.push(law::wrong_invariant(&signature.ident)),
+        }
     } else {
         returns_number(&signature.output, &signature.ident, errors);
     }

@@ -29,7 +29,7 @@ pub(crate) enum Culprit {
 }
 
 impl Disagreement {
-    /// `potential` or `force`.
+    /// `potential`, `force` or the name of an invariant of the law's own.
     pub fn quantity(&self) -> &'static str {
         self.quantity
     }

@@ -48,10 +48,15 @@ impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Mass
         Self: 'a;
 
     const AUTONOMOUS: bool = L::AUTONOMOUS;
+    const INVARIANTS: &'static [&'static str] = L::INVARIANTS;
 
     #[inline(always)]
     fn field(&self, mass: R, t: R) -> Self::Field<'_> {
         Divided { field: self.law.field(mass, t), ratios: self.ratios.map(R::from_f64), t }
+    }
+
+    fn invariant(&self, k: usize, q: [R; D], v: [R; D], t: R) -> R {
+        self.law.invariant(k, q, v, t)
     }
 
     #[inline(always)]

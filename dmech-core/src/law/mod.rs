@@ -77,8 +77,17 @@ pub trait Law<const D: usize, R: Real = f64> {
     /// The law does not name the time.
     const AUTONOMOUS: bool = true;
 
+    /// The names of the law's own invariants, the first [`MAX_OWN`](crate::extend::MAX_OWN) of which a run watches:
+    /// the methods that are marked `#[invariant]`.
+    const INVARIANTS: &'static [&'static str] = &[];
+
     /// What acts on a particle of mass `mass` at time `t`.
     fn field(&self, mass: R, t: R) -> Self::Field<'_>;
+
+    /// The value of the k-th of [`INVARIANTS`](Law::INVARIANTS).
+    fn invariant(&self, _k: usize, _q: [R; D], _v: [R; D], _t: R) -> R {
+        R::ZERO
+    }
 
     /// The mass of each coordinate over that of the particle: 1, except in [`Masses`](crate::Masses).
     #[inline(always)]

@@ -16,6 +16,11 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
         L: 'a;
 
     const AUTONOMOUS: bool = L::AUTONOMOUS;
+    const INVARIANTS: &'static [&'static str] = L::INVARIANTS;
+
+    fn invariant(&self, k: usize, q: [R; D], v: [R; D], t: R) -> R {
+        self.as_ref().map_or(R::ZERO, |law| law.invariant(k, q, v, t))
+    }
 
     #[inline(always)]
     fn field(&self, mass: R, t: R) -> Self::Field<'_> {

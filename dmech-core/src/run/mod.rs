@@ -30,7 +30,7 @@ pub use stream::{Csv, Npy, Sink, Stream};
 pub use watch::Watch;
 
 use crate::error::Error;
-use crate::invariant::{Drift, Drifts, Invariant, Kept};
+use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
 use crate::scheme::Method;
 use report::Work;
 
@@ -99,6 +99,12 @@ impl<X> Run<X> {
         self.report.drift(invariant)
     }
 
+    /// How an invariant moved that the law declares itself, a method `#[invariant] fn name(…)`; `None` where it has none of
+    /// this name.
+    pub fn drift_of(&self, name: &str) -> Option<Drift> {
+        self.report.drift_of(name)
+    }
+
     /// How well the scheme must keep an invariant that the law has.
     pub fn kept(&self, invariant: Invariant) -> Kept {
         self.report.kept(invariant)
@@ -117,10 +123,10 @@ impl<X> Run<X> {
         self.events.push(event);
     }
 
-    fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: Drifts, work: Work) {
+    fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: (Drifts, OwnDrifts), work: Work) {
         self.stopped = stopped.is_some();
         self.last = stopped.unwrap_or_else(last);
-        self.report.finish(drifts, work);
+        self.report.finish(drifts.0, drifts.1, work);
     }
 }
 

@@ -100,7 +100,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             Ok(stopped) => (stopped, None),
             Err(cause) => (None, Some(cause)),
         };
-        run.finish(stopped, || stepper.state(), watch.drifts(), work);
+        run.finish(stopped, || stepper.state(), (watch.drifts(), watch.own_drifts()), work);
         match failure {
             None => Ok(run),
             Some(cause) => Err(Interrupted::new(run, cause)),

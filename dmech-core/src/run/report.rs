@@ -3,7 +3,7 @@
 use core::fmt;
 use std::time::Duration;
 
-use crate::invariant::{Drift, Drifts, Invariant, Kept};
+use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
 use crate::scheme::Method;
 use crate::text::Number;
 
@@ -28,17 +28,20 @@ pub struct Report {
     mass: f64,
     kept: [Kept; Invariant::ALL.len()],
     drifts: Drifts,
+    own: OwnDrifts,
     work: Work,
 }
 
 impl Report {
     pub(crate) fn new<M: Method>(scheme: &M, dt: f64, mass: f64, kept: [Kept; Invariant::ALL.len()]) -> Self {
         let (tolerance, scheme, order) = (scheme.tolerance(), M::NAME, M::ORDER);
-        Report { scheme, order, tolerance, dt, mass, kept, drifts: Default::default(), work: Work::default() }
+        let (drifts, own, work) = Default::default();
+        Report { scheme, order, tolerance, dt, mass, kept, drifts, own, work }
     }
 
-    pub(crate) fn finish(&mut self, drifts: Drifts, work: Work) {
+    pub(crate) fn finish(&mut self, drifts: Drifts, own: OwnDrifts, work: Work) {
         self.drifts = drifts;
+        self.own = own;
         self.work = work;
     }
 
@@ -86,6 +89,16 @@ impl Report {
         self.drifts[invariant as usize]
     }
 
+    /// How an invariant moved that the law declares itself, by its name.
+    pub fn drift_of(&self, name: &str) -> Option<Drift> {
+        self.own.of(name)
+    }
+
+    /// The invariants that the law declares itself, each with its name.
+    pub fn own_drifts(&self) -> impl Iterator<Item = (&'static str, Drift)> + '_ {
+        self.own.iter()
+    }
+
     /// How well the scheme must keep an invariant.
     pub fn kept(&self, invariant: Invariant) -> Kept {
         self.kept[invariant as usize]
@@ -125,16 +138,19 @@ impl fmt::Display for Report {
             "  {:<22} {:>22} {:>12} {:>12} {:>12}  must be",
             "invariant", "at the start", "largest", "relative", "per time"
         )?;
-        for invariant in Invariant::ALL {
-            let Some(drift) = self.drift(invariant) else { continue };
+        let known = Invariant::ALL.iter().filter_map(|&invariant| {
+            Some((invariant.to_string(), self.drift(invariant)?, self.kept(invariant).to_string()))
+        });
+        // What a scheme does with a quantity that it does not know is for the run to show.
+        let own = self.own.iter().map(|(name, drift)| (name.replace('_', " "), drift, "–".to_owned()));
+        for (name, drift, kept) in known.chain(own) {
             writeln!(
                 f,
-                "  {invariant:<22} {:>22} {:>12} {:>12} {:>12}  {}",
+                "  {name:<22} {:>22} {:>12} {:>12} {:>12}  {kept}",
                 format!("{:.15}", Number(drift.start())),
                 format!("{:.2e}", drift.max_abs()),
                 relative(&drift),
                 format!("{:+.1e}", drift.slope()),
-                self.kept(invariant)
             )?;
         }
         writeln!(f, "  {:<22} {evaluations:>22} {:>12.2} per step", "force evaluations", per_step(evaluations as f64))?;

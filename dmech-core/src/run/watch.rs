@@ -3,7 +3,7 @@
 use dmech_scalar::{Compensated, Real};
 
 use crate::error::Error;
-use crate::invariant::{Drift, Drifts, Invariant};
+use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
 use crate::scheme::Scheme;
 use crate::stepper::Stepper;
 use crate::system::System;
@@ -41,6 +41,9 @@ pub struct Watch<Y: System> {
     energies: [Y::Scalar; Invariant::ALL.len()],
     work: Compensated<Y::Scalar>,
     drifts: Drifts,
+    /// The law's own invariants at the start.
+    own_start: [Y::Scalar; MAX_OWN],
+    own: OwnDrifts,
 }
 
 impl<Y: System> Watch<Y> {
@@ -48,8 +51,14 @@ impl<Y: System> Watch<Y> {
     pub fn begin<S: Scheme<Y>>(stepper: &Stepper<Y, S>) -> Self {
         let energies = [Y::Scalar::ZERO; Invariant::ALL.len()];
         let work = Compensated::new(Y::Scalar::ZERO);
-        let mut watch = Watch { energies, work, drifts: [None; Invariant::ALL.len()] };
+        let own_start = [Y::Scalar::ZERO; MAX_OWN];
+        let own = OwnDrifts { names: stepper.system.own_invariants(), ..OwnDrifts::default() };
+        let mut watch: Self = Watch { energies, work, drifts: [None; Invariant::ALL.len()], own_start, own };
         let state = stepper.state();
+        for (k, _) in own.names.iter().enumerate().take(MAX_OWN) {
+            watch.own_start[k] = stepper.system.own_invariant(k, &state);
+            watch.own.drifts[k] = Some(Drift::new(Y::time(&state), watch.own_start[k].to_f64()));
+        }
         for invariant in Invariant::ALL {
             let energy = watch.energy(invariant, stepper, &state);
             watch.energies[invariant as usize] = energy.unwrap_or(Y::Scalar::ZERO);
@@ -79,11 +88,20 @@ impl<Y: System> Watch<Y> {
                 drift.observe(Y::time(state), value, deviation);
             }
         }
+        for (k, drift) in self.own.drifts.iter_mut().flatten().enumerate() {
+            let value = stepper.system.own_invariant(k, state);
+            drift.observe(Y::time(state), value.to_f64(), (value - self.own_start[k]).to_f64());
+        }
     }
 
     /// How they moved.
     pub fn drifts(&self) -> Drifts {
         self.drifts
+    }
+
+    /// How the invariants moved that the law declares itself.
+    pub fn own_drifts(&self) -> OwnDrifts {
+        self.own
     }
 
     fn energy<S: Scheme<Y>>(

@@ -265,6 +265,14 @@ pub trait System: Sized {
     }
     /// Whether the system keeps an invariant at all.
     fn conserves(&self, invariant: Invariant) -> bool;
+    /// The names of the invariants that the law itself declares.
+    fn own_invariants(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// The value of the k-th of them.
+    fn own_invariant(&self, _k: usize, _state: &Self::State) -> Self::Scalar {
+        Self::Scalar::ZERO
+    }
     /// A momentum of a state, and how far it is from that of the start.
     fn momentum(&self, invariant: Invariant, state: &Self::State, start: &Self::State) -> (f64, f64);
 }

@@ -62,6 +62,21 @@ impl Real for DoubleDouble {
     fn signum(self) -> Self {
         self.hi.signum().into()
     }
+    /// Halves are exact, and so is |self| + 1/2 next to one.
+    #[inline]
+    fn round(self) -> Self {
+        let up = (self.abs() + Self::from(0.5)).floor();
+        if self.hi < 0.0 { -up } else { up }
+    }
+    #[inline]
+    fn floor(self) -> Self {
+        let whole = self.hi.floor();
+        if whole == self.hi { Self::new(whole, self.lo.floor()) } else { whole.into() }
+    }
+    #[inline]
+    fn trunc(self) -> Self {
+        if self.hi < 0.0 { -(-self).floor() } else { self.floor() }
+    }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         if self < other || other.hi.is_nan() { self } else { other }

@@ -309,7 +309,7 @@ pub(super) fn slope(g: &mut Graph, f: Unary, u: Expr) -> Expr {
             g.recip(below)
         }
         Abs => g.unary(Signum, u),
-        Signum => g.zero(),
+        Signum | Round | Floor | Trunc => g.zero(),
         Sinc => even_slope(g, SincSlope, u),
         Sinhc => even_slope(g, SinhcSlope, u),
         Atanc => even_slope(g, AtancSlope, u),

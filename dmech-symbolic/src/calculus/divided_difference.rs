@@ -16,6 +16,7 @@
 //! | asinh u | 2 atanhc(t)/(rₐ + r_b), t = (b − a)/(rₐ + r_b), r = √(1 + u²); acosh with √(u² − 1) | |
 //! | atanh u | atanhc(t)/(1 − ab), t = (b − a)/(1 − ab) | |
 //! | \|u\| | (a + b)/(\|a\| + \|b\|), 0 at 0 | |
+//! | sign, round, floor, trunc | 0 on one step, the plain quotient across | |
 //!
 //! artanh loses digits near 1, that is when a and b are far apart. There artanh t = arsinh(t/√(1 − t²)) takes over in the
 //! logarithms and inverse hyperbolic functions, with t/√(1 − t²) in closed form: (b − a)/(2√a√b) for ln. The difference of the
@@ -159,10 +160,11 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
             unless_far(g, a, b, half, closed, quotient)
         }
         Abs => abs_secant(g, a, b),
-        Signum => {
-            let (zero, sign_a, sign_b) = (g.zero(), g.unary(Signum, a), g.unary(Signum, b));
-            let quotient = plain_quotient(g, Signum, a, b);
-            g.select(Condition::equal(sign_a, sign_b), zero, quotient)
+        // What it is a part of is continuous: where it jumps, the rest of the rise goes the other way by as much.
+        Signum | Round | Floor | Trunc => {
+            let (zero, step_a, step_b) = (g.zero(), g.unary(f, a), g.unary(f, b));
+            let quotient = plain_quotient(g, f, a, b);
+            g.select(Condition::equal(step_a, step_b), zero, quotient)
         }
         // The engine's own primitives never stand in a potential.
         Sinc | SincSlope | Sinhc | SinhcSlope | Atanc | AtancSlope | Atanhc | AtanhcSlope => {

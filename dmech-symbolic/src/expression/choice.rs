@@ -124,8 +124,10 @@ impl Graph {
     /// The parts of an expression that choose by the values of the symbols: their gradients may jump.
     pub fn choices(&self, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
         let moves = self.dependence(symbols);
-        let chooses =
-            |e: &Expr| matches!(self.node(*e), Node::Unary(Unary::Abs | Unary::Signum, _)) || self.choice(*e).is_some();
+        let chooses = |e: &Expr| match self.node(*e) {
+            Node::Unary(f, _) => *f == Unary::Abs || f.is_step(),
+            _ => self.choice(*e).is_some(),
+        };
         self.reachable(&[e]).into_iter().filter(|e| moves[e.index()] && chooses(e)).collect()
     }
 }

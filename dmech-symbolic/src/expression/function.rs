@@ -16,7 +16,7 @@ macro_rules! unary {
 
         impl Unary {
             /// All of them.
-            pub const ALL: [Self; 31] = [$(Self::$name),*];
+            pub const ALL: [Self; 34] = [$(Self::$name),*];
 
             /// The method of the scalar trait that computes it.
             pub fn method(self) -> &'static str {
@@ -59,6 +59,12 @@ unary! {
     Atanh atanh,
     Abs abs,
     Signum signum,
+    /// the nearest integer, halves away from 0
+    Round round,
+    /// the largest integer that is not larger
+    Floor floor,
+    /// the integer toward 0
+    Trunc trunc,
     /// sin(u)/u
     Sinc sinc,
     /// sinc′(u)/u
@@ -97,13 +103,18 @@ pub(super) enum Parity {
 }
 
 impl Unary {
+    /// Constant but for jumps.
+    pub fn is_step(self) -> bool {
+        matches!(self, Self::Signum | Self::Round | Self::Floor | Self::Trunc)
+    }
+
     pub(super) fn parity(self) -> Parity {
         use Unary::*;
         match self {
             Cos | Cosh | Abs | Sinc | SincSlope | Sinhc | SinhcSlope | Atanc | AtancSlope | Atanhc | AtanhcSlope => {
                 Parity::Even
             }
-            Cbrt | Sin | Tan | Asin | Atan | Sinh | Tanh | Asinh | Atanh => Parity::Odd,
+            Cbrt | Sin | Tan | Asin | Atan | Sinh | Tanh | Asinh | Atanh | Round | Trunc => Parity::Odd,
             _ => Parity::Neither,
         }
     }
@@ -118,6 +129,8 @@ impl Unary {
             Cbrt | ExpM1 | Ln1p | Sin | Tan | Asin | Atan | Sinh | Tanh | Asinh | Atanh if x == 0.0 => Some(0.0),
             Exp | Exp2 | Cos | Cosh | Sinc | Sinhc | Atanc | Atanhc if x == 0.0 => Some(1.0),
             Ln | Log2 | Log10 | Acos | Acosh if x == 1.0 => Some(0.0),
+            // A fraction next to a step may be beyond it in another scalar.
+            Round | Floor | Trunc if x == x.trunc() => Some(x),
             Cbrt if x.abs() == 1.0 => Some(x),
             _ => None,
         }

@@ -19,6 +19,7 @@ pub(super) fn ready(graph: &Graph, order: &[Expr]) -> Vec<u32> {
             Node::Product { factors, .. } => factors.iter().map(|(f, n)| power(of(f), *n)).max().unwrap_or(0) + MUL,
             Node::Unary(Unary::Sqrt, u) => of(u) + SQRT,
             Node::Unary(Unary::Abs | Unary::Signum, u) => of(u) + 1,
+            Node::Unary(Unary::Round | Unary::Floor | Unary::Trunc, u) => of(u) + 2 * ADD,
             Node::Unary(_, u) => of(u) + FUNCTION,
             Node::Binary(_, u, w) => of(u).max(of(w)) + FUNCTION,
             Node::Select(_, yes, no) => of(yes).max(of(no)) + ADD,

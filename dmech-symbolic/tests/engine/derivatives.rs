@@ -29,7 +29,7 @@ fn points(f: Unary) -> Vec<f64> {
         Asin | Acos | Atanh | Atanhc | AtanhcSlope => vec![-0.98, -0.6, -0.05, 0.003, 0.2, 0.55, 0.93],
         Acosh => vec![1.01, 1.3, 2.7, 40.0],
         Tan => vec![-1.4, -0.6, 0.02, 0.5, 1.1, 1.5, 2.2],
-        Abs | Signum => vec![-2.3, -0.4, 0.7, 5.1],
+        Abs | Signum | Round | Floor | Trunc => vec![-2.3, -0.4, 0.7, 5.1],
         Exp | Exp2 | ExpM1 | Sinh | Cosh | Tanh => vec![-19.0, -2.6, -0.7, 0.01, 0.4, 1.9, 11.0, 17.0],
         _ => vec![-6.1, -2.6, -0.7, 0.05, 0.4, 1.3, 1.9, 5.2],
     }

@@ -225,9 +225,9 @@ fn parity() {
             }
         });
     }
-    assert_eq!(odd, [Cbrt, Sin, Tan, Asin, Atan, Sinh, Tanh, Asinh, Atanh]);
+    assert_eq!(odd, [Cbrt, Sin, Tan, Asin, Atan, Sinh, Tanh, Asinh, Atanh, Round, Trunc]);
     assert_eq!(even, [Cos, Cosh, Abs, Sinc, SincSlope, Sinhc, SinhcSlope, Atanc, AtancSlope, Atanhc, AtanhcSlope]);
-    assert_eq!(neither, [Sqrt, Exp, Exp2, ExpM1, Ln, Ln1p, Log2, Log10, Acos, Acosh, Signum]);
+    assert_eq!(neither, [Sqrt, Exp, Exp2, ExpM1, Ln, Ln1p, Log2, Log10, Acos, Acosh, Signum, Floor]);
 }
 
 /// Functions of numbers: the exact values and no others.
@@ -238,8 +238,9 @@ fn exact_values() {
     let one_at_zero = [Exp, Exp2, Cos, Cosh, Sinc, Sinhc, Atanc, Atanhc].map(|f| (f, 0.0, 1.0));
     let zero_at_one = [Ln, Log2, Log10, Acos, Acosh].map(|f| (f, 1.0, 0.0));
     let others = [(Sqrt, 4.0, 2.0), (Sqrt, 2.25, 1.5), (Cbrt, -1.0, -1.0), (Abs, -3.5, 3.5), (Signum, -3.5, -1.0)];
+    let steps = [Round, Floor, Trunc].map(|f| (f, -3.0, -3.0));
     let mut g = Graph::new();
-    for (f, x, value) in zero_at_zero.into_iter().chain(one_at_zero).chain(zero_at_one).chain(others) {
+    for (f, x, value) in zero_at_zero.into_iter().chain(one_at_zero).chain(zero_at_one).chain(others).chain(steps) {
         let u = g.number(x);
         let folded = g.unary(f, u);
         assert_eq!(g.as_number(folded), Some(value), "{f:?} of {x}");

@@ -6,4 +6,5 @@ mod edges;
 mod functions;
 mod moments;
 mod oracle;
+mod steps;
 mod vectors;

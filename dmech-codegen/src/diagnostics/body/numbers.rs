@@ -106,7 +106,10 @@ pub(crate) fn division_by_zero(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn remainder(e: &impl ToTokens) -> Error {
-    at(e, "the remainder jumps and cannot be differentiated; for a periodic law write `sin` or `cos`")
+    at(
+        e,
+        "the sign of a remainder is that of what is divided; write `x.rem_euclid(l)`, or `x - l * (x / l).round()` for the nearest image",
+    )
 }
 
 pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
@@ -138,7 +141,7 @@ pub(crate) fn no_such_operation(
 }
 
 pub(crate) fn cast_to_integer(e: &impl ToTokens) -> Error {
-    at(e, "rounding to an integer jumps and cannot be differentiated; keep the number as `f64`")
+    at(e, "an integer has no derivative; keep the number as `f64`: `floor`, `round` and `trunc` are functions of it")
 }
 
 pub(crate) fn cast(e: &impl ToTokens, found: &str) -> Error {
@@ -147,15 +150,14 @@ pub(crate) fn cast(e: &impl ToTokens, found: &str) -> Error {
 
 /// The functions of numbers that a law can use.
 const FUNCTIONS: &str = "sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 \
-                         sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum";
+                         sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum round floor ceil trunc fract rem_euclid";
 
 /// A method that numbers do not have, or that has no derivative.
 pub(crate) fn unknown_function(name: &Ident) -> Error {
     let text = name.to_string();
     let message = match text.as_str() {
-        "floor" | "ceil" | "round" | "trunc" | "fract" | "round_ties_even" | "rem_euclid" | "div_euclid" => {
-            format!("`{text}` jumps and cannot be differentiated; use a continuous function")
-        }
+        "round_ties_even" => "a law is continuous where a half is rounded: write `round`".into(),
+        "div_euclid" => "write `(x / l).floor()` instead of `div_euclid`".into(),
         "pow" => "numbers have `powi` for integer exponents and `powf` for others: `x.powi(2)`, `x.powf(1.5)`".into(),
         "square" | "squared" | "sq" => format!("`{text}` is not a function of `f64`; write `powi(2)` or `x * x`"),
         "copysign" => "write `x.abs() * y.signum()` instead of `copysign`".into(),

@@ -17,7 +17,7 @@ fn every_function() {
         sqrt(), cbrt(), exp(), exp2(), exp_m1(), ln(), ln_1p(), log2(), log10(), sin(), cos(), tan(), asin(), acos(),
         atan(), sinh(), cosh(), tanh(), asinh(), atanh(), abs(), recip(), to_radians(), to_degrees(), powi(3), powi(-2),
         powf(y), powf(1.5), powf(0.25), powf(-1.0 / 3.0), atan2(y), hypot(y), min(y), max(y), log(y + 2.0),
-        mul_add(y, 0.5), clamp(0.3, 0.6),
+        mul_add(y, 0.5), clamp(0.3, 0.6), rem_euclid(0.75), rem_euclid(-y),
     ];
     for (name, arguments, rust) in functions {
         let arguments = arguments.trim();
@@ -41,6 +41,12 @@ laws! {
         fn energy(&self, q: f64) -> f64 {
             let (s, c) = (3.0 * q).sin_cos();
             (1.0 + q * q).acosh() + s * c * c + q.signum() * q + std::f64::consts::E.powf(q) + q.abs().sqrt()
+        }
+    }
+    steps [] (f64; signed) {
+        fn energy(&self, q: f64) -> f64 {
+            let x = 4.3 * q;
+            x.floor() + 10.0 * x.ceil() + 100.0 * x.round() + 1e3 * x.trunc() + 0.1 * x.fract() + 0.01 * x.rem_euclid(-1.7)
         }
     }
     known_exponents [] (f64) {

@@ -76,7 +76,7 @@ fn numbers_that_are_none() {
     refused("let x: «f32» = q[0]; x", &["write `f64`; the generated code runs in `f32` and other scalars as well"]);
     refused(
         "«q[0] as i32» as f64",
-        &["rounding to an integer jumps and cannot be differentiated; keep the number as `f64`"],
+        &["an integer has no derivative; keep the number as `f64`: `floor`, `round` and `trunc` are functions of it"],
     );
     refused("«q[0] > 0.0»", &["a number is expected here, this is a condition"]);
     refused("«1e999» * q[0]", &["this number is out of range"]);
@@ -90,15 +90,18 @@ fn numbers_that_are_none() {
 #[test]
 fn functions_without_a_derivative() {
     refused(
-        "q[0].«floor»() + q[1].«rem_euclid»(1.0)",
+        "q[0].«round_ties_even»() + q[1].«div_euclid»(1.0) + q[1].rem_euclid(«0.0»)",
         &[
-            "`floor` jumps and cannot be differentiated; use a continuous function",
-            "`rem_euclid` jumps and cannot be differentiated; use a continuous function",
+            "a law is continuous where a half is rounded: write `round`",
+            "write `(x / l).floor()` instead of `div_euclid`",
+            "this divides by zero",
         ],
     );
     refused(
         "«q[0] % 2.0»",
-        &["the remainder jumps and cannot be differentiated; for a periodic law write `sin` or `cos`"],
+        &[
+            "the sign of a remainder is that of what is divided; write `x.rem_euclid(l)`, or `x - l * (x / l).round()` for the nearest image",
+        ],
     );
     refused(
         "q[0].«pow»(2)",
@@ -110,13 +113,13 @@ fn functions_without_a_derivative() {
     refused(
         "q[0].«erf»()",
         &[
-            "`erf` is not among the functions that can be differentiated: sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum",
+            "`erf` is not among the functions that can be differentiated: sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum round floor ceil trunc fract rem_euclid",
         ],
     );
     refused(
         "q[0].«map»(|x| x)",
         &[
-            "`map` is not among the functions that can be differentiated: sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum",
+            "`map` is not among the functions that can be differentiated: sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum round floor ceil trunc fract rem_euclid",
         ],
     );
     refused(
@@ -598,15 +601,65 @@ fn vectors() {
 }
 
 #[test]
+fn invariants_that_are_none() {
+    for (invariant, message) in [
+        (
+            "fn kept(&self, q: [f64; 2], «m»: f64) -> f64 { q[0] }",
+            "`m` is not an argument a conserved quantity can have; expected one of: `q` (position), `v` (velocity), `t` (time). Parameters are fields of the law: `self.k`",
+        ),
+        (
+            "fn kept(&self, q: [f64; 2]) -> «[f64; 2]» { q }",
+            "a conserved quantity is one number: the method returns `f64`",
+        ),
+        (
+            "fn «kept»(&self, q: [f64; 3]) -> f64 { q[2] }",
+            "`kept` has 3 coordinates, and the potential of this law has 2",
+        ),
+        (
+            "fn kept(&self, q: [f64; 2]) -> f64 { q[0].«squared»() }",
+            "`squared` is not a function of `f64`; write `powi(2)` or `x * x`",
+        ),
+        (
+            "fn kept(&self, q: [f64; 2]) -> f64 { self.«kept»(q) }",
+            "`kept` calls itself; a formula has no recursion, write a `for` loop over a constant range",
+        ),
+    ] {
+        let potential = "#[potential] fn energy(&self, q: [f64; 2]) -> f64 { q[0] * q[1] }";
+        refused_block(&format!("impl Law {{ {potential} #[invariant] {invariant} }}"), &[message]);
+    }
+    let one = |name: String| format!("#[invariant] fn {name}(&self, q: f64) -> f64 {{ q }}");
+    let eight: String = (0..8).map(|k| one(format!("k{k}"))).collect();
+    refused_block(
+        &format!(
+            "impl Law {{ #[potential] fn energy(&self, q: f64) -> f64 {{ q }} {eight} {} }}",
+            one("«k8»".to_owned())
+        ),
+        &["a run watches 8 invariants of a law, and `k8` is one more; leave one away"],
+    );
+    refused_block(
+        "impl «Law» { #[invariant] fn kept(&self, q: f64) -> f64 { q } }",
+        &[
+            "no method of this block has a role; mark the one that returns the energy of `Law` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
+        ],
+    );
+    refused_block(
+        "impl Law { #[pair] fn energy(&self, d: [f64; 2]) -> f64 { d[0] * d[0] } #[invariant] fn «kept»(&self, q: [f64; 2]) -> f64 { q[0] } }",
+        &[
+            "`kept` is an invariant of one body in a law between two; what many bodies keep is computed from the states of the run",
+        ],
+    );
+}
+
+#[test]
 fn everything_in_one_run() {
     refused(
-        "«z» + «2» * q[0] + q[«5»] + «w».sin() + q[1].«floor»()",
+        "«z» + «2» * q[0] + q[«5»] + «w».sin() + q[1].«fma»()",
         &[
             "`z` is neither a coordinate nor a parameter; declared coordinates: `q`. A parameter is a field of the law: `self.z`",
             "`2` is an integer and a number is expected here; write `2.0`",
             "5 is out of range: there are 2 components, 0 to 1",
             "`w` is neither a coordinate nor a parameter; declared coordinates: `q`. A parameter is a field of the law: `self.w`",
-            "`floor` jumps and cannot be differentiated; use a continuous function",
+            "`fma` is not among the functions that can be differentiated: sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum round floor ceil trunc fract rem_euclid",
         ],
     );
     refused(
@@ -616,7 +669,7 @@ fn everything_in_one_run() {
         ],
     );
     refused_block(
-        "impl Law { #[potential] fn energy(«&mut self», q: «[f32; 2]», «k»: f64) -> f64 { k * «z» + q[7] + q[0].floor() } }",
+        "impl Law { #[potential] fn energy(«&mut self», q: «[f32; 2]», «k»: f64) -> f64 { k * «z» + q[7] + q[0].erf() } }",
         &[
             "a potential changes nothing; write `&self`",
             "write the law in `f64`; the generated code runs it in `f32` and other scalars as well",

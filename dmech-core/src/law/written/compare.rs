@@ -4,8 +4,9 @@ use core::panic::AssertUnwindSafe;
 use std::panic::catch_unwind;
 
 use super::tracked::{MARGIN, ROUNDING};
-use super::{Values, Written};
+use super::{Kept, Values, Written};
 use crate::error::{Culprit, Disagreement};
+use crate::invariant::MAX_OWN;
 
 /// Where a law is looked at; of a law between two bodies `q` is d = q_a − q_b, and there are two velocities and masses.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +58,7 @@ pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Place<D>, clos
     }
 }
 
-/// Compares Φ and the components of F at one place.
+/// Compares Φ, the components of F and the law's own invariants at one place.
 ///
 /// ```text
 /// |written − derived| ≤ 64 (ε + noise)
@@ -68,10 +69,11 @@ pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Place<D>, clos
 /// still has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only
 /// where the first bound does not do.
 pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agreement {
-    let (own, derived) = (own(law, place), law.derived(place));
+    let (own, derived) = (own(law, place), All { acting: law.derived(place), kept: law.derived_invariants(place) });
+    let names = law.names();
     let mut tracked = None;
     let (mut worst, mut one_sided, mut compared) = (None::<(f64, usize)>, None, false);
-    for i in 0..=D {
+    for i in 0..=D + names.len().min(MAX_OWN) {
         let (written, value) = (own.get(i), derived.get(i));
         match (written.is_finite(), value.is_finite()) {
             (true, true) => compared = true,
@@ -85,7 +87,9 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agre
         if difference <= MARGIN * ROUNDING * written.abs().min(value.abs()) {
             continue;
         }
-        let error = tracked.get_or_insert_with(|| law.tracked(place)).get(i).error();
+        let tracked =
+            tracked.get_or_insert_with(|| All { acting: law.tracked(place), kept: law.tracked_invariants(place) });
+        let error = tracked.get(i).error();
         let mut bound = MARGIN * ROUNDING * error;
         if difference > bound {
             bound += MARGIN * noise(law, place, i);
@@ -97,7 +101,11 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agre
         }
     }
     let here = |i: usize| Disagreement {
-        quantity: if i == 0 { "potential" } else { "force" },
+        quantity: match i.checked_sub(D + 1) {
+            Some(k) => names[k],
+            None if i == 0 => "potential",
+            None => "force",
+        },
         written: own.get(i),
         derived: derived.get(i),
         time: place.t,
@@ -115,14 +123,29 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agre
 }
 
 /// What the author's method gives. One that panics, as `clamp` does between ends in the wrong order, gives no number.
-fn own<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Values<D> {
-    catch_unwind(AssertUnwindSafe(|| law.own(place))).unwrap_or(Values { potential: f64::NAN, force: [f64::NAN; D] })
+fn own<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> All<D> {
+    let acting = catch_unwind(AssertUnwindSafe(|| law.own(place)));
+    let kept = catch_unwind(AssertUnwindSafe(|| law.own_invariants(place)));
+    All {
+        acting: acting.unwrap_or(Values { potential: f64::NAN, force: [f64::NAN; D] }),
+        kept: kept.unwrap_or([f64::NAN; MAX_OWN]),
+    }
 }
 
-impl<const D: usize, R: Copy> Values<D, R> {
-    /// Φ, F₁, F₂, …
+/// What a law gives, and what it says it keeps.
+struct All<const D: usize, R = f64> {
+    acting: Values<D, R>,
+    kept: Kept<R>,
+}
+
+impl<const D: usize, R: Copy> All<D, R> {
+    /// Φ, F₁, F₂, …, the invariants.
     fn get(&self, i: usize) -> R {
-        if i == 0 { self.potential } else { self.force[i - 1] }
+        match i {
+            0 => self.acting.potential,
+            _ if i <= D => self.acting.force[i - 1],
+            _ => self.kept[i - D - 1],
+        }
     }
 }
 

@@ -20,6 +20,7 @@ pub(crate) use pair::Between;
 
 use dmech_scalar::Real;
 
+use crate::invariant::MAX_OWN;
 use crate::law::{Field, Law, Potential};
 
 /// What a law gives at one place.
@@ -36,10 +37,18 @@ impl<const D: usize, R: Real> Values<D, R> {
     pub const NOTHING: Self = Values { potential: R::ZERO, force: [R::ZERO; D] };
 }
 
+/// The invariants that a law declares itself, 0 beyond.
+pub type Kept<R = f64> = [R; MAX_OWN];
+
 /// What the macro says of the author's own methods.
 pub trait Author<const D: usize>: Law<D> + Law<D, Tracked> {
     /// What the methods give.
     fn own(&self, place: &Place<D>) -> Values<D>;
+
+    /// What the methods give that are marked `#[invariant]`.
+    fn invariants(&self, _place: &Place<D>) -> Kept {
+        [0.0; MAX_OWN]
+    }
 
     /// Every number that they read of the law, by its name.
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
@@ -53,6 +62,22 @@ pub trait Written<const D: usize> {
     fn derived(&self, place: &Place<D>) -> Values<D>;
     /// The same with what rounding may do to it.
     fn tracked(&self, place: &Place<D>) -> Values<D, Tracked>;
+    /// The names of the law's own invariants.
+    fn names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// What the author's methods give of them.
+    fn own_invariants(&self, _place: &Place<D>) -> Kept {
+        [0.0; MAX_OWN]
+    }
+    /// What was derived from their text.
+    fn derived_invariants(&self, _place: &Place<D>) -> Kept {
+        [0.0; MAX_OWN]
+    }
+    /// The same with what rounding may do to it.
+    fn tracked_invariants(&self, _place: &Place<D>) -> Kept<Tracked> {
+        [Tracked::ZERO; MAX_OWN]
+    }
     /// Every number that they read of the law, by its name.
     fn fields(&self, _see: &mut dyn FnMut(&'static str, f64)) {}
 }
@@ -70,6 +95,22 @@ impl<L: Author<D>, const D: usize> Written<D> for L {
         acting::<L, D, Tracked>(self, place)
     }
 
+    fn names(&self) -> &'static [&'static str] {
+        <L as Law<D>>::INVARIANTS
+    }
+
+    fn own_invariants(&self, place: &Place<D>) -> Kept {
+        Author::invariants(self, place)
+    }
+
+    fn derived_invariants(&self, place: &Place<D>) -> Kept {
+        kept::<L, D, f64>(self, place)
+    }
+
+    fn tracked_invariants(&self, place: &Place<D>) -> Kept<Tracked> {
+        kept::<L, D, Tracked>(self, place)
+    }
+
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
         Author::fields(self, see);
     }
@@ -79,6 +120,11 @@ fn acting<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Place<D>) -> V
     let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
     let field = law.field(R::from_f64(place.m[0]), t);
     Values { potential: field.potential(q), force: field.force(q, v, t) }
+}
+
+fn kept<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Place<D>) -> Kept<R> {
+    let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
+    core::array::from_fn(|k| if k < L::INVARIANTS.len() { law.invariant(k, q, v, t) } else { R::ZERO })
 }
 
 /// A position in the form in which the author's method takes it.

@@ -50,6 +50,13 @@ impl Tracked {
         Tracked::rounded(value, moved / (FAR * ROUNDING))
     }
 
+    /// A step function: exact, unless rounding could lead to the next step.
+    fn stepped(self, f: impl Fn(f64) -> f64) -> Self {
+        let (value, reach) = (f(self.value), MARGIN * ROUNDING * self.error);
+        let sure = f(self.value - reach) == f(self.value + reach);
+        Tracked { value, error: if sure { 0.0 } else { 1.0 / ROUNDING } }
+    }
+
     fn through_both(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let (first, second) = (self.through(|x| f(x, other.value)), other.through(|y| f(self.value, y)));
         Tracked { value: first.value, error: first.error + second.error }
@@ -205,6 +212,15 @@ impl Real for Tracked {
         let zero = self.less(Self::ZERO);
         let value = self.value.signum();
         Tracked { value, error: if zero.sure { 0.0 } else { 2.0 / ROUNDING } }
+    }
+    fn round(self) -> Self {
+        self.stepped(f64::round)
+    }
+    fn floor(self) -> Self {
+        self.stepped(f64::floor)
+    }
+    fn trunc(self) -> Self {
+        self.stepped(f64::trunc)
     }
     fn min(self, other: Self) -> Self {
         Tracked { value: self.value.min(other.value), error: self.error.max(other.error) }

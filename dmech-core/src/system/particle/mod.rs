@@ -356,6 +356,14 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         }
     }
 
+    fn own_invariants(&self) -> &'static [&'static str] {
+        L::INVARIANTS
+    }
+
+    fn own_invariant(&self, k: usize, state: &State<D, R>) -> R {
+        self.law.invariant(k, state.q, state.v, R::from_f64(state.t))
+    }
+
     fn momentum(&self, _: Invariant, state: &State<D, R>, start: &State<D, R>) -> (f64, f64) {
         if D == 2 {
             let [now, first] = [state, start].map(|state| self.angular_momentum(state, 0, 1));

@@ -197,6 +197,7 @@ impl Algebra for Big {
                     big(1.0)
                 }
             }
+            Round | Floor | Trunc => big(f.apply(narrow(self))),
             _ => self.cardinal(f),
         })
     }
@@ -265,7 +266,7 @@ impl<T: DualNum<Primitive = f64> + Copy> Algebra for Dual<T> {
                     x
                 }
             }
-            Signum => T::from(x.re().signum()),
+            Signum | Round | Floor | Trunc => T::from(f.apply(x.re())),
             _ => return self.cardinal(f),
         })
     }

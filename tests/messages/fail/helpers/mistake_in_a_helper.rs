@@ -8,7 +8,7 @@ struct Kepler {
 #[dmech::law]
 impl Kepler {
     fn wall(&self, x: f64) -> f64 {
-        0.5 * self.gm * x.floor() * x
+        0.5 * self.gm * x.gamma() * x
     }
 
     #[potential]

@@ -1,4 +1,4 @@
-//! A function that jumps has no force.
+//! Halves that are rounded to even numbers.
 use dmech::prelude::*;
 
 struct Kepler {
@@ -9,7 +9,7 @@ struct Kepler {
 impl Kepler {
     #[potential]
     fn energy(&self, q: [f64; 2]) -> f64 {
-        self.gm * (q[0] - q[0].floor())
+        self.gm * (q[0] - q[0].round_ties_even())
     }
 }
 

@@ -1,4 +1,4 @@
-//! Nor has the remainder.
+//! A remainder with Rust's sign is no periodic function.
 use dmech::prelude::*;
 
 struct Kepler {

@@ -9,7 +9,7 @@ struct Kepler {
 impl Kepler {
     #[potential]
     fn energy(&self, q: [f64; 2]) -> f64 {
-        let r = q[0].floor();
+        let r = q[0].div_euclid(2.0);
         let s = r * r + q[1];
         let u = s.sqrt() / r;
         -self.gm * u

@@ -11,7 +11,7 @@ impl Kepler {
     fn energy(&self, q: [f64; 2]) -> f64 {
         let mut sum = 0.0;
         for i in 0..2 {
-            sum += q[i].round();
+            sum += q[i].round_ties_even();
         }
         self.gm * sum
     }

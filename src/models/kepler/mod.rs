@@ -1,4 +1,40 @@
-//! A planet about a fixed sun, in the plane and in space.
+//! A planet about a fixed sun, in the plane and in space, and the [`Elements`] of its orbit.
+//!
+//! ```
+//! use dmech::models::kepler::Elements;
+//! use dmech::models::units::{AU, DAY, DEGREE, GM_SUN, JULIAN_YEAR};
+//! use dmech::{models::Kepler3, prelude::*};
+//!
+//! // Halley's comet (JPL Horizons, epoch 1994-Feb-17): time in seconds from its pericentre, 1986-Feb-9.
+//! let halley = Elements {
+//!     gm: GM_SUN,
+//!     pericentre: 0.585_978_111_516_908_6 * AU,
+//!     eccentricity: 0.967_142_908_462_304_4,
+//!     inclination: 162.262_690_579_160_6 * DEGREE,
+//!     node: 58.420_080_976_568_43 * DEGREE,
+//!     argument: 111.332_485_104_517_7 * DEGREE,
+//!     passage: 0.0,
+//! };
+//! assert!((halley.period().unwrap() / JULIAN_YEAR - 75.3159).abs() < 1e-4);
+//!
+//! let start = halley.at(-30.0 * DAY)?;
+//! let law = Kepler3 { gm: GM_SUN };
+//! let run = Simulation::new(law, start).scheme(Nystrom::order6()).dt(DAY).run_until(30.0 * DAY)?;
+//! let back = law.elements(run.last())?;
+//! assert!((back.eccentricity - halley.eccentricity).abs() < 1e-11);
+//! assert!((back.passage - halley.passage).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod anomaly;
+mod conic;
+mod elements;
+mod error;
+mod state;
+mod stumpff;
+
+pub use elements::Elements;
+pub use error::OrbitError;
 
 use crate::State;
 
@@ -58,7 +94,22 @@ impl Kepler {
         State::new([half_axis * (1.0 - eccentricity), 0.0], [0.0, speed])
     }
 
-    /// The position on that ellipse at time t, by Newton's method on Kepler's equation M = E − e sin E, unit mass.
+    /// The elements of the orbit that goes through a state; unit mass.
+    ///
+    /// ```
+    /// let law = dmech::models::Kepler { gm: 2.0 };
+    /// let orbit = law.elements(&law.pericentre(2.0, 0.6))?;
+    /// assert!((orbit.half_axis() - 2.0).abs() < 1e-14 && (orbit.eccentricity - 0.6).abs() < 1e-15);
+    /// # Ok::<(), dmech::models::kepler::OrbitError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Elements::of_plane`].
+    pub fn elements(&self, state: &State<2>) -> Result<Elements, OrbitError> {
+        Elements::of_plane(self.gm, state)
+    }
+
+    /// The position on the ellipse of [`pericentre`](Kepler::pericentre) at time t, by Newton's method on Kepler's equation M = E − e sin E, unit mass.
     ///
     /// ```
     /// let law = dmech::models::Kepler { gm: 1.3 };
@@ -120,5 +171,12 @@ impl Kepler3 {
     /// ```
     pub fn period(&self, half_axis: f64) -> f64 {
         Kepler { gm: self.gm }.period(half_axis)
+    }
+    /// The elements of the orbit that goes through a state; unit mass.
+    ///
+    /// # Errors
+    /// Those of [`Elements::of`].
+    pub fn elements(&self, state: &State<3>) -> Result<Elements, OrbitError> {
+        Elements::of(self.gm, state)
     }
 }

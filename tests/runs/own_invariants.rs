@@ -1,0 +1,144 @@
+//! Invariants that a law declares itself.
+
+use dmech::prelude::*;
+use dmech::{Error, models::Kepler};
+
+/// A planet, with what no scheme knows of it; the perturbation c/r³ turns its pericentre.
+#[derive(Clone, Copy, Debug)]
+struct Planet {
+    gm: f64,
+    c: f64,
+}
+
+#[dmech::law]
+impl Planet {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let r2 = q[0] * q[0] + q[1] * q[1];
+        -self.gm / r2.sqrt() - self.c / (r2 * r2.sqrt())
+    }
+
+    /// Along the pericentre.
+    #[invariant]
+    fn laplace_runge_lenz(&self, q: [f64; 2], v: [f64; 2]) -> f64 {
+        v[1] * self.swept(q, v) - self.gm * q[0] / q[0].hypot(q[1])
+    }
+
+    #[invariant]
+    fn area(&self, q: [f64; 2], v: [f64; 2]) -> f64 {
+        0.5 * self.swept(q, v)
+    }
+
+    fn swept(&self, q: [f64; 2], v: [f64; 2]) -> f64 {
+        q[0] * v[1] - q[1] * v[0]
+    }
+}
+
+const START: State<2> = State::new([0.5, 0.0], [0.0, 1.63]);
+
+#[test]
+fn a_run_watches_them() -> Result<(), Box<dyn std::error::Error>> {
+    let law = Planet { gm: 1.0, c: 0.0 };
+    let run = Simulation::new(law, START).scheme(Nystrom::order6()).dt(0.01).run_until(50.0)?;
+    let [vector, area] = ["laplace_runge_lenz", "area"].map(|name| run.drift_of(name).unwrap());
+    assert_eq!(vector.start(), law.laplace_runge_lenz(START.q, START.v));
+    assert_eq!((vector.last(), vector.samples()), (law.laplace_runge_lenz(run.last().q, run.last().v), 5001));
+    assert!(vector.max_relative() < 1e-6, "{vector:?}");
+    assert!(area.max_relative() < 1e-13 && area.start() == 0.5 * 0.5 * 1.63, "{area:?}");
+    assert!(run.drift_of("energy").is_none() && run.drift_of("swept").is_none());
+    let names: Vec<_> = run.report().own_drifts().map(|(name, _)| name).collect();
+    assert_eq!(names, ["laplace_runge_lenz", "area"]);
+
+    let turned =
+        Simulation::new(Planet { c: 0.01, ..law }, START).scheme(Nystrom::order6()).dt(0.01).run_until(50.0)?;
+    assert!(turned.drift_of("laplace_runge_lenz").unwrap().max_relative() > 0.1);
+    assert!(turned.drift_of("area").unwrap().max_relative() < 1e-13);
+    assert!(law.derivation().contains("area = 0.5·("), "{}", law.derivation());
+    Ok(())
+}
+
+#[test]
+fn the_report_shows_them() -> Result<(), Box<dyn std::error::Error>> {
+    let report = |text: String| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    let law = Planet { gm: 1.0, c: 0.0 };
+    let own = report(Simulation::new(law, START).scheme(DiscreteGradient).dt(0.01).run(10)?.to_string());
+    let line = own.iter().find(|line| line.contains("laplace runge lenz")).unwrap();
+    let heading = own.iter().find(|line| line.contains("must be")).unwrap();
+    assert!(line.ends_with("  –") && line.chars().count() == heading.chars().count() - 6, "{own:#?}");
+    let none =
+        report(Simulation::new(Kepler { gm: 1.0 }, START).scheme(DiscreteGradient).dt(0.01).run(10)?.to_string());
+    assert_eq!(own.len(), none.len() + 2);
+    Ok(())
+}
+
+/// A constant of one's own that the macro takes for that of `std`.
+mod consts {
+    pub(super) const PI: f64 = 3.0;
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Disguised {
+    k: f64,
+}
+
+#[dmech::law]
+impl Disguised {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        0.5 * self.k * q * q
+    }
+
+    #[invariant]
+    fn kept(&self, q: f64, v: f64) -> f64 {
+        consts::PI * (0.5 * v * v + self.energy(q))
+    }
+}
+
+#[test]
+fn what_is_watched_is_what_is_written() {
+    let simulation = Simulation::new(Disguised { k: 1.7 }, State::new([0.4], [0.3])).scheme(Leapfrog);
+    let error = simulation.dt(0.1).run(1).unwrap_err().cause();
+    let Error::NotAsWritten(difference) = error else { panic!("{error}") };
+    assert_eq!((difference.quantity(), difference.written()), ("kept", 3.0 * (0.045 + 0.5 * 1.7 * 0.4 * 0.4)));
+}
+
+/// A spring whose rest position moves: what it keeps names the time, and has more digits than `f64`.
+#[derive(Clone, Copy, Debug)]
+struct Moving {
+    k: f64,
+    speed: f64,
+}
+
+#[dmech::law]
+impl Moving {
+    #[potential]
+    fn energy(&self, q: f64, t: f64) -> f64 {
+        0.5 * self.k * (q - self.speed * t).powi(2)
+    }
+
+    #[invariant]
+    fn energy_beside(&self, q: f64, v: f64, t: f64) -> f64 {
+        0.5 * (v - self.speed).powi(2) + self.energy(q, t)
+    }
+}
+
+#[test]
+fn they_may_name_the_time_in_any_scalar() -> Result<(), Box<dyn std::error::Error>> {
+    let law = Moving { k: 1.5, speed: 0.25 };
+    let run = Simulation::new(law, State::new([1.0], [0.5])).scheme(Composed::order8(Leapfrog)).dt(0.0625).run(100)?;
+    assert!(run.drift(Invariant::Energy).is_none());
+    assert!(run.drift_of("energy_beside").unwrap().max_relative() < 1e-9);
+
+    let start = State::new([DoubleDouble::from(1.0)], [DoubleDouble::from(0.5)]);
+    let run = Simulation::new(law, start).scheme(Composed::order8(Leapfrog)).dt(0.0078125).run(100)?;
+    let drift = run.drift_of("energy_beside").unwrap();
+    assert!(drift.max_relative() > 0.0 && drift.max_relative() < 1e-17, "{drift:?}");
+
+    let heavy = Simulation::new(Planet { gm: 1.0, c: 0.0 }, START)
+        .masses([1.0, 1.0])
+        .scheme(DiscreteGradient)
+        .dt(0.01)
+        .run(10)?;
+    assert!(heavy.drift_of("area").unwrap().max_relative() < 1e-14);
+    Ok(())
+}

@@ -254,8 +254,8 @@ pub mod prelude {
 pub mod __private {
     pub mod v1 {
         pub use dmech_core::extend::{
-            Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads,
-            Real, Symmetric, VelocityIndependent, newton, radial,
+            Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, Mask, MassIndependent, PairLaw,
+            Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
         };
         pub use dmech_core::written;
     }

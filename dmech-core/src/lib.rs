@@ -48,15 +48,15 @@ pub use law::LinkLaw;
 #[doc(hidden)]
 pub use law::written;
 pub use law::{
-    Between, Conservative, Derivation, Field, Force, Law, MassIndependent, Masses, Numbers, PairLaw, Potential, Reads,
-    Symmetric, VelocityIndependent, radial,
+    Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, MassIndependent, Masses, Numbers, PairLaw,
+    Potential, Reads, Symmetric, VelocityIndependent, radial,
 };
 pub use run::{Columns, Interrupted, Report, Run};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
 pub use scheme::{
-    Adaptable, Adaptive, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit,
-    Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
+    Adaptable, Adaptive, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess,
+    Implicit, Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
 };
 pub use setup::Setup;
 pub use simulation::{NoScheme, Simulation};
@@ -68,12 +68,14 @@ pub use system::{Particle, System};
 pub mod prelude {
     #[cfg(feature = "serde")]
     pub use crate::checkpoint::Checkpoint;
-    pub use crate::law::{Conservative, Derivation, Force, Law, MassIndependent, Potential, VelocityIndependent};
+    pub use crate::law::{
+        Conservative, Derivation, Force, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent,
+    };
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
-        Adaptable, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit, Kanatani,
-        Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
+        Adaptable, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit,
+        Kanatani, Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
     pub use crate::{Drift, Error, Interrupted, Invariant, Kept, Particle, Run, Simulation, State, Stepper};
     pub use dmech_scalar::{DoubleDouble, Real as _};

@@ -54,6 +54,24 @@ impl Printer<'_> {
         quote!(#[doc = #doc] #function)
     }
 
+    /// v′ = v − c (∇Φ − F) with the force at the mean velocity; nothing where the force is not linear in the velocity.
+    fn kick_by_mean(&self, forced: &ForcedKernels) -> Option<TokenStream> {
+        if let Some(program) = &forced.kick_by_mean {
+            let doc = format!(" v′ = v − c (∇Φ − F(q, (v + v′)/2)). Cost: {}.", program.cost());
+            let function = self.function("kick_by_mean", &self.motion(), &[self.variables.c], Rank::Vector, program);
+            return Some(quote!(#[doc = #doc] #function));
+        }
+        let (scalar, d, [c, q, v]) = (&self.scalar, &self.dimension, ["c", "q", "v"].map(ident));
+        forced.linear_in_velocity.then(|| {
+            quote! {
+                #[inline(always)]
+                fn kick_by_mean(&self, #c: #scalar, #q: [#scalar; #d], #v: [#scalar; #d]) -> [#scalar; #d] {
+                    self.kick(#c, #q, #v)
+                }
+            }
+        })
+    }
+
     /// v − c times what acts, and e times its change along itself.
     fn gradient_kick(&self, doc: &str, program: &Program) -> TokenStream {
         let coefficients = [self.variables.c, self.variables.e];
@@ -147,6 +165,7 @@ impl Printer<'_> {
         let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
         let implicit = self.step("implicit_increment", &trapezoid, false);
         let kick = self.kick(&format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost()), &forced.kick);
+        let kick_by_mean = self.kick_by_mean(forced);
         let gradient_kick = forced.gradient_kick.as_ref().map(|program| {
             let doc = format!(" v − c s + e (∂s/∂q) s, with s = ∇Φ − F. Cost: {}.", program.cost());
             self.gradient_kick(&doc, program)
@@ -155,6 +174,7 @@ impl Printer<'_> {
             increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
         quote! {
             #kick
+            #kick_by_mean
             #gradient_kick
             #[doc = #implicit_doc] #implicit
             #exact

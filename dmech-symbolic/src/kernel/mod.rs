@@ -1,6 +1,7 @@
 //! The programs that schemes need of a law, made for its structure.
 
 mod forced;
+mod mean;
 mod newton;
 mod pair;
 mod variables;

@@ -15,10 +15,14 @@ use super::terms::{Acts, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
+use crate::law::change_by_mean;
 use crate::newton::NotConverged;
 use crate::setup::Setup;
 use crate::span::moves_on;
-use crate::system::{Effort, Kick, Look, PARTS, Start, Step, System, TimeScale, WithoutVelocities, not_converged};
+use crate::system::{
+    Effort, Kick, LinearVelocities, Look, PARTS, Start, Step, System, TimeScale, WithoutVelocities, not_converged,
+};
+use crate::vector::sum;
 
 /// The bodies of a scene and the terms `A` that act on them.
 #[derive(Clone, Debug)]
@@ -65,6 +69,8 @@ pub struct SceneRoom<const D: usize> {
     /// (h/m) ∇Φ and H (h/m) ∇Φ, where a scheme asks for them.
     fall: Vectors<D>,
     turned: Vectors<D>,
+    /// ∂F/∂v of each body, likewise.
+    by_velocity: Vec<[[f64; D]; D]>,
 }
 
 impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
@@ -104,6 +110,7 @@ fn told(fault: Fault, step: u64, time: f64) -> Error {
 }
 
 impl<const D: usize, A: WithoutVelocities> WithoutVelocities for SceneSystem<D, A> {}
+impl<const D: usize, A: LinearVelocities> LinearVelocities for SceneSystem<D, A> {}
 
 impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     type Scalar = f64;
@@ -203,7 +210,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn room(&self) -> SceneRoom<D> {
-        SceneRoom { slope: self.zero(), watched: true, fall: Vectors::zeros(0), turned: Vectors::zeros(0) }
+        let (fall, turned) = (Vectors::zeros(0), Vectors::zeros(0));
+        SceneRoom { slope: self.zero(), watched: true, fall, turned, by_velocity: Vec::new() }
     }
 
     #[inline]
@@ -271,6 +279,35 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         } else {
             passes::kick_and_drift([b, a], kick, slope, q, v, to);
         }
+    }
+
+    fn kick_by_mean_and_drift(
+        &self,
+        room: &mut SceneRoom<D>,
+        stride: &SceneStride<D>,
+        kick: Kick<f64>,
+        a: f64,
+        q: &mut Vectors<D>,
+        v: &Vectors<D>,
+        to: &mut Vectors<D>,
+        work: &mut Vectors<D>,
+    ) {
+        if !A::FORCED {
+            return self.kick_and_drift(room, stride, kick, a, q, v, to, work);
+        }
+        self.slope(kick.t, q, v, &mut room.slope);
+        let SceneRoom { slope, by_velocity, watched, .. } = room;
+        by_velocity.clear();
+        by_velocity.resize(self.masses.len(), [[0.0; D]; D]);
+        self.acts.add_force_dv(q, kick.t, by_velocity);
+        // The first column of h/m: a body has one mass.
+        for (i, (&by_velocity, c)) in by_velocity.iter().zip(stride.kick.flat()).enumerate() {
+            to.set(i, sum(v.get(i), change_by_mean(kick.b * c, slope.get(i), by_velocity)));
+        }
+        if *watched {
+            self.add_work(work, v, to);
+        }
+        Self::add_scaled(q, a, to);
     }
 
     fn kick_both_ways(

@@ -257,7 +257,7 @@ pub mod __private {
             Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, Mask, MassIndependent, PairLaw,
             Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
         };
-        pub use dmech_core::written;
+        pub use dmech_core::{rotation, written};
     }
 }
 

@@ -45,12 +45,12 @@ pub use error::{Disagreement, Error, Place};
 pub use invariant::{Drift, Invariant, Kept};
 #[cfg(feature = "scene")]
 pub use law::LinkLaw;
-#[doc(hidden)]
-pub use law::written;
 pub use law::{
     Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, MassIndependent, Masses, Numbers, PairLaw,
     Potential, Reads, Symmetric, VelocityIndependent, radial,
 };
+#[doc(hidden)]
+pub use law::{rotation, written};
 pub use run::{Columns, Interrupted, Report, Run};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};

@@ -1,7 +1,7 @@
 //! The functions of the implementation, one for each kernel.
 
 use dmech_symbolic::expression::{Graph, Symbol};
-use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, Step, Variables};
+use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, KickByMean, Step, Variables};
 use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -56,10 +56,15 @@ impl Printer<'_> {
 
     /// v′ = v − c (∇Φ − F) with the force at the mean velocity; nothing where the force is not linear in the velocity.
     fn kick_by_mean(&self, forced: &ForcedKernels) -> Option<TokenStream> {
-        if let Some(program) = &forced.kick_by_mean {
-            let doc = format!(" v′ = v − c (∇Φ − F(q, (v + v′)/2)). Cost: {}.", program.cost());
-            let function = self.function("kick_by_mean", &self.motion(), &[self.variables.c], Rank::Vector, program);
-            return Some(quote!(#[doc = #doc] #function));
+        match &forced.kick_by_mean {
+            Some(KickByMean::Solved(program)) => {
+                let doc = format!(" v′ = v − c (∇Φ − F(q, (v + v′)/2)). Cost: {}.", program.cost());
+                let coefficients = [self.variables.c];
+                let function = self.function("kick_by_mean", &self.motion(), &coefficients, Rank::Vector, program);
+                return Some(quote!(#[doc = #doc] #function));
+            }
+            Some(KickByMean::Rotation(program)) => return Some(self.rotation(program)),
+            None => {}
         }
         let (scalar, d, [c, q, v]) = (&self.scalar, &self.dimension, ["c", "q", "v"].map(ident));
         forced.linear_in_velocity.then(|| {

@@ -4,9 +4,9 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
-use super::{Conservative, Potential};
+use super::{Conservative, Potential, rotation};
 use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::vector::{dot, sum};
+use crate::vector::dot;
 
 /// What acts on a particle at one moment: a potential, and with it perhaps a force.
 ///
@@ -61,16 +61,16 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         from_fn(|i| v[i] - c * slope[i])
     }
 
-    /// v′ = v − c (∇Φ − F(q, (v + v′)/2)), where the force is linear in the velocity: with S = ∂F/∂v
+    /// v′ = v − c (∇Φ − F(q, (v + v′)/2)), where the force is linear in the velocity: with f = F(q, 0) and S = ∂F/∂v
     ///
     /// ```text
-    /// v′ = v − c (1 − c S/2)⁻¹(∇Φ − F(q, v))
+    /// v′ = v + c (1 − c S/2)⁻¹(f − ∇Φ + S v)
     /// ```
     fn kick_by_mean(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         if !Self::FORCED {
             return self.kick(c, q, v);
         }
-        sum(v, change_by_mean(c, self.slope(q, v), self.force_dv(q, v, self.time())))
+        rotation::kick_by_mean(c, self.slope(q, [R::ZERO; D]).map(|x| -x), self.force_dv(q, v, self.time()), v)
     }
 
     /// v − c ∇Φ(q) + e H ∇Φ(q), with H ∇Φ = ∇(|∇Φ|²)/2: the kick of force-gradient schemes, e in units of h³/m².
@@ -146,15 +146,6 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
         less(secant(self, a, b), R::ONE, (f, halved(f_dq), halved(f_dv)))
     }
-}
-
-/// δ = −c (1 − c S/2)⁻¹ s: by how much a kick by the force at its mean velocity changes the velocity.
-#[inline(always)]
-pub(crate) fn change_by_mean<const D: usize, R: Real>(c: R, slope: [R; D], by_velocity: [[R; D]; D]) -> [R; D] {
-    let half = R::from_f64(0.5) * c;
-    let unit = |i, j| if i == j { R::ONE } else { R::ZERO };
-    let matrix = from_fn(|i| from_fn(|j| unit(i, j) - half * by_velocity[i][j]));
-    newton::elimination::solve(matrix, slope.map(|s| -c * s))
 }
 
 /// F and its two Jacobians.

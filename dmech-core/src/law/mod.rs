@@ -5,11 +5,11 @@ mod masses;
 mod pair;
 mod potential;
 #[doc(hidden)]
+pub mod rotation;
+#[doc(hidden)]
 pub mod written;
 
 pub use field::Field;
-#[cfg(feature = "scene")]
-pub(crate) use field::change_by_mean;
 pub use masses::Masses;
 #[cfg(feature = "scene")]
 pub use pair::LinkLaw;

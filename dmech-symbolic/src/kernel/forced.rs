@@ -8,7 +8,7 @@ use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
-use super::mean::LinearForce;
+use super::mean::{KickByMean, LinearForce};
 use super::newton::{Force, correction, dot, newton_matrix};
 use super::variables::Variables;
 
@@ -30,7 +30,7 @@ pub struct ForcedKernels {
     /// v − c (∇Φ − F).
     pub kick: Program,
     /// v′ = v − c (∇Φ − F(q, (v + v′)/2)); none where the force does not depend on the velocity, or not linearly.
-    pub kick_by_mean: Option<Program>,
+    pub kick_by_mean: Option<KickByMean>,
     /// v − c s + e J s, with s = ∇Φ − F and J = ∂s/∂q; none where the force depends on the velocity.
     pub gradient_kick: Option<Program>,
     /// One Newton correction of the trapezoidal step, with the end velocity eliminated.

@@ -5,8 +5,7 @@
 //! ```
 //!
 //! is linear in v′. With A = c S/2 it is half a kick by f − ∇Φ, the Cayley map (1 − A)⁻¹(1 + A), and the other half. Where
-//! S is antisymmetric that map is a rotation, for which J. P. Boris has two cross products (Proc. Fourth Conf. Num. Sim.
-//! Plasmas, Naval Research Laboratory, 1970, p. 3).
+//! S is antisymmetric that map is a rotation.
 
 use crate::calculus;
 use crate::expression::{Expr, Graph, Substitution, Symbol};
@@ -16,6 +15,16 @@ use crate::program::Program;
 use super::forced::expand;
 use super::newton::dot;
 use super::variables::Variables;
+
+/// The kick by a force at its mean velocity.
+#[derive(Clone, Debug)]
+pub enum KickByMean {
+    /// v′ in closed form.
+    Solved(Program),
+    /// S is antisymmetric in two or three coordinates. Outputs: the entries of A above its diagonal, row by row; after them
+    /// c (f − ∇Φ)/2, if that does not vanish.
+    Rotation(Program),
+}
 
 /// A force f(q) + S(q) v.
 pub(super) struct LinearForce {
@@ -49,33 +58,33 @@ impl LinearForce {
     }
 
     /// v′ from v.
-    pub(super) fn kick(&self, graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> Program {
+    pub(super) fn kick(&self, graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> KickByMean {
         let c = graph.symbol(variables.c);
         let half = graph.scale(0.5, c);
         let v = graph.symbols(&variables.v);
         let a: Vec<Vec<_>> =
             self.by_velocity.iter().map(|row| row.iter().map(|&s| graph.mul(&[half, s])).collect()).collect();
         let push: Vec<_> = self.at_rest.iter().zip(gradient).map(|(&f, &g)| graph.sub(f, g)).collect();
-        let kicked = if v.len() <= 3 && self.is_antisymmetric(graph) {
-            let push: Vec<_> = push.iter().map(|&p| graph.mul(&[half, p])).collect();
-            let before = add(graph, &v, &push);
-            let turned = rotate(graph, &a, &before);
-            add(graph, &turned, &push)
-        } else {
-            let change: Vec<_> = a
-                .iter()
-                .zip(&push)
-                .map(|(row, &push)| {
-                    let (push, turn) = (graph.mul(&[c, push]), dot(graph, row, &v));
-                    let turn = graph.scale(2.0, turn);
-                    graph.add(&[push, turn])
-                })
-                .collect();
-            let matrix = one_less(graph, &a);
-            let change = linear::solve(graph, &matrix, &change, false);
-            add(graph, &v, &change)
-        };
-        Program::schedule(graph, &kicked)
+        if (2..=3).contains(&v.len()) && self.is_antisymmetric(graph) {
+            let mut outputs = (0..a.len()).flat_map(|i| a[i][i + 1..].iter().copied()).collect::<Vec<_>>();
+            if push.iter().any(|&p| !graph.is_zero(p)) {
+                outputs.extend(push.iter().map(|&p| graph.mul(&[half, p])));
+            }
+            return KickByMean::Rotation(Program::schedule(graph, &outputs));
+        }
+        let change: Vec<_> = a
+            .iter()
+            .zip(&push)
+            .map(|(row, &push)| {
+                let (push, turn) = (graph.mul(&[c, push]), dot(graph, row, &v));
+                let turn = graph.scale(2.0, turn);
+                graph.add(&[push, turn])
+            })
+            .collect();
+        let matrix = one_less(graph, &a);
+        let change = linear::solve(graph, &matrix, &change, false);
+        let kicked: Vec<_> = v.iter().zip(&change).map(|(&v, &change)| graph.add(&[v, change])).collect();
+        KickByMean::Solved(Program::schedule(graph, &kicked))
     }
 
     fn is_antisymmetric(&self, graph: &mut Graph) -> bool {
@@ -88,30 +97,6 @@ impl LinearForce {
             })
         })
     }
-}
-
-/// (1 − A)⁻¹(1 + A) v = v + 2 A (v + A v)/(1 + |a|²) of an antisymmetric A in up to three coordinates, |a|² being the sum of
-/// the squares above its diagonal.
-fn rotate(graph: &mut Graph, a: &[Vec<Expr>], v: &[Expr]) -> Vec<Expr> {
-    let n = v.len();
-    let squares: Vec<_> =
-        (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).map(|(i, j)| graph.square(a[i][j])).collect();
-    let one = graph.one();
-    let squared = graph.add(&squares);
-    let denominator = graph.add(&[one, squared]);
-    let two = graph.number(2.0);
-    let factor = graph.div(two, denominator);
-    let turn = |graph: &mut Graph, v: &[Expr]| -> Vec<Expr> { a.iter().map(|row| dot(graph, row, v)).collect() };
-    let turned = turn(graph, v);
-    let halfway = add(graph, v, &turned);
-    let turned = turn(graph, &halfway);
-    let turned: Vec<_> = turned.iter().map(|&e| graph.mul(&[factor, e])).collect();
-    add(graph, v, &turned)
-}
-
-/// x + y.
-fn add(graph: &mut Graph, x: &[Expr], y: &[Expr]) -> Vec<Expr> {
-    x.iter().zip(y).map(|(&x, &y)| graph.add(&[x, y])).collect()
 }
 
 /// 1 − A.

@@ -7,6 +7,7 @@ mod pair;
 mod variables;
 
 pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};
+pub use mean::KickByMean;
 pub use pair::{PairForce, PairFormulas, PairKernels, PairLaw, PairPotential, PairVariables, Radial};
 pub use variables::{Variables, exchange};
 

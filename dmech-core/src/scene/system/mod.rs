@@ -15,14 +15,13 @@ use super::terms::{Acts, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
-use crate::law::change_by_mean;
+use crate::law::rotation;
 use crate::newton::NotConverged;
 use crate::setup::Setup;
 use crate::span::moves_on;
 use crate::system::{
     Effort, Kick, LinearVelocities, Look, PARTS, Start, Step, System, TimeScale, WithoutVelocities, not_converged,
 };
-use crate::vector::sum;
 
 /// The bodies of a scene and the terms `A` that act on them.
 #[derive(Clone, Debug)]
@@ -69,7 +68,8 @@ pub struct SceneRoom<const D: usize> {
     /// (h/m) ∇Φ and H (h/m) ∇Φ, where a scheme asks for them.
     fall: Vectors<D>,
     turned: Vectors<D>,
-    /// ∂F/∂v of each body, likewise.
+    /// Bodies at rest and ∂F/∂v of each, likewise.
+    still: Vectors<D>,
     by_velocity: Vec<[[f64; D]; D]>,
 }
 
@@ -210,8 +210,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn room(&self) -> SceneRoom<D> {
-        let (fall, turned) = (Vectors::zeros(0), Vectors::zeros(0));
-        SceneRoom { slope: self.zero(), watched: true, fall, turned, by_velocity: Vec::new() }
+        let [fall, turned, still] = [(); 3].map(|()| Vectors::zeros(0));
+        SceneRoom { slope: self.zero(), watched: true, fall, turned, still, by_velocity: Vec::new() }
     }
 
     #[inline]
@@ -295,14 +295,18 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         if !A::FORCED {
             return self.kick_and_drift(room, stride, kick, a, q, v, to, work);
         }
-        self.slope(kick.t, q, v, &mut room.slope);
-        let SceneRoom { slope, by_velocity, watched, .. } = room;
+        let SceneRoom { slope, still, by_velocity, watched, .. } = room;
+        if still.bodies() != q.bodies() {
+            *still = self.zero();
+        }
         by_velocity.clear();
-        by_velocity.resize(self.masses.len(), [[0.0; D]; D]);
+        by_velocity.resize(q.bodies(), [[0.0; D]; D]);
+        self.slope(kick.t, q, still, slope);
         self.acts.add_force_dv(q, kick.t, by_velocity);
         // The first column of h/m: a body has one mass.
         for (i, (&by_velocity, c)) in by_velocity.iter().zip(stride.kick.flat()).enumerate() {
-            to.set(i, sum(v.get(i), change_by_mean(kick.b * c, slope.get(i), by_velocity)));
+            let push = slope.get(i).map(|s| -s);
+            to.set(i, rotation::kick_by_mean(kick.b * c, push, by_velocity, v.get(i)));
         }
         if *watched {
             self.add_work(work, v, to);

@@ -232,8 +232,8 @@ pub use dmech_study::{Study, StudyError, StudyReport, verify, verify_scheme};
 // The schemes.
 #[doc(inline)]
 pub use dmech_core::{
-    Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Implicit, Kanatani, Leapfrog, Nystrom,
-    coefficients,
+    Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Implicit, Kanatani, Leapfrog,
+    Nystrom, coefficients,
 };
 
 // For those who look closer.

@@ -195,13 +195,13 @@ macro_rules! for_each_law {
     };
 }
 
-/// |u_h − u_{h/2}|/|u_{h/2} − u_{h/4}| → 2^p at t = 2, h being halved until it shows or rounding does.
+/// |u_h − u_{h/2}|/|u_{h/2} − u_{h/4}| → 2^p at t = 6, h being halved until it shows or rounding does.
 fn measured<L: Law<D> + Copy, S: Scheme<Particle<L, D>>, const D: usize>(law: L, scheme: S, start: State<D>) -> f64 {
     let end = |h: f64| {
-        let run = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(h).record_every(1_000_000).run_until(2.0);
+        let run = Simulation::new(law, start).mass(MASS).scheme(scheme).dt(h).record_every(1_000_000).run_until(6.0);
         run.unwrap_or_else(|interrupted| panic!("{}: {interrupted}", S::NAME)).last().q
     };
-    let (mut h, mut last, mut coarse, mut power) = (0.25, end(0.5), f64::NAN, f64::NAN);
+    let (mut h, mut last, mut coarse, mut power) = (0.5, end(1.0), f64::NAN, f64::NAN);
     for _ in 0..12 {
         let now = end(h);
         let fine = distance(last, now);

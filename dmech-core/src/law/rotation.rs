@@ -74,3 +74,58 @@ fn rotated<const D: usize, R: Real>(a: [[R; D]; D], v: [R; D]) -> [R; D] {
     }
     turn(squared, v, |v| from_fn(|i| dot(a[i], v)))
 }
+
+#[cfg(test)]
+mod tests {
+    use dmech_scalar::Lanes;
+
+    use super::*;
+
+    const V: [f64; 3] = [0.7, -1.1, 0.4];
+
+    /// Angles from nothing to many turns of which only the rest remains: the length stays, A v′ − A v is (v′ − v) turned.
+    #[test]
+    fn lengths_and_the_equation_of_the_map_are_kept_at_any_angle() {
+        for scale in [0.0, 1e-9, 0.1, 0.9, 1.1, 40.0, 1e9, 1e60] {
+            let entries @ [xy, xz, yz] = [0.6, -0.3, 0.8].map(|x| scale * x);
+            let a = [[0.0, xy, xz], [-xy, 0.0, yz], [-xz, -yz, 0.0]];
+            let next = space(entries, V);
+            assert!((dot(next, next) / dot(V, V) - 1.0).abs() < 2e-15, "{scale}");
+            // v′ − v = A (v + v′).
+            let mean = sum(V, next);
+            for i in 0..3 {
+                let residual = next[i] - V[i] - dot(a[i], mean);
+                assert!(residual.abs() < 1e-15 * (1.0 + scale), "{scale}: {residual:e}");
+            }
+            let [x, y] = plane(xy, [0.7, -1.1]);
+            assert!((x.hypot(y) / 0.7_f64.hypot(1.1) - 1.0).abs() < 1e-15, "{scale}");
+        }
+        assert_eq!(space([0.0; 3], V), V);
+        // Half a turn at infinity.
+        assert!(sum(plane(1e100, [0.7, -1.1]), [0.7, -1.1]).iter().all(|x| x.abs() < 1e-15));
+    }
+
+    #[test]
+    fn whole_matrices_do_the_same_and_lanes_do_not_mix() {
+        let c = 0.8;
+        let s = [[0.0, 0.5, -1.4], [-0.5, 0.0, 0.9], [1.4, -0.9, 0.0]];
+        let half = 0.5 * c;
+        let turned = space([half * 0.5, half * -1.4, half * 0.9], V);
+        let whole = kick_by_mean(c, [0.0; 3], s, V);
+        assert!(turned.iter().zip(whole).all(|(x, y)| (x - y).abs() < 1e-15));
+        // One lane turns by much, one by little, one is braked as well.
+        let mut braked = s;
+        braked[1][1] = -0.7;
+        let each = [s, s.map(|row| row.map(|x| 30.0 * x)), braked];
+        let lane = |k: usize| each[k.min(2)];
+        let lanes = from_fn(|i| from_fn(|j| Lanes::from(from_fn::<_, 8, _>(|k| lane(k)[i][j]))));
+        let next = kick_by_mean(Lanes::splat(c), [Lanes::splat(0.1); 3], lanes, V.map(Lanes::splat));
+        for k in 0..3 {
+            let alone = kick_by_mean(c, [0.1; 3], lane(k), V);
+            for i in 0..3 {
+                let found: [f64; 8] = next[i].into();
+                assert!((found[k] - alone[i]).abs() < 4e-15, "lane {k}: {} {}", found[k], alone[i]);
+            }
+        }
+    }
+}

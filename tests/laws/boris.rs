@@ -118,7 +118,7 @@ struct Two {
 impl Two {
     #[potential]
     fn between(&self, q: [f64; 4]) -> f64 {
-        self.k * ((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) + 0.1).sqrt()
+        self.k * ((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) + 1.2).sqrt()
     }
     #[force]
     fn lorentz(&self, v: [f64; 4]) -> [f64; 4] {

@@ -53,7 +53,7 @@ impl<P: Conservative> VelocityIndependent for P {}
 ///
 /// `#[dmech::law]` finds it in the expression: ∂²F/∂v∂v = 0.
 #[diagnostic::on_unimplemented(
-    message = "the force of `{Self}` is not one on each body that is linear in the velocity of that body",
+    message = "the force of `{Self}` is not linear in the velocity of each body by itself",
     label = "`Boris` cannot step this force",
     note = "`Boris` solves for the mean velocity of each body by itself, in closed form: v × B and −c v can be had so, |v| v and a friction between two bodies cannot",
     note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"

@@ -8,7 +8,7 @@
 //! S is antisymmetric that map is a rotation.
 
 use crate::calculus;
-use crate::expression::{Expr, Graph, Substitution, Symbol};
+use crate::expression::{Expr, Graph, Node, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
@@ -37,7 +37,7 @@ pub(super) struct LinearForce {
 impl LinearForce {
     /// None where ∂²F/∂v∂v is not seen to vanish, or the velocity makes a choice.
     pub(super) fn of(graph: &mut Graph, force: &[Expr], force_dv: &[Vec<Expr>], v: &[Symbol]) -> Option<Self> {
-        if force.iter().any(|&f| !graph.choices(f, v).is_empty()) {
+        if !is_polynomial(graph, force, v) || force.iter().any(|&f| !graph.choices(f, v).is_empty()) {
             return None;
         }
         for &entry in force_dv.iter().flatten() {
@@ -97,6 +97,16 @@ impl LinearForce {
             })
         })
     }
+}
+
+/// Whether the velocity stands in sums and products alone, so that formulas have their value at rest.
+fn is_polynomial(graph: &mut Graph, force: &[Expr], v: &[Symbol]) -> bool {
+    let moves = graph.dependence(v);
+    graph.reachable(force).into_iter().filter(|e| moves[e.index()]).all(|e| match graph.node(e) {
+        Node::Symbol(_) | Node::Sum { .. } | Node::Select(..) => true,
+        Node::Product { factors, .. } => factors.iter().all(|&(f, n)| n > 0 || !moves[f.index()]),
+        _ => false,
+    })
 }
 
 /// 1 − A.

@@ -17,12 +17,15 @@ enum Known {
 
 type Force = fn(&[E], &[E], &[E]) -> Vec<E>;
 
-const EXAMPLES: [(&str, usize, Force, Known); 13] = [
+const EXAMPLES: [(&str, usize, Force, Known); 15] = [
     ("spring", 1, |q, _, p| vec![-p[0] * q[0]], Known::NoVelocity),
     ("drag", 1, |_, v, p| vec![-p[0] * v[0]], Known::Solved),
     ("drag in a place", 1, |q, v, p| vec![-p[0] * q[0].powi(2) * v[0] + p[1]], Known::Solved),
     // Linear when it is expanded.
     ("difference of squares", 1, |_, v, p| vec![p[0] * ((v[0] + 1.0).powi(2) - v[0].powi(2))], Known::Solved),
+    // Nothing is known of what has no value at rest.
+    ("difference of quotients", 1, |_, v, p| vec![p[0] * (v[0] + 1.0).powi(2) / v[0] - p[0] / v[0]], Known::Nothing),
+    ("quotient", 1, |_, v, p| vec![p[0] * (v[0].powi(2) + v[0]) / v[0]], Known::Nothing),
     ("quadratic drag", 1, |_, v, p| vec![-p[0] * v[0] * v[0].abs()], Known::Nothing),
     ("cubic drag", 1, |_, v, p| vec![-p[0] * v[0].powi(3)], Known::Nothing),
     ("dry friction", 1, |_, v, p| vec![-p[0] * v[0].abs()], Known::Nothing),

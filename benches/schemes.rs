@@ -16,6 +16,24 @@ use dmech::{Error, Stepper};
 
 mod twins;
 
+/// A charge in a magnetic field that grows along its axis.
+#[derive(Clone, Copy, Debug)]
+struct Bottle {
+    b0: f64,
+    length: f64,
+}
+
+#[dmech::law]
+impl Bottle {
+    #[force]
+    fn lorentz(&self, q: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+        let [x, y, z] = q;
+        let c = self.b0 / (self.length * self.length);
+        let (bx, by, bz) = (-c * x * z, -c * y * z, self.b0 + c * z * z);
+        [v[1] * bz - v[2] * by, v[2] * bx - v[0] * bz, v[0] * by - v[1] * bx]
+    }
+}
+
 /// A loop of some steps that ends in a number, so that nothing is optimised away.
 type Loop = Box<dyn FnMut(u64) -> f64>;
 
@@ -47,6 +65,8 @@ fn loops() -> Vec<(&'static str, &'static str, Loop)> {
     let (pendulum, bob) = (Pendulum { k: 1.3 }, State::new([0.8], [0.0]));
     // The same law with a force that names the velocity, so weak that it still swings when all is timed.
     let damped = DampedPendulum { k: 1.3, alpha: 1e-4 };
+    let bottle = Bottle { b0: 1.0, length: 3.0 };
+    let charge = State::new([0.8, 0.0, 0.0], [0.0, 0.7, 0.4]);
     vec![
         ("kepler", "twin: leap-frog, √s·(1/s²)", twins::kepler_leapfrog(1.0, planet, dt)),
         ("kepler", "Leapfrog", generated(sun, planet, dt, Leapfrog)),
@@ -64,6 +84,9 @@ fn loops() -> Vec<(&'static str, &'static str, Loop)> {
         ("pendulum", "twin: trapezoid, Newton", twins::pendulum::pendulum_trapezoid(1.3, bob, dt)),
         ("pendulum", "Implicit", generated(pendulum, bob, dt, Implicit)),
         ("pendulum", "DiscreteGradient", generated(pendulum, bob, dt, DiscreteGradient)),
+        ("bottle", "twin: Boris", twins::bottle::boris([1.0, 3.0], charge, 0.05)),
+        ("bottle", "Boris", generated(bottle, charge, 0.05, Boris)),
+        ("bottle", "DiscreteGradient", generated(bottle, charge, 0.05, DiscreteGradient)),
         ("damped", "twin: explicit", twins::pendulum::damped_pendulum_explicit((1.3, 1e-4), bob, dt)),
         ("damped", "Explicit", generated(damped, bob, dt, Explicit)),
         ("damped", "twin: trapezoid, Newton", twins::pendulum::damped_pendulum_trapezoid((1.3, 1e-4), bob, dt)),
@@ -72,19 +95,19 @@ fn loops() -> Vec<(&'static str, &'static str, Loop)> {
     ]
 }
 
-/// The loop after a twin of the explicit or trapezoidal formulas goes where the twin goes. (Those of leap-frog start
+/// The loop after a twin of the explicit or trapezoidal formulas, or of Boris's, goes where the twin goes. (Those of leap-frog start
 /// without half a kick.)
 fn twins_agree() {
     let ends: Vec<_> = loops().into_iter().map(|(of, name, mut run)| (of, name, run(1000))).collect();
     let mut compared = 0;
     for pair in ends.windows(2) {
         let [(of, twin, by_hand), (_, name, end)] = [pair[0], pair[1]];
-        if twin.starts_with("twin: explicit") || twin.starts_with("twin: trapezoid") {
+        if ["twin: explicit", "twin: Boris"].contains(&twin) || twin.starts_with("twin: trapezoid") {
             assert!((end - by_hand).abs() < 1e-11, "{of}: {twin} ends at {by_hand}, {name} at {end}");
             compared += 1;
         }
     }
-    assert_eq!(compared, 5);
+    assert_eq!(compared, 6);
 }
 
 fn main() {

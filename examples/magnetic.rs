@@ -9,8 +9,11 @@
 //! sideways. F is at right angles to v, so the kinetic energy stays what it is; the macro sees F·v = 0 in the expression,
 //! and the energy is an invariant of the law, though it has a force.
 //!
+//! `Boris` turns the velocity by two cross products and solves no equation: it keeps the speed in any magnetic field, and
+//! is the scheme to begin with. `DiscreteGradient` keeps the energy beside an electric field as well.
+//!
 //! The program measures the circle and the drifts beside what they should be, follows the energy over 10⁶ steps, and
-//! draws the orbit in the graded field and the energy errors of three schemes.
+//! draws the orbit in the graded field and the energy errors of four schemes.
 
 #[path = "shared/gyration.rs"]
 mod gyration;
@@ -85,13 +88,16 @@ fn energies() -> Drawn {
     println!("{ENERGIES}");
     for dt in [0.1, 0.05, 0.01] {
         let run = [
+            relative(&simulate(UNIFORM, IN_SPACE, Boris, (dt, STEPS))?),
+            relative(&simulate(GRADED, IN_THE_PLANE, Boris, (dt, STEPS))?),
+            relative(&simulate(CROSSED, IN_THE_PLANE, Boris, (dt, STEPS))?),
             relative(&simulate(UNIFORM, IN_SPACE, DiscreteGradient, (dt, STEPS))?),
             relative(&simulate(GRADED, IN_THE_PLANE, DiscreteGradient, (dt, STEPS))?),
             relative(&simulate(CROSSED, IN_THE_PLANE, DiscreteGradient, (dt, STEPS))?),
             relative(&simulate(GRADED, IN_THE_PLANE, Implicit, (dt, STEPS))?),
         ];
-        let [uniform, graded, crossed, implicit] = run.map(|error| format!("{error:.0e}"));
-        println!("{dt:<4} │ {uniform:>8} {graded:>8} {crossed:>8} │ {implicit:>8}");
+        let [a, b, c, d, e, f, implicit] = run.map(|error| format!("{error:.0e}"));
+        println!("{dt:<4} │ {a:>8} {b:>8} {c:>8} │ {d:>8} {e:>8} {f:>8} │ {implicit:>8}");
     }
     println!();
     Ok(())
@@ -132,6 +138,7 @@ fn energy_errors() -> Drawn<PathBuf> {
         (RED, simulate(GRADED, IN_THE_PLANE, Explicit, length)?),
         (OCHRE, simulate(GRADED, IN_THE_PLANE, Implicit, length)?),
         (GREEN, simulate(GRADED, IN_THE_PLANE, DiscreteGradient, length)?),
+        (BLUE, simulate(GRADED, IN_THE_PLANE, Boris, length)?),
     ];
     picture::save("magnetic_energy.svg", [900, 520], |area| {
         let title = "Energy error in the graded field, dt = 0.01: the largest so far";
@@ -178,6 +185,6 @@ dt   │     measured        exact │     measured  first order
 
 const ENERGIES: &str = "\
 Largest relative error of the energy over 10⁶ steps
-     │ DiscreteGradient           │ Implicit
-dt   │  uniform   graded  crossed │   graded
-─────┼────────────────────────────┼─────────";
+     │ Boris                      │ DiscreteGradient           │ Implicit
+dt   │  uniform   graded  crossed │  uniform   graded  crossed │   graded
+─────┼────────────────────────────┼────────────────────────────┼─────────";

@@ -51,7 +51,8 @@
 //! An `#[invariant]`, a number of `q` and `v`, is watched in runs beside energy and momenta: [`Run::drift_of`].
 //! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
 //! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog`,
-//! `Nystrom`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the program is compiled.
+//! `Nystrom`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the program is compiled, and
+//! `Boris` one that is not linear in it.
 //! [`Derivation::derivation`] shows everything that was derived in readable mathematics.
 //!
 //! # Bodies and the laws between them
@@ -120,6 +121,7 @@
 //! | [`Explicit`] | 1 | work | one force |
 //! | [`Leapfrog`] | 2 | angular momentum; energy bounded | one force |
 //! | [`CompensatedLeapfrog`] | 2 | the same, with sums that lose nothing: for very long runs or very short steps | one force |
+//! | [`Boris`] | 2 | energy in a magnetic field exactly, else bounded: for forces linear in the velocity | one force |
 //! | [`Implicit`](struct@Implicit) | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
@@ -231,8 +233,8 @@ pub use dmech_study::{Study, StudyError, StudyReport, verify, verify_scheme};
 // The schemes.
 #[doc(inline)]
 pub use dmech_core::{
-    CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Implicit, Kanatani, Leapfrog, Nystrom,
-    coefficients,
+    Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Implicit, Kanatani, Leapfrog,
+    Nystrom, coefficients,
 };
 
 // For those who look closer.
@@ -255,10 +257,10 @@ pub mod prelude {
 pub mod __private {
     pub mod v1 {
         pub use dmech_core::extend::{
-            Between, Conservative, Derivation, Field, Force, Law, Mask, MassIndependent, PairLaw, Potential, Reads,
-            Real, Symmetric, VelocityIndependent, newton, radial,
+            Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, Mask, MassIndependent, PairLaw,
+            Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
         };
-        pub use dmech_core::written;
+        pub use dmech_core::{rotation, written};
     }
 }
 

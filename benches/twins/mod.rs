@@ -6,6 +6,7 @@ use dmech::prelude::*;
 
 use super::Loop;
 
+pub(super) mod bottle;
 pub(super) mod pendulum;
 
 /// a b + c, fused where the target has the instruction.

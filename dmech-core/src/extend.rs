@@ -129,13 +129,17 @@ pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 pub use crate::law::LinkLaw;
 pub use crate::law::Masses;
 pub use crate::law::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
-pub use crate::law::{Conservative, Derivation, Field, Force, Law, MassIndependent, Potential, VelocityIndependent};
+pub use crate::law::{
+    Conservative, Derivation, Field, Force, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent,
+};
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
 pub use crate::run::{Attend, Blend, Columns, Observer, Passage, Sink, Stream, Watch, Weights, Within};
 #[cfg(feature = "scene")]
 pub use crate::scene::Encounter;
-pub use crate::scheme::{Adaptable, Adaptive, Effort, Method, OneStep, Scheme, Steps, WithoutVelocities};
+pub use crate::scheme::{
+    Adaptable, Adaptive, Effort, LinearVelocities, Method, OneStep, Scheme, Steps, WithoutVelocities,
+};
 pub use crate::setup::Setup;
 pub use crate::simulation::NoScheme;
 pub use crate::span::steps_until;

@@ -46,18 +46,18 @@ pub use error::{Disagreement, Error, Place};
 pub use invariant::{Drift, Invariant, Kept};
 #[cfg(feature = "scene")]
 pub use law::LinkLaw;
-#[doc(hidden)]
-pub use law::written;
 pub use law::{
-    Between, Conservative, Derivation, Field, Force, Law, MassIndependent, Masses, Numbers, PairLaw, Potential, Reads,
-    Symmetric, VelocityIndependent, radial,
+    Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, MassIndependent, Masses, Numbers, PairLaw,
+    Potential, Reads, Symmetric, VelocityIndependent, radial,
 };
+#[doc(hidden)]
+pub use law::{rotation, written};
 pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
 pub use scheme::{
-    Adaptable, Adaptive, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit,
-    Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
+    Adaptable, Adaptive, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess,
+    Implicit, Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
 };
 pub use setup::Setup;
 pub use simulation::{NoScheme, Simulation};
@@ -69,12 +69,14 @@ pub use system::{Particle, System};
 pub mod prelude {
     #[cfg(feature = "serde")]
     pub use crate::checkpoint::Checkpoint;
-    pub use crate::law::{Conservative, Derivation, Force, Law, MassIndependent, Potential, VelocityIndependent};
+    pub use crate::law::{
+        Conservative, Derivation, Force, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent,
+    };
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
-        Adaptable, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit, Kanatani,
-        Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
+        Adaptable, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit,
+        Kanatani, Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
     pub use crate::{
         Crossing, Csv, Drift, Error, Event, Interrupted, Invariant, Kept, Npy, Particle, Run, Simulation, State,

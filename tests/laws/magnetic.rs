@@ -1,7 +1,7 @@
 //! A force v × B does no work, and the energy is an invariant again: the laws and figures of `examples/magnetic.rs`.
 
 #[path = "../../examples/shared/gyration.rs"]
-mod gyration;
+pub(super) mod gyration;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dmech::extend::MassIndependent;

@@ -1,6 +1,7 @@
 //! The language of a law, and what is generated from one.
 
 mod as_written;
+mod boris;
 mod derivation;
 mod forces;
 mod generated;

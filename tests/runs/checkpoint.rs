@@ -52,6 +52,19 @@ impl Drag {
     }
 }
 
+#[derive(Clone, Copy, Debug)]
+struct Gyration {
+    b: f64,
+}
+
+#[dmech::law]
+impl Gyration {
+    #[force]
+    fn lorentz(&self, v: [f64; 2]) -> [f64; 2] {
+        [self.b * v[1], -self.b * v[0]]
+    }
+}
+
 fn chain() -> Scene<1> {
     (0..12).fold(Scene::new(), |scene, i| {
         let f = f64::from(i);
@@ -120,6 +133,7 @@ fn scenes_go_on_bit_for_bit() {
             let scene = $scene;
             check(&scene, Explicit, $what);
             check(&scene, Leapfrog, $what);
+            check(&scene, Boris, $what);
             check(&scene, Implicit, $what);
             check(&scene, DiscreteGradient, $what);
             check(&scene, Kanatani, $what);
@@ -136,6 +150,9 @@ fn scenes_go_on_bit_for_bit() {
     check(&braked, Explicit, "drag");
     check(&braked, Implicit, "drag");
     check(&braked, DiscreteGradient, "drag");
+    let turned = swarm().field(Bowl { k: 0.7, omega: 1.9 }).field(Gyration { b: 0.9 });
+    check(&turned, Boris, "magnetic field");
+    check(&turned, Composed::order4(Boris), "magnetic field");
 }
 
 const START: State<2> = State::new([0.7, -0.4], [0.3, 0.8]);
@@ -169,12 +186,15 @@ fn single_laws_go_on_bit_for_bit() {
     check(bowl, Explicit);
     check(bowl, Leapfrog);
     check(bowl, CompensatedLeapfrog);
+    check(bowl, Boris);
     check(bowl, Implicit);
     check(bowl, DiscreteGradient);
     check(bowl, Kanatani);
     check(bowl, Nystrom::order4());
     check(bowl, Nystrom::order6());
     check(bowl, ForceGradient::order4());
+    check(Gyration { b: 0.9 }, Boris);
+    check(Gyration { b: 0.9 }, Composed::order6(Boris));
     check(Drag { c: 0.2 }, Explicit);
     check(Drag { c: 0.2 }, Implicit);
     check(Drag { c: 0.2 }, DiscreteGradient);

@@ -71,6 +71,7 @@ fn equal_steps() {
             checked.set(checked.get() + 1);
         )*};
     }
+    each!(Boris, Composed::order4(Boris));
     each!(Explicit, Leapfrog, CompensatedLeapfrog, Implicit, DiscreteGradient, Kanatani);
     each!(Implicit.with(Newton::from_previous()), Kanatani.start(Start::BackwardStep));
     each!(Composed::order4(Leapfrog), Composed::order4(Implicit), Composed::order4(DiscreteGradient));
@@ -82,8 +83,9 @@ fn equal_steps() {
     let damped = Simulation::new(DampedPendulum { k: 1.7, alpha: 0.2 }, State::new([1.1], [0.3])).mass(1.3).dt(0.2);
     law(damped.clone().scheme(Implicit));
     law(damped.clone().scheme(DiscreteGradient));
+    law(damped.clone().scheme(Boris));
     law(damped.scheme(Composed::order4(DiscreteGradient)));
-    assert_eq!(checked.get(), 26);
+    assert_eq!(checked.get(), 28);
 }
 
 /// The tolerances are such that rows of equal steps are of one step, of a few, and longer than the run.
@@ -114,7 +116,7 @@ fn steps_that_follow_the_motion() {
         ($($scheme:expr => $($tolerance:literal)*),* $(,)?) => {$($( adaptive($scheme, $tolerance, &rows); )*)*};
     }
     each! {
-        DiscreteGradient => 1e-1 1e-3 1e-5, Implicit => 1e-1 1e-3 1e-5,
+        DiscreteGradient => 1e-1 1e-3 1e-5, Implicit => 1e-1 1e-3 1e-5, Boris => 1e-1 1e-3 1e-5,
         Composed::order4(DiscreteGradient) => 1e-2 1e-4 1e-6 1e-8, Composed::order4(Implicit) => 1e-2 1e-4 1e-6 1e-8,
         Composed::order6(DiscreteGradient) => 1e-4 1e-7 1e-10, Composed::order6(Implicit) => 1e-4 1e-7 1e-10,
         Composed::order8(DiscreteGradient) => 1e-4 1e-12, Composed::order4(Leapfrog) => 1e-4 1e-7,

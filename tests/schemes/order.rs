@@ -12,6 +12,7 @@ macro_rules! for_each_scheme {
         $run! { Explicit, $($rest)* }
         $run! { Leapfrog, $($rest)* }
         $run! { CompensatedLeapfrog, $($rest)* }
+        $run! { Boris, $($rest)* }
         $run! { Implicit, $($rest)* }
         $run! { DiscreteGradient, $($rest)* }
         $run! { Kanatani, $($rest)* }
@@ -40,7 +41,7 @@ fn orders_are_as_declared() {
         ($law:ident, $($rest:tt)*) => { for_each_scheme!(one, $law, $($rest)*); };
     }
     for_each_law!(every);
-    assert_eq!(measured, 6 * 11);
+    assert_eq!(measured, 7 * 11);
 }
 
 #[test]
@@ -81,7 +82,7 @@ fn symmetric_schemes_return_when_the_velocity_is_reversed() {
         ($law:ident, $($rest:tt)*) => { for_each_scheme!(one, $law, $($rest)*); };
     }
     for_each_law!(every);
-    assert_eq!(returned, 7 * 12);
+    assert_eq!(returned, 8 * 12);
 }
 
 #[test]

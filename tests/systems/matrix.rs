@@ -14,11 +14,13 @@ macro_rules! schemes {
         for (name, order, measured) in [
             measure(&$setup, Explicit),
             measure(&$setup, Leapfrog),
+            measure(&$setup, Boris),
             measure(&$setup, CompensatedLeapfrog),
             measure(&$setup, Implicit),
             measure(&$setup, DiscreteGradient),
             measure(&$setup, Kanatani),
             measure(&$setup, Composed::order4(Leapfrog)),
+            measure(&$setup, Composed::order4(Boris)),
             measure(&$setup, Composed::order4(Implicit)),
             measure(&$setup, Composed::order4(DiscreteGradient)),
             measure(&$setup, Composed::order6(Leapfrog)),
@@ -34,7 +36,7 @@ macro_rules! schemes {
             assert!((measured - f64::from(order)).abs() < 0.07 * f64::from(order), "{name}: order {measured}");
             cells += 1;
         }
-        assert_eq!(cells, 16);
+        assert_eq!(cells, 18);
     }};
 }
 

@@ -101,6 +101,12 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
         }
     });
+    let linear_in_velocity = forced.as_ref().is_none_or(|forced| forced.linear_in_velocity).then(|| {
+        quote! {
+            #[automatically_derived]
+            impl #own_generics #runtime::LinearInVelocity for #self_ty #where_clause {}
+        }
+    });
     let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
         quote! {
             #[automatically_derived]
@@ -118,6 +124,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                 #derivation
 
                 #velocity_independent
+                #linear_in_velocity
                 #mass_independent
                 #author
 
@@ -190,6 +197,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             #of_itself
             #force_of_itself
             #velocity_independent
+            #linear_in_velocity
             #mass_independent
             #author
 

@@ -1,7 +1,7 @@
 //! The functions of the implementation, one for each kernel.
 
 use dmech_symbolic::expression::{Graph, Symbol};
-use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, Step, Variables};
+use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, KickByMean, Step, Variables};
 use dmech_symbolic::program::Program;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -52,6 +52,29 @@ impl Printer<'_> {
     fn kick(&self, doc: &str, program: &Program) -> TokenStream {
         let function = self.function("kick", &self.motion(), &[self.variables.c], Rank::Vector, program);
         quote!(#[doc = #doc] #function)
+    }
+
+    /// v′ = v − c (∇Φ − F) with the force at the mean velocity; nothing where the force is not linear in the velocity.
+    fn kick_by_mean(&self, forced: &ForcedKernels) -> Option<TokenStream> {
+        match &forced.kick_by_mean {
+            Some(KickByMean::Solved(program)) => {
+                let doc = format!(" v′ = v − c (∇Φ − F(q, (v + v′)/2)). Cost: {}.", program.cost());
+                let coefficients = [self.variables.c];
+                let function = self.function("kick_by_mean", &self.motion(), &coefficients, Rank::Vector, program);
+                return Some(quote!(#[doc = #doc] #function));
+            }
+            Some(KickByMean::Rotation(program)) => return Some(self.rotation(program)),
+            None => {}
+        }
+        let (scalar, d, [c, q, v]) = (&self.scalar, &self.dimension, ["c", "q", "v"].map(ident));
+        forced.linear_in_velocity.then(|| {
+            quote! {
+                #[inline(always)]
+                fn kick_by_mean(&self, #c: #scalar, #q: [#scalar; #d], #v: [#scalar; #d]) -> [#scalar; #d] {
+                    self.kick(#c, #q, #v)
+                }
+            }
+        })
     }
 
     /// v − c times what acts, and e times its change along itself.
@@ -147,6 +170,7 @@ impl Printer<'_> {
         let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
         let implicit = self.step("implicit_increment", &trapezoid, false);
         let kick = self.kick(&format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost()), &forced.kick);
+        let kick_by_mean = self.kick_by_mean(forced);
         let gradient_kick = forced.gradient_kick.as_ref().map(|program| {
             let doc = format!(" v − c s + e (∂s/∂q) s, with s = ∇Φ − F. Cost: {}.", program.cost());
             self.gradient_kick(&doc, program)
@@ -155,6 +179,7 @@ impl Printer<'_> {
             increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
         quote! {
             #kick
+            #kick_by_mean
             #gradient_kick
             #[doc = #implicit_doc] #implicit
             #exact

@@ -14,6 +14,7 @@ mod pair;
 mod pair_document;
 mod rank;
 mod region;
+mod rotation;
 mod shared_test;
 mod stand_in;
 mod step;

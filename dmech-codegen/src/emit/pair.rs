@@ -59,6 +59,8 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         quote! {
             #[automatically_derived]
             impl #own #runtime::VelocityIndependent for #self_ty #where_clause {}
+            #[automatically_derived]
+            impl #own #runtime::LinearInVelocity for #self_ty #where_clause {}
         }
     });
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));

@@ -24,6 +24,8 @@ pub(crate) fn stand_in(model: &Model, refusal: Refusal) -> TokenStream {
         quote! {
             #[automatically_derived]
             impl <#(#parameters),*> #runtime::VelocityIndependent for #self_ty #where_clause {}
+            #[automatically_derived]
+            impl <#(#parameters),*> #runtime::LinearInVelocity for #self_ty #where_clause {}
         }
     });
     quote! {

@@ -4,7 +4,7 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
-use super::{Conservative, Potential};
+use super::{Conservative, Potential, rotation};
 use crate::newton::{self, Equation, Increment, NotConverged};
 use crate::vector::dot;
 
@@ -59,6 +59,18 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         let slope = self.slope(q, v);
         from_fn(|i| v[i] - c * slope[i])
+    }
+
+    /// v′ = v − c (∇Φ − F(q, (v + v′)/2)), where the force is linear in the velocity: with f = F(q, 0) and S = ∂F/∂v
+    ///
+    /// ```text
+    /// v′ = v + c (1 − c S/2)⁻¹(f − ∇Φ + S v)
+    /// ```
+    fn kick_by_mean(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
+        if !Self::FORCED {
+            return self.kick(c, q, v);
+        }
+        rotation::kick_by_mean(c, self.slope(q, [R::ZERO; D]).map(|x| -x), self.force_dv(q, v, self.time()), v)
     }
 
     /// v − c ∇Φ(q) + e H ∇Φ(q), with H ∇Φ = ∇(|∇Φ|²)/2: the kick of force-gradient schemes, e in units of h³/m².

@@ -6,7 +6,7 @@ use dmech_scalar::Real;
 
 use super::field::Linearised;
 use crate::law::written::Written;
-use crate::law::{Field, Law, MassIndependent, Potential, VelocityIndependent};
+use crate::law::{Field, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent};
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
 ///
@@ -40,6 +40,9 @@ impl<L, const D: usize> Masses<L, D> {
 
 #[diagnostic::do_not_recommend]
 impl<L: VelocityIndependent, const D: usize> VelocityIndependent for Masses<L, D> {}
+
+#[diagnostic::do_not_recommend]
+impl<L: LinearInVelocity, const D: usize> LinearInVelocity for Masses<L, D> {}
 
 impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Masses<L, D> {
     type Field<'a>

@@ -6,6 +6,8 @@ mod optional;
 mod pair;
 mod potential;
 #[doc(hidden)]
+pub mod rotation;
+#[doc(hidden)]
 pub mod written;
 
 pub use field::Field;
@@ -40,12 +42,27 @@ pub trait Conservative {}
     message = "the force of `{Self}` depends on the velocity, and this scheme has no velocity where it needs the force",
     label = "this scheme cannot step a velocity-dependent force",
     note = "leap-frog, Kanatani's scheme, `Nystrom` and `ForceGradient` kick at a position, where they have no velocity of that time",
-    note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"
+    note = "use `Boris` where the force is linear in the velocity, else `Implicit`, `DiscreteGradient` or `Explicit`"
 )]
 pub trait VelocityIndependent {}
 
 #[diagnostic::do_not_recommend]
 impl<P: Conservative> VelocityIndependent for P {}
+
+/// The force on a body is linear in its own velocity, F = f + S v, and depends on no other: v × B, a friction −c v, or no
+/// velocity at all. [`Boris`](crate::Boris) steps it without an equation.
+///
+/// `#[dmech::law]` finds it in the expression: ∂²F/∂v∂v = 0.
+#[diagnostic::on_unimplemented(
+    message = "the force of `{Self}` is not linear in the velocity of each body by itself",
+    label = "`Boris` cannot step this force",
+    note = "`Boris` solves for the mean velocity of each body by itself, in closed form: v × B and −c v can be had so, |v| v and a friction between two bodies cannot",
+    note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"
+)]
+pub trait LinearInVelocity {}
+
+#[diagnostic::do_not_recommend]
+impl<P: Conservative> LinearInVelocity for P {}
 
 /// The law does not name the mass `m`, so that each coordinate may have a mass of its own
 /// ([`Simulation::masses`](crate::Simulation::masses)).

@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::field::Linearised;
-use super::{Field, Law, MassIndependent, Potential, VelocityIndependent};
+use super::{Field, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent};
 use crate::newton::{self, Equation, Increment, NotConverged};
 
 /// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
@@ -38,6 +38,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
 }
 
 impl<L: VelocityIndependent> VelocityIndependent for Option<L> {}
+impl<L: LinearInVelocity> LinearInVelocity for Option<L> {}
 impl<L: MassIndependent> MassIndependent for Option<L> {}
 
 /// Nothing acts.
@@ -108,6 +109,10 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Option<F> {
     #[inline(always)]
     fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
         self.as_ref().map_or(v, |field| field.gradient_kick(c, e, q, v))
+    }
+    #[inline(always)]
+    fn kick_by_mean(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
+        self.as_ref().map_or(v, |field| field.kick_by_mean(c, q, v))
     }
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         self.as_ref().map_or_else(|| free(equation), |field| field.implicit_increment(equation))

@@ -1,6 +1,7 @@
 //! The schemes, and what a simulation needs to know of one.
 
 mod adaptive;
+mod boris;
 mod compensated_leapfrog;
 mod composed;
 mod discrete_gradient;
@@ -15,6 +16,7 @@ mod nystrom;
 mod splitting;
 
 pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
+pub use boris::Boris;
 pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
 pub use composed::{
     Coefficients, Composable, Composed, OneStep, Stage, StagesMemory, Steps, StepsMemory, StepsRoom, coefficients,
@@ -32,7 +34,7 @@ pub use splitting::{First, SplittingMemory};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-pub use crate::system::{Effort, Guess, Newton, WithoutVelocities};
+pub use crate::system::{Effort, Guess, LinearVelocities, Newton, WithoutVelocities};
 use crate::system::{Start as Beginning, System};
 
 /// What a scheme promises, whatever the law.

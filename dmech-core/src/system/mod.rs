@@ -138,6 +138,20 @@ pub trait System: Sized {
         to: &mut Self::Vector,
         work: &mut Self::Work,
     );
+    /// The same with the force at the mean velocity of the kick, to ← v − b (h/m)(∇Φ − F(q, (v + to)/2)): each body has one
+    /// that is linear in its velocity. The kick has no force gradient.
+    #[expect(clippy::too_many_arguments, reason = "a whole stage in one pass")]
+    fn kick_by_mean_and_drift(
+        &self,
+        room: &mut Self::Room,
+        stride: &Self::Stride,
+        kick: Kick<Self::Scalar>,
+        a: Self::Scalar,
+        q: &mut Self::Vector,
+        v: &Self::Vector,
+        to: &mut Self::Vector,
+        work: &mut Self::Work,
+    );
     /// From one position the velocities before and after a kick that has half its length on either side.
     fn kick_both_ways(
         &self,
@@ -348,6 +362,10 @@ impl<V> Copy for Ahead<'_, V> {}
 /// (Greenspan §3, last sentence): the law of it, or every term of a scene, is
 /// [`VelocityIndependent`](crate::VelocityIndependent).
 pub trait WithoutVelocities {}
+
+/// The force on each body of the system is linear in its own velocity, so that a kick by the mean velocity has a closed
+/// form: the law of it, or every term of a scene, is [`LinearInVelocity`](crate::extend::LinearInVelocity).
+pub trait LinearVelocities {}
 
 /// What one step cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

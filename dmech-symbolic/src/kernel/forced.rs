@@ -8,6 +8,7 @@ use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
+use super::mean::{KickByMean, LinearForce};
 use super::newton::{Force, correction, dot, newton_matrix};
 use super::variables::Variables;
 
@@ -28,6 +29,8 @@ pub struct ForcedKernels {
     pub half_force: Program,
     /// v − c (∇Φ − F).
     pub kick: Program,
+    /// v′ = v − c (∇Φ − F(q, (v + v′)/2)); none where the force does not depend on the velocity, or not linearly.
+    pub kick_by_mean: Option<KickByMean>,
     /// v − c s + e J s, with s = ∇Φ − F and J = ∂s/∂q; none where the force depends on the velocity.
     pub gradient_kick: Option<Program>,
     /// One Newton correction of the trapezoidal step, with the end velocity eliminated.
@@ -40,6 +43,8 @@ pub struct ForcedKernels {
     pub discrete_is_linear: bool,
     /// The force depends on the velocity.
     pub depends_on_velocity: bool,
+    /// The force is linear in the velocity, if only as it does not depend on it.
+    pub linear_in_velocity: bool,
     /// The potential or the force is a choice between branches: the slope may jump.
     pub piecewise: bool,
     /// F·v = 0 for every v: the force turns the velocity and does no work.
@@ -87,6 +92,10 @@ impl ForcedKernels {
         let workless = depends_on_velocity && does_no_work(graph, force, v);
         let slope: Vec<_> = gradient.iter().zip(force).map(|(&g, &f)| graph.sub(g, f)).collect();
         let kick = super::kick(graph, &slope, variables);
+        let linear = LinearForce::of(graph, force, &force_dv, v);
+        let linear_in_velocity = linear.is_some();
+        let linear = linear.filter(|_| depends_on_velocity);
+        let kick_by_mean = linear.map(|linear| linear.kick(graph, &gradient, variables));
         let gradient_kick = (!depends_on_velocity).then(|| {
             let jacobian = calculus::jacobian(graph, &slope, q);
             super::jacobian_kick(graph, &slope, &jacobian, variables)
@@ -135,12 +144,14 @@ impl ForcedKernels {
             slope: Program::schedule(graph, &slope),
             half_force: Program::schedule(graph, &half_force),
             kick,
+            kick_by_mean,
             gradient_kick,
             implicit,
             discrete,
             implicit_is_linear: implicit_is_linear && !piecewise,
             discrete_is_linear: discrete_is_linear && !piecewise,
             depends_on_velocity,
+            linear_in_velocity,
             piecewise,
             workless,
             formulas: ForceFormulas { force: force.to_vec(), force_dq, force_dv },

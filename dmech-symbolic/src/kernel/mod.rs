@@ -1,11 +1,13 @@
 //! The programs that schemes need of a law, made for its structure.
 
 mod forced;
+mod mean;
 mod newton;
 mod pair;
 mod variables;
 
 pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};
+pub use mean::KickByMean;
 pub use pair::{PairForce, PairFormulas, PairKernels, PairLaw, PairPotential, PairVariables, Radial};
 pub use variables::{Variables, exchange};
 

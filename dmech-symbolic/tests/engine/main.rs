@@ -7,6 +7,7 @@ mod discrete_gradient;
 mod divided_difference;
 mod forced;
 mod jacobian;
+mod kick_by_mean;
 mod limits;
 mod linear;
 mod normal_form;

@@ -15,10 +15,13 @@ use super::terms::{Acts, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
+use crate::law::rotation;
 use crate::newton::NotConverged;
 use crate::setup::Setup;
 use crate::span::moves_on;
-use crate::system::{Effort, Kick, Look, PARTS, Start, Step, System, TimeScale, WithoutVelocities, not_converged};
+use crate::system::{
+    Effort, Kick, LinearVelocities, Look, PARTS, Start, Step, System, TimeScale, WithoutVelocities, not_converged,
+};
 
 /// The bodies of a scene and the terms `A` that act on them.
 #[derive(Clone, Debug)]
@@ -65,6 +68,9 @@ pub struct SceneRoom<const D: usize> {
     /// (h/m) ∇Φ and H (h/m) ∇Φ, where a scheme asks for them.
     fall: Vectors<D>,
     turned: Vectors<D>,
+    /// Bodies at rest and ∂F/∂v of each, likewise.
+    still: Vectors<D>,
+    by_velocity: Vec<[[f64; D]; D]>,
 }
 
 impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
@@ -104,6 +110,7 @@ fn told(fault: Fault, step: u64, time: f64) -> Error {
 }
 
 impl<const D: usize, A: WithoutVelocities> WithoutVelocities for SceneSystem<D, A> {}
+impl<const D: usize, A: LinearVelocities> LinearVelocities for SceneSystem<D, A> {}
 
 impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     type Scalar = f64;
@@ -207,7 +214,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn room(&self) -> SceneRoom<D> {
-        SceneRoom { slope: self.zero(), watched: true, fall: Vectors::zeros(0), turned: Vectors::zeros(0) }
+        let [fall, turned, still] = [(); 3].map(|()| Vectors::zeros(0));
+        SceneRoom { slope: self.zero(), watched: true, fall, turned, still, by_velocity: Vec::new() }
     }
 
     #[inline]
@@ -275,6 +283,39 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         } else {
             passes::kick_and_drift([b, a], kick, slope, q, v, to);
         }
+    }
+
+    fn kick_by_mean_and_drift(
+        &self,
+        room: &mut SceneRoom<D>,
+        stride: &SceneStride<D>,
+        kick: Kick<f64>,
+        a: f64,
+        q: &mut Vectors<D>,
+        v: &Vectors<D>,
+        to: &mut Vectors<D>,
+        work: &mut Vectors<D>,
+    ) {
+        if !A::FORCED {
+            return self.kick_and_drift(room, stride, kick, a, q, v, to, work);
+        }
+        let SceneRoom { slope, still, by_velocity, watched, .. } = room;
+        if still.bodies() != q.bodies() {
+            *still = self.zero();
+        }
+        by_velocity.clear();
+        by_velocity.resize(q.bodies(), [[0.0; D]; D]);
+        self.slope(kick.t, q, still, slope);
+        self.acts.add_force_dv(q, kick.t, by_velocity);
+        // The first column of h/m: a body has one mass.
+        for (i, (&by_velocity, c)) in by_velocity.iter().zip(stride.kick.flat()).enumerate() {
+            let push = slope.get(i).map(|s| -s);
+            to.set(i, rotation::kick_by_mean(kick.b * c, push, by_velocity, v.get(i)));
+        }
+        if *watched {
+            self.add_work(work, v, to);
+        }
+        Self::add_scaled(q, a, to);
     }
 
     fn kick_both_ways(

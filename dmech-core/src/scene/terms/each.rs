@@ -6,15 +6,14 @@ use super::stencil::{Stencil, block};
 use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error, Place};
 use crate::law::written::{self, agree};
-use crate::law::{Field, Law, Potential, VelocityIndependent};
+use crate::law::{Field, Law, LinearInVelocity, Potential, VelocityIndependent};
 use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
-use crate::system::WithoutVelocities;
-use crate::system::{Frequency, Stiffness};
-use crate::vector::{difference, scaled};
+use crate::system::{Frequency, LinearVelocities, Stiffness, WithoutVelocities};
+use crate::vector::{difference, scaled, sum};
 
 /// A law that acts on each body by itself.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +29,7 @@ pub struct EachReady<X> {
 }
 
 impl<X: VelocityIndependent> WithoutVelocities for EachReady<X> {}
+impl<X: LinearInVelocity> LinearVelocities for EachReady<X> {}
 
 impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
     type Ready = EachReady<X>;
@@ -91,6 +91,15 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
             for (i, field) in self.fields(t) {
                 let force = field.force(q.get(i), v.get(i), t);
                 out.add(i, force.map(|f| -c * f));
+            }
+        }
+    }
+
+    fn add_force_dv(&self, q: &Vectors<D>, t: f64, out: &mut [[[f64; D]; D]]) {
+        if Self::FORCED {
+            for ((i, field), out) in self.fields(t).zip(out) {
+                let by_velocity = field.force_dv(q.get(i), [0.0; D], t);
+                *out = core::array::from_fn(|k| sum(out[k], by_velocity[k]));
             }
         }
     }

@@ -12,14 +12,13 @@ use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error};
 use crate::law::written::{self, Place, agree};
 use crate::law::{Between, LinkLaw, PairLaw, Reads};
-use crate::law::{Potential, VelocityIndependent};
+use crate::law::{LinearInVelocity, Potential, VelocityIndependent};
 use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
-use crate::system::WithoutVelocities;
-use crate::system::{Course, Frequency, Stiffness};
+use crate::system::{Course, Frequency, LinearVelocities, Stiffness, WithoutVelocities};
 use crate::vector::{add_scaled, dot, scaled};
 
 /// A law that acts along links.
@@ -39,6 +38,7 @@ pub struct LinkedReady<X: Reads<P>, T, P> {
 }
 
 impl<X: Reads<P> + VelocityIndependent, T, P> WithoutVelocities for LinkedReady<X, T, P> {}
+impl<X: Reads<P> + LinearInVelocity, T, P> LinearVelocities for LinkedReady<X, T, P> {}
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
     type Ready = LinkedReady<X, T, P>;

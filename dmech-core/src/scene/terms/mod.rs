@@ -83,6 +83,9 @@ pub trait Acts<const D: usize> {
     fn kick(&self, _q: &Vectors<D>, _t: f64, _kick: Kicked<'_, D>) {}
     /// −c F(q, v).
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+    /// ∂F/∂v of each body by its own velocity. Asked for only where every force is linear in it; a law between bodies then
+    /// has none that depends on a velocity.
+    fn add_force_dv(&self, _q: &Vectors<D>, _t: f64, _out: &mut [[[f64; D]; D]]) {}
     /// ∇̄Φ(a, b).
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>);
     /// The same, in place of what is there.

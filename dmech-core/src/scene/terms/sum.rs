@@ -10,8 +10,7 @@ use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
-use crate::system::Frequency;
-use crate::system::WithoutVelocities;
+use crate::system::{Frequency, LinearVelocities, WithoutVelocities};
 
 /// Nothing acts.
 impl<const D: usize, P> Term<D, P> for () {
@@ -82,6 +81,8 @@ impl<const D: usize, P, A: Term<D, P>, B: Term<D, P>> Term<D, P> for (A, B) {
 
 impl<A: WithoutVelocities, B: WithoutVelocities> WithoutVelocities for (A, B) {}
 impl WithoutVelocities for () {}
+impl<A: LinearVelocities, B: LinearVelocities> LinearVelocities for (A, B) {}
+impl LinearVelocities for () {}
 
 impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     const NOTHING: bool = A::NOTHING && B::NOTHING;
@@ -115,6 +116,10 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.subtract_force(c, q, v, t, out);
         self.1.subtract_force(c, q, v, t, out);
+    }
+    fn add_force_dv(&self, q: &Vectors<D>, t: f64, out: &mut [[[f64; D]; D]]) {
+        self.0.add_force_dv(q, t, out);
+        self.1.add_force_dv(q, t, out);
     }
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.add_discrete_gradient(a, b, t, out);

@@ -3,7 +3,7 @@
 use crate::scheme::composed::Coefficients;
 use crate::scheme::force_gradient::coefficients::ForceGradientCoefficients;
 use crate::scheme::nystrom::coefficients::NystromCoefficients;
-use crate::scheme::{Composed, DiscreteGradient, ForceGradient, Implicit, Leapfrog, Method, Nystrom};
+use crate::scheme::{Boris, Composed, DiscreteGradient, ForceGradient, Implicit, Leapfrog, Method, Nystrom};
 
 /// A scheme whose steps may differ: [`Simulation::adaptive`](crate::Simulation::adaptive) takes it.
 ///
@@ -13,7 +13,7 @@ use crate::scheme::{Composed, DiscreteGradient, ForceGradient, Implicit, Leapfro
     message = "`.adaptive(tolerance)` makes steps that differ, and `{Self}` cannot take such",
     label = "cannot follow the time scale of the motion",
     note = "`Leapfrog` and `Kanatani` join positions at equal distances in time, and `Explicit` is not symmetric",
-    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, a composition of these or of `Leapfrog`, a `Nystrom` or a `ForceGradient` scheme; or give the step with `.dt(h)`"
+    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, `Boris`, a composition of these or of `Leapfrog`, a `Nystrom` or a `ForceGradient` scheme; or give the step with `.dt(h)`"
 )]
 pub trait Adaptable: Method {
     /// ε, the angle in radians by which the linearised motion turns in a step, for a tolerance.
@@ -23,6 +23,12 @@ pub trait Adaptable: Method {
 }
 
 impl Adaptable for DiscreteGradient {
+    fn angle(&self, tolerance: f64) -> f64 {
+        angle::<Self>(tolerance, 1.0)
+    }
+}
+
+impl Adaptable for Boris {
     fn angle(&self, tolerance: f64) -> f64 {
         angle::<Self>(tolerance, 1.0)
     }
@@ -47,6 +53,12 @@ impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Implicit, C, N> 
 }
 
 impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Leapfrog, C, N> {
+    fn angle(&self, tolerance: f64) -> f64 {
+        angle::<Self>(tolerance, longest(C::GAMMA))
+    }
+}
+
+impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Boris, C, N> {
     fn angle(&self, tolerance: f64) -> f64 {
         angle::<Self>(tolerance, longest(C::GAMMA))
     }

@@ -1,6 +1,6 @@
 //! Compositions: schemes of order 4, 6 and 8 from symmetric schemes of order 2.
 
-mod leapfrog;
+mod halves;
 mod predictor;
 mod stages;
 mod steps;
@@ -18,7 +18,7 @@ use dmech_scalar::Real;
 
 use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4S7};
 use super::splitting::digits;
-use super::{DiscreteGradient, Implicit, Leapfrog, Method};
+use super::{Boris, DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
 
@@ -31,12 +31,13 @@ use crate::name::Name;
 /// | of | order | energy | angular momentum | symplectic | reversible | per step |
 /// |---|---|---|---|---|---|---|
 /// | [`Leapfrog`] | 4, 6, 8 | bounded, O(h^order) | exact | yes | yes | N forces |
+/// | [`Boris`] | 4, 6, 8 | exact in a magnetic field, else bounded, O(h^order) | exact (central laws) | no | yes | N forces |
 /// | [`DiscreteGradient`](struct@DiscreteGradient) | 4, 6, 8 | exact | exact (central laws) | no | yes | N nonlinear solves |
 /// | [`Implicit`](struct@Implicit) | 4, 6, 8 | bounded, O(h^order), where the motion is reversible | bounded | no | yes | N nonlinear solves |
 ///
 /// Every stage is a step of the scheme itself, from t + c_{k−1} h to t + c_k h with c_k = γ₁ + … + γ_k, so a composition of
 /// energy-exact steps is energy-exact. Between stages of leap-frog the two half kicks are one, and the last of a step is
-/// one with the first of the next: the force is taken once per stage.
+/// one with the first of the next: the force is taken once per stage. Between stages of Boris's scheme the half drifts are.
 ///
 /// [`order4`](Composed::order4), [`order6`](Composed::order6) and [`order8`](Composed::order8) take the sets of stages
 /// that were measured to be the best; [`new`](Composed::new) takes any of [`coefficients`].
@@ -85,12 +86,13 @@ pub struct Composed<S, C, const STAGES: usize> {
     message = "`{Self}` cannot be composed to a higher order",
     label = "not a symmetric one-step scheme",
     note = "`Kanatani` is a two-step scheme: its step needs the position before, at the same distance in time",
-    note = "`Explicit` is not symmetric; compose `Leapfrog`, `Implicit` or `DiscreteGradient`",
+    note = "`Explicit` is not symmetric; compose `Leapfrog`, `Boris`, `Implicit` or `DiscreteGradient`",
     note = "a scheme of your own stands in `Steps`: `Composed::order4(Steps(scheme))`"
 )]
 pub trait Composable: Method {}
 
 impl Composable for Leapfrog {}
+impl Composable for Boris {}
 impl Composable for Implicit {}
 impl Composable for DiscreteGradient {}
 

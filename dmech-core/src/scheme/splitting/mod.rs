@@ -2,7 +2,8 @@
 //! common.
 //!
 //! A step is the composition of motions with constant velocity, q += a_k h v, and of kicks at a fixed position,
-//! v += b_k h a(q), to which force-gradient schemes add e_k h³ a′(q) a(q). It reads the same from either end, so that it is
+//! v += b_k h a(q), to which force-gradient schemes add e_k h³ a′(q) a(q), or in which Boris's scheme has the force at the mean
+//! velocity. It reads the same from either end, so that it is
 //! symmetric. One that begins with a kick ends with it, and that kick is joined to the first of the next step.
 
 mod step;
@@ -28,6 +29,8 @@ pub enum First {
 /// A scheme of N drifts and N kicks in a step.
 pub(crate) trait Splitting<const N: usize>: Method {
     const FIRST: First;
+    /// Kicks take the force at the mean of the velocities before and after, which may be linear in it.
+    const BY_MEAN: bool = false;
     const DRIFTS: [f64; N];
     const KICKS: [f64; N];
     const GRADIENTS: [f64; N];

@@ -6,7 +6,10 @@ use super::{First, Splitting, digits};
 use crate::newton::NotConverged;
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::memory::memory;
-use crate::scheme::{Coefficients, Composed, Effort, ForceGradient, Leapfrog, Nystrom, Scheme, WithoutVelocities};
+use crate::scheme::{
+    Boris, Coefficients, Composed, Effort, ForceGradient, Leapfrog, LinearVelocities, Nystrom, Scheme,
+    WithoutVelocities,
+};
 use crate::system::{Kick, Start, System};
 
 memory! {
@@ -60,7 +63,7 @@ fn drift<S: Splitting<N>, const N: usize, R: Real>(k: usize, h: R) -> R {
 impl<Y: System> SplittingMemory<Y> {
     /// The kick, then a drift in the time a, and the work of the kick.
     #[inline(always)]
-    fn kick_and_drift(
+    fn kick_and_drift<S: Splitting<N>, const N: usize>(
         &mut self,
         (system, room, stride): (&Y, &mut Y::Room, &Y::Stride),
         kick: Kick<Y::Scalar>,
@@ -68,7 +71,11 @@ impl<Y: System> SplittingMemory<Y> {
     ) {
         let SplittingMemory { q, v_before, v_after, work, .. } = self;
         core::mem::swap(v_before, v_after);
-        system.kick_and_drift(room, stride, kick, a, q, v_before, v_after, work);
+        if S::BY_MEAN {
+            system.kick_by_mean_and_drift(room, stride, kick, a, q, v_before, v_after, work);
+        } else {
+            system.kick_and_drift(room, stride, kick, a, q, v_before, v_after, work);
+        }
     }
 
     /// The mean of the velocities around the last kick: half of it belongs to the step that ends.
@@ -79,8 +86,8 @@ impl<Y: System> SplittingMemory<Y> {
 }
 
 macro_rules! stepped_by_drifts_and_kicks {
-    ($($scheme:ty, $n:tt, <$($coefficients:ident: $bound:path, const $m:ident: usize)?>;)*) => {$(
-        impl<$($coefficients: $bound, const $m: usize,)? Y: System + WithoutVelocities> Scheme<Y> for $scheme {
+    ($($scheme:ty, $n:tt, $forces:ident, <$($coefficients:ident: $bound:path, const $m:ident: usize)?>;)*) => {$(
+        impl<$($coefficients: $bound, const $m: usize,)? Y: System + $forces> Scheme<Y> for $scheme {
             type Memory = SplittingMemory<Y>;
             type Workspace = Y::Room;
 
@@ -129,11 +136,11 @@ macro_rules! stepped_by_drifts_and_kicks {
                 Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
                 for k in 1..<Self as Splitting<{ $n }>>::DRIFTS.len() {
                     let a = drift::<Self, { $n }, _>(k, h);
-                    memory.kick_and_drift((system, room, stride), kick::<Self, { $n }, _>(k - 1, h, t), a);
+                    memory.kick_and_drift::<Self, { $n }>((system, room, stride), kick::<Self, { $n }, _>(k - 1, h, t), a);
                 }
                 let last = kick::<Self, { $n }, _>($n - 1, h, t);
                 if matches!(Self::FIRST, First::Drift) {
-                    memory.kick_and_drift((system, room, stride), last, drift::<Self, { $n }, _>(0, h));
+                    memory.kick_and_drift::<Self, { $n }>((system, room, stride), last, drift::<Self, { $n }, _>(0, h));
                     memory.v_before.clone_from(&memory.v_after);
                 } else {
                     // Its work belongs to the step to come.
@@ -202,8 +209,10 @@ macro_rules! stepped_by_drifts_and_kicks {
 }
 
 stepped_by_drifts_and_kicks! {
-    Leapfrog, 1, <>;
-    Composed<Leapfrog, C, N>, N, <C: Coefficients<N>, const N: usize>;
-    Nystrom<C, N>, N, <C: NystromCoefficients<N>, const N: usize>;
-    ForceGradient<C, N>, N, <C: ForceGradientCoefficients<N>, const N: usize>;
+    Leapfrog, 1, WithoutVelocities, <>;
+    Composed<Leapfrog, C, N>, N, WithoutVelocities, <C: Coefficients<N>, const N: usize>;
+    Boris, 1, LinearVelocities, <>;
+    Composed<Boris, C, N>, N, LinearVelocities, <C: Coefficients<N>, const N: usize>;
+    Nystrom<C, N>, N, WithoutVelocities, <C: NystromCoefficients<N>, const N: usize>;
+    ForceGradient<C, N>, N, WithoutVelocities, <C: ForceGradientCoefficients<N>, const N: usize>;
 }

@@ -16,11 +16,14 @@ pub use stride::Stride;
 use dmech_scalar::{CompensatedVector, Mask, Real};
 
 use self::range::lost_force;
-use super::{Course, Effort, Frequency, Kick, Look, Start, Step, Stiffness, System, TimeScale, WithoutVelocities};
+use super::{
+    Course, Effort, Frequency, Kick, LinearVelocities, Look, Start, Step, Stiffness, System, TimeScale,
+    WithoutVelocities,
+};
 use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::written::{Place, agree};
-use crate::law::{Field, Law, Potential, VelocityIndependent};
+use crate::law::{Field, Law, LinearInVelocity, Potential, VelocityIndependent};
 use crate::newton::NotConverged;
 use crate::state::State;
 use crate::vector::{add_scaled, difference, dot, finite, scaled, sum, weighted};
@@ -83,6 +86,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
 }
 
 impl<L: VelocityIndependent, const D: usize, R> WithoutVelocities for Particle<L, D, R> {}
+impl<L: LinearInVelocity, const D: usize, R> LinearVelocities for Particle<L, D, R> {}
 
 impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     type Scalar = R;
@@ -200,6 +204,22 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         work: &mut R,
     ) {
         self.kick(room, stride, kick, q, v, to);
+        self.add_work(work, v, to);
+        *q = add_scaled(*q, a, *to);
+    }
+    #[inline(always)]
+    fn kick_by_mean_and_drift(
+        &self,
+        _: &mut (),
+        stride: &Stride<R>,
+        kick: Kick<R>,
+        a: R,
+        q: &mut [R; D],
+        v: &[R; D],
+        to: &mut [R; D],
+        work: &mut R,
+    ) {
+        *to = self.field(kick.t).kick_by_mean(kick.b * stride.kick, *q, *v);
         self.add_work(work, v, to);
         *q = add_scaled(*q, a, *to);
     }

@@ -143,7 +143,7 @@ pub use crate::scheme::{
 pub use crate::setup::Setup;
 pub use crate::simulation::NoScheme;
 pub use crate::span::steps_until;
-pub use crate::system::{Ahead, Kick, Particle, Start as Beginning, Step, Stride, System, TimeScale};
+pub use crate::system::{Ahead, Beginning, Kick, Particle, Step, Stride, System, TimeScale};
 pub use crate::vector;
 #[cfg(feature = "scene")]
 pub use dmech_scalar::Lanes;

@@ -7,7 +7,7 @@ use crate::law::Law;
 use crate::newton::NotConverged;
 use crate::scheme::Scheme;
 use crate::span::steps_from;
-use crate::system::{Effort, Particle, Start, System};
+use crate::system::{Beginning, Effort, Particle, System};
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
 ///
@@ -70,7 +70,7 @@ fn begun<Y: System, S: Scheme<Y>>(
     let mut slope = system.zero();
     system.prepare(start, &mut slope)?;
     let ([q, v], t) = (system.vectors(start), Y::time(start));
-    let first = Start { t: Y::Scalar::from_f64(t), q: &q, v: &v, slope: &slope };
+    let first = Beginning { t: Y::Scalar::from_f64(t), q: &q, v: &v, slope: &slope };
     let memory = scheme.begin(system, stride, &first, workspace);
     // A start that solves an equation makes a step backward.
     let memory = memory.map_err(|cause| system.unsolved(0, [&q, &v], t, -Y::dt(stride).to_f64(), cause))?;
@@ -257,7 +257,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         let ([q, v], now) = (system.vectors(from), Y::Scalar::from_f64(start));
         let mut slope = system.zero();
         system.slope(now, &q, &v, &mut slope);
-        let from = Start { t: now, q: &q, v: &v, slope: &slope };
+        let from = Beginning { t: now, q: &q, v: &v, slope: &slope };
         let ([q, v], mut effort) = match self.scheme.within(system, Y::Scalar::from_f64(t - start), &from) {
             Ok(step) => step,
             Err(cause) => return Err(system.unsolved(self.steps(), [&q, &v], start, t - start, cause)),

@@ -55,14 +55,14 @@ pub(super) fn items(
         let absent = (model.invariants.len()..MAX_INVARIANTS).map(|_| quote!(0.0));
         let values = values.chain(absent);
         quote! {
-            fn invariants(&#receiver, #place: &#runtime::written::Place<#dimension>) -> #runtime::written::Kept {
+            fn invariants(&#receiver, #place: &#runtime::written::Probe<#dimension>) -> #runtime::written::Kept {
                 [#(#values),*]
             }
         }
     });
     let see = underscored(&see, !fields.is_empty());
     quote! {
-        fn own(&#receiver, #place: &#runtime::written::Place<#dimension>, #(#bodies),*)
+        fn own(&#receiver, #place: &#runtime::written::Probe<#dimension>, #(#bodies),*)
             -> #runtime::written::Values<#dimension>
         {
             #runtime::written::Values { potential: #potential, force: #force }

@@ -6,7 +6,7 @@ use super::memory::memory;
 use super::{Effort, Method, Scheme, WithoutVelocities};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Start, System};
+use crate::system::{Beginning, System};
 
 /// [`Leapfrog`](crate::Leapfrog) with compensated sums: for runs so long, or steps so short, that rounding matters more
 /// than the step.
@@ -100,7 +100,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for CompensatedLeapfrog {
         &self,
         system: &Y,
         stride: &Y::Stride,
-        start: &Start<'_, Y>,
+        start: &Beginning<'_, Y>,
         _: &mut Y::Vector,
     ) -> Result<Self::Memory, NotConverged> {
         let (mut v_after, mut change) = (Y::sum(start.v), system.zero());

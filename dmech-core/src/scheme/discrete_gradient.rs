@@ -4,7 +4,7 @@ use super::memory::memory;
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, Start, Step, System};
+use crate::system::{Ahead, Beginning, Step, System};
 
 /// The energy-exact step (LaBudde–Greenspan): mean velocity, and the force as a discrete gradient.
 ///
@@ -101,7 +101,7 @@ impl<Y: System> Scheme<Y> for DiscreteGradient {
         &self,
         _: &Y,
         _: &Y::Stride,
-        start: &Start<'_, Y>,
+        start: &Beginning<'_, Y>,
         _: &mut Y::Solver,
     ) -> Result<Self::Memory, NotConverged> {
         let slopes = core::array::from_fn(|_| start.slope.clone());

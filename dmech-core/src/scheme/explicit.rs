@@ -6,7 +6,7 @@ use super::memory::memory;
 use super::{Effort, Method, Scheme};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Kick, Start, System};
+use crate::system::{Beginning, Kick, System};
 
 /// The explicit formulas of the first discrete mechanics (Greenspan (1.1)–(1.3); LaBudde–Greenspan (2.7)).
 ///
@@ -64,7 +64,13 @@ impl<Y: System> Scheme<Y> for Explicit {
         system.room()
     }
 
-    fn begin(&self, _: &Y, _: &Y::Stride, start: &Start<'_, Y>, _: &mut Y::Room) -> Result<Self::Memory, NotConverged> {
+    fn begin(
+        &self,
+        _: &Y,
+        _: &Y::Stride,
+        start: &Beginning<'_, Y>,
+        _: &mut Y::Room,
+    ) -> Result<Self::Memory, NotConverged> {
         Ok(ExplicitMemory { q: start.q.clone(), v: start.v.clone(), v_before: start.v.clone() })
     }
 

@@ -6,7 +6,7 @@ use super::memory::memory;
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, Start, Step, System};
+use crate::system::{Ahead, Beginning, Step, System};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
@@ -91,7 +91,7 @@ impl<Y: System> Scheme<Y> for Implicit {
         &self,
         _: &Y,
         _: &Y::Stride,
-        start: &Start<'_, Y>,
+        start: &Beginning<'_, Y>,
         _: &mut Y::Solver,
     ) -> Result<Self::Memory, NotConverged> {
         let slopes = core::array::from_fn(|_| start.slope.clone());

@@ -4,7 +4,7 @@ use super::{Effort, Method, Scheme};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::simulation::NoScheme;
-use crate::system::{Start, System};
+use crate::system::{Beginning, System};
 
 /// A scheme was chosen for what acts. Nothing implements it: it has the words for [`NoScheme`], and stands on what acts
 /// because the compiler would not say them of the scheme itself.
@@ -36,7 +36,7 @@ impl<Y: System + WithScheme> Scheme<Y> for NoScheme {
 
     fn workspace(&self, _: &Y, _: &Y::Stride) {}
 
-    fn begin(&self, _: &Y, _: &Y::Stride, _: &Start<'_, Y>, (): &mut ()) -> Result<NeverBegun, NotConverged> {
+    fn begin(&self, _: &Y, _: &Y::Stride, _: &Beginning<'_, Y>, (): &mut ()) -> Result<NeverBegun, NotConverged> {
         Err(NotConverged { iterations: 0, residual: f64::NAN })
     }
 

@@ -34,8 +34,8 @@ pub use splitting::{First, SplittingMemory};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
+use crate::system::{Beginning, System};
 pub use crate::system::{Effort, Guess, LinearVelocities, Newton, WithoutVelocities};
-use crate::system::{Start as Beginning, System};
 
 /// What a scheme promises, whatever the law.
 pub trait Method: Copy + core::fmt::Debug {

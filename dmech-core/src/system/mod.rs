@@ -158,7 +158,7 @@ pub trait System: Sized {
         room: &mut Self::Room,
         stride: &Self::Stride,
         kick: Kick<Self::Scalar>,
-        start: &Start<'_, Self>,
+        start: &Beginning<'_, Self>,
     ) -> [Self::Vector; 2];
     /// q += h v, with what both have in their low parts.
     fn drift_sum(stride: &Self::Stride, q: &mut Self::Sum, v: &Self::Sum);
@@ -313,7 +313,7 @@ pub struct Kick<R> {
 
 /// The state that a scheme starts from.
 #[derive(Debug)]
-pub struct Start<'a, Y: System> {
+pub struct Beginning<'a, Y: System> {
     /// Time.
     pub t: Y::Scalar,
     /// Position.

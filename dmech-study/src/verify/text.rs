@@ -4,7 +4,7 @@ use super::Subject;
 use super::points::around;
 use super::report::Check;
 use dmech_core::Law;
-use dmech_core::written::{Agreement, Place, agreement};
+use dmech_core::written::{Agreement, Probe, agreement};
 
 /// At the start and the points around it where the potential is finite.
 pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: &mut Vec<Check>) {
@@ -15,7 +15,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
         return;
     };
     let points = around(&law.field(*mass, start.t), start.q, scales.length);
-    let places = points.iter().map(|&q| Place { q, v: [start.v; 2], m: [*mass; 2], t: start.t });
+    let places = points.iter().map(|&q| Probe { q, v: [start.v; 2], m: [*mass; 2], t: start.t });
     let (mut worst, mut compared) = (0.0_f64, 0);
     for place in places {
         match agreement(written, &place) {

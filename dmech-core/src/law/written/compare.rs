@@ -10,7 +10,7 @@ use crate::invariant::MAX_OWN;
 
 /// Where a law is looked at; of a law between two bodies `q` is d = q_a − q_b, and there are two velocities and masses.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<const D: usize> {
+pub struct Probe<const D: usize> {
     /// The position, or the separation.
     pub q: [f64; D],
     /// The velocities.
@@ -40,7 +40,7 @@ pub enum Agreement {
 ///
 /// # Errors
 /// The first [`Disagreement`].
-pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Place<D>, closely: bool) -> Result<(), Disagreement> {
+pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Probe<D>, closely: bool) -> Result<(), Disagreement> {
     const PLACES: usize = 8;
     let (mut compared, mut one_sided) = (false, None);
     for place in core::iter::once(*start).chain((1..=PLACES).map(|k| start.displaced(k))) {
@@ -68,7 +68,7 @@ pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Place<D>, clos
 /// a rounding: that knows what cancels in it, and how steep it is. Normal forms may have lost a cancellation that the method
 /// still has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only
 /// where the first bound does not do.
-pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agreement {
+pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agreement {
     let (own, derived) = (own(law, place), All { acting: law.derived(place), kept: law.derived_invariants(place) });
     let names = law.names();
     let mut tracked = None;
@@ -123,7 +123,7 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> Agre
 }
 
 /// What the author's method gives. One that panics, as `clamp` does between ends in the wrong order, gives no number.
-fn own<const D: usize>(law: &dyn Written<D>, place: &Place<D>) -> All<D> {
+fn own<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> All<D> {
     let acting = catch_unwind(AssertUnwindSafe(|| law.own(place)));
     let kept = catch_unwind(AssertUnwindSafe(|| law.own_invariants(place)));
     All {
@@ -155,7 +155,7 @@ impl<const D: usize, R: Copy> All<D, R> {
 ///
 /// # Reference
 /// J. J. Moré and S. M. Wild, "Estimating computational noise", SIAM J. Sci. Comput. 33 (2011) 1292–1314.
-fn noise<const D: usize>(law: &dyn Written<D>, place: &Place<D>, i: usize) -> f64 {
+fn noise<const D: usize>(law: &dyn Written<D>, place: &Probe<D>, i: usize) -> f64 {
     const BINOMIALS: [f64; 7] = [1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0];
     const GROWTH: f64 = 30.397_368_307_141_33;
     let at = |n: usize| {
@@ -176,7 +176,7 @@ fn fraction(i: usize) -> f64 {
     ((i + 7) * 389 % 1009) as f64 / 1009.0
 }
 
-impl<const D: usize> Place<D> {
+impl<const D: usize> Probe<D> {
     /// The k-th place around this one, off by up to a quarter of the sizes here.
     fn displaced(&self, k: usize) -> Self {
         self.moved(0.5, |i| fraction(i + 37 * k) - 0.47)
@@ -185,7 +185,7 @@ impl<const D: usize> Place<D> {
     /// Every number moved by a part of the largest of its kind, or of 1 where all are 0, times a weight of its own.
     fn moved(&self, part: f64, weight: impl Fn(usize) -> f64) -> Self {
         let mut place = *self;
-        let Place { q, v: [va, vb], m: [ma, mb], t } = &mut place;
+        let Probe { q, v: [va, vb], m: [ma, mb], t } = &mut place;
         let mut count = 0;
         for numbers in
             [q.as_mut_slice(), va, vb, core::slice::from_mut(ma), core::slice::from_mut(mb), core::slice::from_mut(t)]

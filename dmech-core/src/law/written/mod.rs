@@ -9,7 +9,7 @@ mod compare;
 mod pair;
 mod tracked;
 
-pub use compare::Place;
+pub use compare::Probe;
 pub use pair::{PairAuthor, WrittenPair};
 pub use tracked::Tracked;
 
@@ -43,10 +43,10 @@ pub type Kept<R = f64> = [R; MAX_OWN];
 /// What the macro says of the author's own methods.
 pub trait Author<const D: usize>: Law<D> + Law<D, Tracked> {
     /// What the methods give.
-    fn own(&self, place: &Place<D>) -> Values<D>;
+    fn own(&self, place: &Probe<D>) -> Values<D>;
 
     /// What the methods give that are marked `#[invariant]`.
-    fn invariants(&self, _place: &Place<D>) -> Kept {
+    fn invariants(&self, _place: &Probe<D>) -> Kept {
         [0.0; MAX_OWN]
     }
 
@@ -57,25 +57,25 @@ pub trait Author<const D: usize>: Law<D> + Law<D, Tracked> {
 /// An [`Author`], whatever the law: in `f64` and as it is stepped.
 pub trait Written<const D: usize> {
     /// What the author's methods give.
-    fn own(&self, place: &Place<D>) -> Values<D>;
+    fn own(&self, place: &Probe<D>) -> Values<D>;
     /// What was derived from their text.
-    fn derived(&self, place: &Place<D>) -> Values<D>;
+    fn derived(&self, place: &Probe<D>) -> Values<D>;
     /// The same with what rounding may do to it.
-    fn tracked(&self, place: &Place<D>) -> Values<D, Tracked>;
+    fn tracked(&self, place: &Probe<D>) -> Values<D, Tracked>;
     /// The names of the law's own invariants.
     fn names(&self) -> &'static [&'static str] {
         &[]
     }
     /// What the author's methods give of them.
-    fn own_invariants(&self, _place: &Place<D>) -> Kept {
+    fn own_invariants(&self, _place: &Probe<D>) -> Kept {
         [0.0; MAX_OWN]
     }
     /// What was derived from their text.
-    fn derived_invariants(&self, _place: &Place<D>) -> Kept {
+    fn derived_invariants(&self, _place: &Probe<D>) -> Kept {
         [0.0; MAX_OWN]
     }
     /// The same with what rounding may do to it.
-    fn tracked_invariants(&self, _place: &Place<D>) -> Kept<Tracked> {
+    fn tracked_invariants(&self, _place: &Probe<D>) -> Kept<Tracked> {
         [Tracked::ZERO; MAX_OWN]
     }
     /// Every number that they read of the law, by its name.
@@ -83,15 +83,15 @@ pub trait Written<const D: usize> {
 }
 
 impl<L: Author<D>, const D: usize> Written<D> for L {
-    fn own(&self, place: &Place<D>) -> Values<D> {
+    fn own(&self, place: &Probe<D>) -> Values<D> {
         Author::own(self, place)
     }
 
-    fn derived(&self, place: &Place<D>) -> Values<D> {
+    fn derived(&self, place: &Probe<D>) -> Values<D> {
         acting::<L, D, f64>(self, place)
     }
 
-    fn tracked(&self, place: &Place<D>) -> Values<D, Tracked> {
+    fn tracked(&self, place: &Probe<D>) -> Values<D, Tracked> {
         acting::<L, D, Tracked>(self, place)
     }
 
@@ -99,15 +99,15 @@ impl<L: Author<D>, const D: usize> Written<D> for L {
         <L as Law<D>>::INVARIANTS
     }
 
-    fn own_invariants(&self, place: &Place<D>) -> Kept {
+    fn own_invariants(&self, place: &Probe<D>) -> Kept {
         Author::invariants(self, place)
     }
 
-    fn derived_invariants(&self, place: &Place<D>) -> Kept {
+    fn derived_invariants(&self, place: &Probe<D>) -> Kept {
         kept::<L, D, f64>(self, place)
     }
 
-    fn tracked_invariants(&self, place: &Place<D>) -> Kept<Tracked> {
+    fn tracked_invariants(&self, place: &Probe<D>) -> Kept<Tracked> {
         kept::<L, D, Tracked>(self, place)
     }
 
@@ -116,13 +116,13 @@ impl<L: Author<D>, const D: usize> Written<D> for L {
     }
 }
 
-fn acting<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Place<D>) -> Values<D, R> {
+fn acting<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> Values<D, R> {
     let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
     let field = law.field(R::from_f64(place.m[0]), t);
     Values { potential: field.potential(q), force: field.force(q, v, t) }
 }
 
-fn kept<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Place<D>) -> Kept<R> {
+fn kept<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> Kept<R> {
     let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
     core::array::from_fn(|k| if k < L::INVARIANTS.len() { law.invariant(k, q, v, t) } else { R::ZERO })
 }

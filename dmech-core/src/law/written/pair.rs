@@ -4,14 +4,14 @@ use dmech_scalar::Real;
 
 #[cfg(feature = "scene")]
 use super::Written;
-use super::{Place, Tracked, Values};
+use super::{Probe, Tracked, Values};
 use crate::law::Potential;
 use crate::law::{Between as Acting, Numbers, PairLaw, Reads};
 
 /// What the macro says of the author's own methods: `q` of the place is d, `v` is v_a and v_b, `m` is m_a and m_b.
 pub trait PairAuthor<const D: usize, P>: PairLaw<D, P> + PairLaw<D, P, Tracked> {
     /// What the methods give for bodies with this data.
-    fn own(&self, place: &Place<D>, a: &P, b: &P) -> Values<D>;
+    fn own(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D>;
 
     /// Every number that they read of the law, by its name.
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
@@ -20,25 +20,25 @@ pub trait PairAuthor<const D: usize, P>: PairLaw<D, P> + PairLaw<D, P, Tracked> 
 /// A [`PairAuthor`], whatever the law.
 pub trait WrittenPair<const D: usize, P> {
     /// What the author's methods give.
-    fn own(&self, place: &Place<D>, a: &P, b: &P) -> Values<D>;
+    fn own(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D>;
     /// What was derived from their text.
-    fn derived(&self, place: &Place<D>, a: &P, b: &P) -> Values<D>;
+    fn derived(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D>;
     /// The same with what rounding may do to it.
-    fn tracked(&self, place: &Place<D>, a: &P, b: &P) -> Values<D, Tracked>;
+    fn tracked(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D, Tracked>;
     /// Every number that they read of the law, by its name.
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
 }
 
 impl<L: PairAuthor<D, P>, const D: usize, P> WrittenPair<D, P> for L {
-    fn own(&self, place: &Place<D>, a: &P, b: &P) -> Values<D> {
+    fn own(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D> {
         PairAuthor::own(self, place, a, b)
     }
 
-    fn derived(&self, place: &Place<D>, a: &P, b: &P) -> Values<D> {
+    fn derived(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D> {
         acting::<L, D, P, f64>(self, place, a, b)
     }
 
-    fn tracked(&self, place: &Place<D>, a: &P, b: &P) -> Values<D, Tracked> {
+    fn tracked(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D, Tracked> {
         acting::<L, D, P, Tracked>(self, place, a, b)
     }
 
@@ -47,7 +47,7 @@ impl<L: PairAuthor<D, P>, const D: usize, P> WrittenPair<D, P> for L {
     }
 }
 
-fn acting<L: PairLaw<D, P, R>, const D: usize, P, R: Real>(law: &L, place: &Place<D>, a: &P, b: &P) -> Values<D, R> {
+fn acting<L: PairLaw<D, P, R>, const D: usize, P, R: Real>(law: &L, place: &Probe<D>, a: &P, b: &P) -> Values<D, R> {
     let numbers = |mass: f64, data: &P| {
         let numbers = Reads::numbers(law, mass, data);
         <L::Numbers as Numbers>::gather(|k| R::from_f64(numbers.as_slice()[k]))
@@ -68,15 +68,15 @@ pub(crate) struct Between<'a, const D: usize, P> {
 
 #[cfg(feature = "scene")]
 impl<const D: usize, P> Written<D> for Between<'_, D, P> {
-    fn own(&self, place: &Place<D>) -> Values<D> {
+    fn own(&self, place: &Probe<D>) -> Values<D> {
         self.law.own(place, self.a, self.b)
     }
 
-    fn derived(&self, place: &Place<D>) -> Values<D> {
+    fn derived(&self, place: &Probe<D>) -> Values<D> {
         self.law.derived(place, self.a, self.b)
     }
 
-    fn tracked(&self, place: &Place<D>) -> Values<D, Tracked> {
+    fn tracked(&self, place: &Probe<D>) -> Values<D, Tracked> {
         self.law.tracked(place, self.a, self.b)
     }
 }

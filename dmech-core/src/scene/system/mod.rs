@@ -20,7 +20,7 @@ use crate::newton::NotConverged;
 use crate::setup::Setup;
 use crate::span::moves_on;
 use crate::system::{
-    Effort, Kick, LinearVelocities, Look, PARTS, Start, Step, System, TimeScale, WithoutVelocities, not_converged,
+    Beginning, Effort, Kick, LinearVelocities, Look, PARTS, Step, System, TimeScale, WithoutVelocities, not_converged,
 };
 
 /// The bodies of a scene and the terms `A` that act on them.
@@ -323,7 +323,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         room: &mut SceneRoom<D>,
         stride: &SceneStride<D>,
         kick: Kick<f64>,
-        start: &Start<'_, Self>,
+        start: &Beginning<'_, Self>,
     ) -> [Vectors<D>; 2] {
         room.slope.clone_from(start.slope);
         let b = self.length(room, stride, kick, start.q);

@@ -37,7 +37,7 @@ impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
     /// Compares the law with its author's methods on every body, and around the first.
     fn prepare(self, bodies: &Bodies<D, P>) -> Result<EachReady<X>, Error> {
         if let Some(written) = self.law.written() {
-            let place = |i: usize| written::Place {
+            let place = |i: usize| written::Probe {
                 q: bodies.q[i],
                 v: [bodies.v[i]; 2],
                 m: [bodies.masses[i]; 2],

@@ -10,7 +10,7 @@ use super::stencil::Stencil;
 use super::sweep::{self, Kicked};
 use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error};
-use crate::law::written::{self, Place, agree};
+use crate::law::written::{self, Probe, agree};
 use crate::law::{Between, LinkLaw, PairLaw, Reads};
 use crate::law::{LinearInVelocity, Potential, VelocityIndependent};
 use crate::scene::bodies::Bodies;
@@ -52,7 +52,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> 
         if let Some(law) = PairLaw::<D, P, f64>::written(&self.law) {
             for (i, (a, b)) in self.links.sample(masses.len()).take(LINKS).enumerate() {
                 let d = core::array::from_fn(|k| q[a][k] - q[b][k]);
-                let place = Place { q: d, v: [v[a], v[b]], m: [masses[a], masses[b]], t: *t };
+                let place = Probe { q: d, v: [v[a], v[b]], m: [masses[a], masses[b]], t: *t };
                 let agreed = agree(&written::Between { law, a: &data[a], b: &data[b] }, &place, i == 0);
                 agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Link(a, b))))?;
             }

@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
 use crate::newton::NotConverged;
-use crate::system::{EVALUATIONS, Look, Start, System, TimeScale};
+use crate::system::{Beginning, EVALUATIONS, Look, System, TimeScale};
 
 /// Steps as long as the motion allows, short at a pericentre and long at an apocentre, by a rule that runs backward as it
 /// runs forward; [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
@@ -113,7 +113,7 @@ const ROW: f64 = 0.125;
 const MIDDLE: [f64; 2] = [0.25, 4.0];
 
 impl<S: Adaptable> Adaptive<S> {
-    const JOINED: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
+    const TITLE: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
 
     /// Steps of a scheme to a tolerance; [`Method::until`] says where they end.
     pub fn new(scheme: S, tolerance: f64) -> Self {
@@ -147,7 +147,7 @@ impl<S: Adaptable> Adaptive<S> {
 }
 
 impl<S: Adaptable> Method for Adaptive<S> {
-    const NAME: &'static str = Self::JOINED.text();
+    const NAME: &'static str = Self::TITLE.text();
     const ORDER: u32 = S::ORDER;
     const SYMMETRIC: bool = true;
 
@@ -203,7 +203,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         &self,
         system: &Y,
         stride: &Y::Stride,
-        start: &Start<'_, Y>,
+        start: &Beginning<'_, Y>,
         workspace: &mut Self::Workspace,
     ) -> Result<Self::Memory, NotConverged> {
         let longest = Y::dt(stride);
@@ -262,7 +262,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         Ok(effort)
     }
 
-    fn within(&self, system: &Y, dt: f64, from: &Start<'_, Y>) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+    fn within(&self, system: &Y, dt: f64, from: &Beginning<'_, Y>) -> Result<([Y::Vector; 2], Effort), NotConverged> {
         self.scheme.within(system, dt, from)
     }
 

@@ -5,7 +5,7 @@ use crate::State;
 use crate::law::{Conservative, Potential};
 use crate::scheme::splitting::SplittingMemory;
 use crate::scheme::{Composed, DiscreteGradient, ForceGradient, Leapfrog, Nystrom, Scheme};
-use crate::system::{Particle, Start, System, TimeScale};
+use crate::system::{Beginning, Particle, System, TimeScale};
 
 /// −k/r.
 struct Kepler {
@@ -51,7 +51,7 @@ fn comes_back<S: Adaptable + Scheme<Sun>>(scheme: S, tolerance: f64, turn: impl 
     let mut workspace = Scheme::<Sun>::workspace(&adaptive, &law, &unlimited);
     let mut slope = [0.0; 2];
     law.slope(0.0, &start.q, &start.v, &mut slope);
-    let first = Start { t: 0.0, q: &start.q, v: &start.v, slope: &slope };
+    let first = Beginning { t: 0.0, q: &start.q, v: &start.v, slope: &slope };
     let mut memory = adaptive.begin(&law, &unlimited, &first, &mut workspace).unwrap();
     let mut step = |memory: &mut _| {
         let t = Scheme::<Sun>::time(&adaptive, 0.0, 0, 0.0, memory);

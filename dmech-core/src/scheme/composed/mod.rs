@@ -124,7 +124,7 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
         }
     };
 
-    const JOINED: Name = Name::of(&["Composed(", S::NAME, ", ", C::NAME, ")"]);
+    const TITLE: Name = Name::of(&["Composed(", S::NAME, ", ", C::NAME, ")"]);
 
     /// c₁, …, c_N: where in the step the stages end.
     pub(crate) const ENDS: [f64; STAGES] = {
@@ -172,7 +172,7 @@ impl<S: Composable> Composed<S, SofroniouSpaletta8, 21> {
 }
 
 impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Method for Composed<S, C, STAGES> {
-    const NAME: &'static str = Self::JOINED.text();
+    const NAME: &'static str = Self::TITLE.text();
     const ORDER: u32 = C::ORDER;
     const SYMMETRIC: bool = true;
 

@@ -17,7 +17,7 @@ pub(super) struct Resample<const N: usize> {
 const POWERS: [i32; TERMS] = [0, 1, 2, 2, 3, 3, 3];
 
 impl<const N: usize> Resample<N> {
-    pub(super) const fn new(gamma: [f64; N], place: Place) -> Self {
+    pub(super) const fn new(gamma: [f64; N], place: SlopeAt) -> Self {
         let stages = stages(gamma, place);
         let mut terms = [[0.0; N]; TERMS];
         let mut j = 0;
@@ -59,7 +59,7 @@ impl<const N: usize> Resample<N> {
 
 /// Where in a stage the force of a scheme belongs.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum SlopeAt {
     /// A discrete gradient: at the middle, and off it by the square of the stage's length.
     Middle,
     /// A force at the end.
@@ -76,7 +76,7 @@ const TERMS: usize = 7;
 /// has G = g(τ h) + e ℓ² h² + d s h³ + O(h⁴). Here e is what a discrete gradient differs from the force in the middle by,
 /// and d what the local errors O(h³) of the stages before have moved the position by: s is the sum of their γ³.
 /// The weights reproduce these terms exactly, as many as the number of stages allows, and are the smallest that do.
-pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: Place) -> [[f64; N]; N] {
+pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: SlopeAt) -> [[f64; N]; N] {
     let stages = stages(gamma, place);
     let mut weights = [[0.0; N]; N];
     let mut k = 0;
@@ -102,15 +102,15 @@ pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: Place) -> [[
 }
 
 /// Time, length and s of each stage.
-const fn stages<const N: usize>(gamma: [f64; N], place: Place) -> [[f64; 3]; N] {
+const fn stages<const N: usize>(gamma: [f64; N], place: SlopeAt) -> [[f64; 3]; N] {
     let mut stages = [[0.0; 3]; N];
     let (mut t, mut s) = (0.0, 0.0);
     let mut k = 0;
     while k < N {
         let (x, cube) = (gamma[k], gamma[k] * gamma[k] * gamma[k]);
         stages[k] = match place {
-            Place::Middle => [t + 0.5 * x, x, s + 0.5 * cube],
-            Place::End => [t + x, 0.0, s + cube],
+            SlopeAt::Middle => [t + 0.5 * x, x, s + 0.5 * cube],
+            SlopeAt::End => [t + x, 0.0, s + cube],
         };
         t += x;
         s += cube;

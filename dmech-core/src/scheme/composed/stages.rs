@@ -4,12 +4,12 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
-use super::predictor::{Place, Resample, weights};
+use super::predictor::{Resample, SlopeAt, weights};
 use super::{Coefficients, Composable, Composed};
 use crate::newton::NotConverged;
 use crate::scheme::memory::memory;
 use crate::scheme::{DiscreteGradient, Effort, Implicit, Scheme};
-use crate::system::{Ahead, Start, Step, System};
+use crate::system::{Ahead, Beginning, Step, System};
 
 memory! {
     /// What a composition of [`DiscreteGradient`](struct@DiscreteGradient) or [`Implicit`](struct@Implicit) carries.
@@ -37,7 +37,7 @@ memory! {
 pub trait Stage: Composable {
     /// Where in a stage its slope belongs.
     #[doc(hidden)]
-    const PLACE: Place;
+    const SLOPE_AT: SlopeAt;
     /// The share of h²/m at the unknown force.
     const SHARE: f64;
 
@@ -65,7 +65,7 @@ pub struct InStage<'a, Y: System> {
 
 /// (v′ + v)/2 = (q′ − q)/h; m (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.
 impl Stage for DiscreteGradient {
-    const PLACE: Place = Place::Middle;
+    const SLOPE_AT: SlopeAt = SlopeAt::Middle;
     const SHARE: f64 = Self::SHARE;
 
     #[inline(always)]
@@ -86,7 +86,7 @@ impl Stage for DiscreteGradient {
 
 /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2.
 impl Stage for Implicit {
-    const PLACE: Place = Place::End;
+    const SLOPE_AT: SlopeAt = SlopeAt::End;
     const SHARE: f64 = Self::SHARE;
 
     #[inline(always)]
@@ -130,8 +130,8 @@ impl<Y: System, const N: usize> core::fmt::Debug for Stages<Y, N> {
 }
 
 impl<S: Stage, C: Coefficients<N>, const N: usize> Composed<S, C, N> {
-    const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, S::PLACE);
-    const RESAMPLE: Resample<N> = Resample::new(C::GAMMA, S::PLACE);
+    const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, S::SLOPE_AT);
+    const RESAMPLE: Resample<N> = Resample::new(C::GAMMA, S::SLOPE_AT);
 
     fn strides<Y: System>(system: &Y, stride: &Y::Stride) -> [Y::Stride; N] {
         from_fn(|k| system.stage(stride, Self::gamma(k), S::SHARE))
@@ -155,7 +155,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         &self,
         _: &Y,
         _: &Y::Stride,
-        start: &Start<'_, Y>,
+        start: &Beginning<'_, Y>,
         _: &mut Stages<Y, N>,
     ) -> Result<Self::Memory, NotConverged> {
         let slopes = from_fn(|_| start.slope.clone());

@@ -8,7 +8,7 @@ use super::{Coefficients, Composable, Composed};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::scheme::{Effort, Method, Scheme};
-use crate::system::{Start, System};
+use crate::system::{Beginning, System};
 
 /// A symmetric scheme whose step depends on the state alone, or that can [`stretch`](Scheme::stretch) what it carries: steps of
 /// any lengths, also backward, may follow one another. It says so of itself, to be composed in [`Steps`].
@@ -125,7 +125,7 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
         &self,
         system: &Y,
         _: &Y::Stride,
-        start: &Start<'_, Y>,
+        start: &Beginning<'_, Y>,
         StepsRoom { strides, inner, .. }: &mut Self::Workspace,
     ) -> Result<Self::Memory, NotConverged> {
         let inner = self.scheme.0.begin(system, &strides[0], start, inner)?;

@@ -73,7 +73,7 @@ impl<C: ForceGradientCoefficients<KICKS>, const KICKS: usize> ForceGradient<C, K
         ForceGradient { coefficients }
     }
 
-    const JOINED: Name = Name::of(&["ForceGradient(", C::NAME, ")"]);
+    const TITLE: Name = Name::of(&["ForceGradient(", C::NAME, ")"]);
 }
 
 impl ForceGradient<Omelyan4S5, 5> {
@@ -98,7 +98,7 @@ impl ForceGradient<Smooth8S14, 14> {
 }
 
 impl<C: ForceGradientCoefficients<N>, const N: usize> Method for ForceGradient<C, N> {
-    const NAME: &'static str = Self::JOINED.text();
+    const NAME: &'static str = Self::TITLE.text();
     const ORDER: u32 = C::ORDER;
     const SYMMETRIC: bool = true;
 

@@ -74,7 +74,7 @@ impl<C: NystromCoefficients<KICKS>, const KICKS: usize> Nystrom<C, KICKS> {
         Nystrom { coefficients }
     }
 
-    const JOINED: Name = Name::of(&["Nystrom(", C::NAME, ")"]);
+    const TITLE: Name = Name::of(&["Nystrom(", C::NAME, ")"]);
 }
 
 impl Nystrom<BlanesMoan4S6, 6> {
@@ -99,7 +99,7 @@ impl Nystrom<Blanes8S19, 19> {
 }
 
 impl<C: NystromCoefficients<N>, const N: usize> Method for Nystrom<C, N> {
-    const NAME: &'static str = Self::JOINED.text();
+    const NAME: &'static str = Self::TITLE.text();
     const ORDER: u32 = C::ORDER;
     const SYMMETRIC: bool = true;
 

@@ -10,7 +10,7 @@ use crate::scheme::{
     Boris, Coefficients, Composed, Effort, ForceGradient, Leapfrog, LinearVelocities, Nystrom, Scheme,
     WithoutVelocities,
 };
-use crate::system::{Kick, Start, System};
+use crate::system::{Beginning, Kick, System};
 
 memory! {
     /// What a scheme of drifts and kicks carries.
@@ -104,7 +104,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                 &self,
                 system: &Y,
                 stride: &Y::Stride,
-                start: &Start<'_, Y>,
+                start: &Beginning<'_, Y>,
                 room: &mut Y::Room,
             ) -> Result<Self::Memory, NotConverged> {
                 let (q, work, begun) = (start.q.clone(), system.no_work(), Begun::No);

@@ -17,12 +17,12 @@ use dmech_scalar::{CompensatedVector, Mask, Real};
 
 use self::range::lost_force;
 use super::{
-    Course, Effort, Frequency, Kick, LinearVelocities, Look, Start, Step, Stiffness, System, TimeScale,
+    Beginning, Course, Effort, Frequency, Kick, LinearVelocities, Look, Step, Stiffness, System, TimeScale,
     WithoutVelocities,
 };
 use crate::error::Error;
 use crate::invariant::Invariant;
-use crate::law::written::{Place, agree};
+use crate::law::written::{Probe, agree};
 use crate::law::{Field, Law, LinearInVelocity, Potential, VelocityIndependent};
 use crate::newton::NotConverged;
 use crate::state::State;
@@ -223,7 +223,13 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         self.add_work(work, v, to);
         *q = add_scaled(*q, a, *to);
     }
-    fn kick_both_ways(&self, room: &mut (), stride: &Stride<R>, kick: Kick<R>, start: &Start<'_, Self>) -> [[R; D]; 2] {
+    fn kick_both_ways(
+        &self,
+        room: &mut (),
+        stride: &Stride<R>,
+        kick: Kick<R>,
+        start: &Beginning<'_, Self>,
+    ) -> [[R; D]; 2] {
         [-1.0, 1.0].map(|sign| {
             let mut to = *start.v;
             let kick = Kick { b: R::from_f64(sign) * kick.b, e: sign * kick.e, ..kick };
@@ -355,7 +361,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         }
         if let Some(written) = self.law.written() {
             let [q, v] = [start.q, start.v].map(|x| x.map(R::to_f64));
-            let place = Place { q, v: [v; 2], m: [self.mass.to_f64(); 2], t: start.t };
+            let place = Probe { q, v: [v; 2], m: [self.mass.to_f64(); 2], t: start.t };
             agree(written, &place, true).map_err(Error::NotAsWritten)?;
         }
         Ok(())

@@ -77,8 +77,6 @@ fn rotated<const D: usize, R: Real>(a: [[R; D]; D], v: [R; D]) -> [R; D] {
 
 #[cfg(test)]
 mod tests {
-    use dmech_scalar::Lanes;
-
     use super::*;
 
     const V: [f64; 3] = [0.7, -1.1, 0.4];
@@ -105,8 +103,11 @@ mod tests {
         assert!(sum(plane(1e100, [0.7, -1.1]), [0.7, -1.1]).iter().all(|x| x.abs() < 1e-15));
     }
 
+    #[cfg(feature = "scene")]
     #[test]
     fn whole_matrices_do_the_same_and_lanes_do_not_mix() {
+        use dmech_scalar::Lanes;
+
         let c = 0.8;
         let s = [[0.0, 0.5, -1.4], [-0.5, 0.0, 0.9], [1.4, -0.9, 0.0]];
         let half = 0.5 * c;

@@ -43,14 +43,14 @@ pub use error::Difference;
 pub use error::SceneError;
 pub use error::{Disagreement, Error, Place};
 pub use invariant::{Drift, Invariant, Kept};
-#[cfg(feature = "scene")]
-pub use law::LinkLaw;
 #[doc(hidden)]
 pub use law::written;
 pub use law::{
     Between, Conservative, Derivation, Field, Force, Law, MassIndependent, Masses, Numbers, PairLaw, Potential, Reads,
     Symmetric, VelocityIndependent, radial,
 };
+#[cfg(feature = "scene")]
+pub use law::{LinkLaw, Within};
 pub use run::{Columns, Interrupted, Report, Run};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};

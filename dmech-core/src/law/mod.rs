@@ -4,6 +4,8 @@ mod field;
 mod masses;
 mod pair;
 mod potential;
+#[cfg(feature = "scene")]
+mod within;
 #[doc(hidden)]
 pub mod written;
 
@@ -13,6 +15,8 @@ pub use masses::Masses;
 pub use pair::LinkLaw;
 pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use potential::{Force, Potential};
+#[cfg(feature = "scene")]
+pub use within::Within;
 
 use dmech_scalar::Real;
 

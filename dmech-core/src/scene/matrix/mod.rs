@@ -42,7 +42,7 @@ impl<const D: usize> Matrix<D> {
             // A dense matrix fits everything.
             #[cfg(not(feature = "sparse"))]
             Topology::Sparse { .. } => Matrix::Dense(DenseMatrix::new(bodies)),
-            Topology::Dense => Matrix::Dense(DenseMatrix::new(bodies)),
+            Topology::Near | Topology::Dense => Matrix::Dense(DenseMatrix::new(bodies)),
         }
     }
 

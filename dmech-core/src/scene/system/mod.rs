@@ -10,6 +10,7 @@ pub use solve::SceneSolver;
 use super::bodies::Bodies;
 use super::builder::Scene;
 use super::compensated::CompensatedVectors;
+use super::space::Space;
 use super::state::SceneState;
 use super::terms::{Acts, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
@@ -67,7 +68,7 @@ pub struct SceneRoom<const D: usize> {
     turned: Vectors<D>,
 }
 
-impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
+impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P, L, B> {
     type State = SceneState<D>;
     type System = SceneSystem<D, L::Ready>;
 
@@ -85,10 +86,11 @@ impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
     }
 
     fn system(self, (): (), _: f64, dt: f64) -> Result<Self::System, Error> {
-        let Scene { bodies, laws } = self;
+        let Scene { bodies, laws, space } = self;
         bodies.check()?;
+        space.check()?;
         moves_on(bodies.t, dt)?;
-        let acts = laws.prepare(&bodies)?;
+        let acts = laws.prepare(&bodies, space)?;
         let mut per_mass: Vec<_> = bodies.masses.iter().map(|mass| mass.recip()).collect();
         bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);
         Ok(SceneSystem { acts, masses: bodies.masses, pins: bodies.pins, per_mass })

@@ -29,11 +29,11 @@ pub struct EachReady<X> {
 
 impl<X: VelocityIndependent> WithoutVelocities for EachReady<X> {}
 
-impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
+impl<const D: usize, P, X: Law<D>, B> Term<D, P, B> for Each<X> {
     type Ready = EachReady<X>;
 
     /// Compares the law with its author's methods on every body, and around the first.
-    fn prepare(self, bodies: &Bodies<D, P>) -> Result<EachReady<X>, Error> {
+    fn prepare(self, bodies: &Bodies<D, P>, _: B) -> Result<EachReady<X>, Error> {
         if let Some(written) = self.law.written() {
             let place = |i: usize| written::Place {
                 q: bodies.q[i],

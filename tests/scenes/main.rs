@@ -5,4 +5,5 @@ mod chains;
 mod closed;
 mod memory;
 mod pair_models;
+mod periodic;
 mod random;

@@ -7,3 +7,4 @@ mod memory;
 mod pair_models;
 mod periodic;
 mod random;
+mod test_bodies;

@@ -325,6 +325,19 @@ fn discrete_gradient_keeps_the_energy_where_images_change() {
     assert!(momentum < 1e-12, "{momentum:e}");
 }
 
+/// Bodies that go several cut-offs far in a step, through half the box and more, and meet others at both ends.
+#[test]
+fn discrete_gradient_keeps_the_energy_in_giant_steps() {
+    for speed in [5.0, 15.0, 60.0] {
+        let mut dice = Dice(61);
+        let scene = (0..120).fold(Scene::<2>::new(), |scene, _| scene.body(1.0, dice.vector(3.0), dice.vector(speed)));
+        let scene = scene.pairs(Smooth { k: 3.0, a: 1.1 }).cutoff(0.8).periodic([6.0; 2]);
+        let run = Simulation::scene(scene).scheme(DiscreteGradient).dt(0.1).run(40).unwrap();
+        let energy = run.drift(Invariant::Energy).unwrap().max_relative();
+        assert!(energy < 1e-12, "speed {speed}: {energy:e}");
+    }
+}
+
 /// Without a box the secant across the cut-off is along a + b: angular momentum too.
 #[test]
 fn a_cut_off_keeps_the_angular_momentum() {

@@ -44,8 +44,15 @@ impl<const D: usize, X: Law<D>> FieldLaw<D> for X {}
 impl<const D: usize, P> Scene<D, P> {
     /// An empty scene at t = 0.
     pub fn new() -> Self {
-        let bodies =
-            Bodies { masses: Vec::new(), q: Vec::new(), v: Vec::new(), data: Vec::new(), pins: Vec::new(), t: 0.0 };
+        let bodies = Bodies {
+            masses: Vec::new(),
+            q: Vec::new(),
+            v: Vec::new(),
+            data: Vec::new(),
+            pins: Vec::new(),
+            tests: Vec::new(),
+            t: 0.0,
+        };
         Scene { bodies, laws: (), space: Open }
     }
 }
@@ -61,6 +68,24 @@ impl<const D: usize, L, B> Scene<D, (), L, B> {
     pub fn body(self, mass: f64, q: [f64; D], v: [f64; D]) -> Self {
         self.body_with(mass, q, v, ())
     }
+
+    /// Adds a test body: it feels every law, with the mass `mass`, and does not act on the others.
+    ///
+    /// Its motion is that of a body of vanishing mass where forces are in proportion to it, as in gravity, whatever
+    /// the mass. Energy, momenta and work of a scene are those of the bodies that act: these are a closed system, and what
+    /// is an invariant stays one. Two test bodies do not know of each other, so that n of them take O(n).
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::Scene;
+    /// let scene = Scene::<2>::new()
+    ///     .body(1.0, [0.0, 0.0], [0.0, 0.0])
+    ///     .test_body(1.0, [1.0, 0.0], [0.0, 1.0]);
+    /// assert_eq!(scene.bodies(), 2);
+    /// ```
+    pub fn test_body(self, mass: f64, q: [f64; D], v: [f64; D]) -> Self {
+        self.test_body_with(mass, q, v, ())
+    }
 }
 
 impl<const D: usize, P, L, B> Scene<D, P, L, B> {
@@ -71,6 +96,12 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
         self.bodies.v.push(v);
         self.bodies.data.push(data);
         self
+    }
+
+    /// Adds a [test body](Scene::test_body) that carries data for the laws between bodies.
+    pub fn test_body_with(mut self, mass: f64, q: [f64; D], v: [f64; D], data: P) -> Self {
+        self.bodies.tests.push(self.bodies.masses.len());
+        self.body_with(mass, q, v, data)
     }
 
     /// Fixes body i, counted from 0 in the order of addition: it acts on the others and does not move.
@@ -163,6 +194,34 @@ impl<const D: usize, P, L, X, B> Scene<D, P, (L, Linked<X, Pairs>), B> {
     /// Bodies within reach are found by cells, and remembered in lists until one of them has moved: time and memory are
     /// O(N), for N bodies of bounded density. The sums are formed in the order of the bodies, whatever the lists: they do
     /// not depend on when those were made, nor on the number of threads.
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::{Between, PairLaw, Reads, Scene, Symmetric};
+    /// # #[derive(Clone, Copy)] struct Soft;
+    /// # #[derive(Clone, Copy)] struct Square;
+    /// # impl Symmetric for Soft {}
+    /// # impl VelocityIndependent for Soft {}
+    /// # impl<P> Reads<P> for Soft { type Numbers = [f64; 0]; fn numbers(&self, _: f64, _: &P) -> [f64; 0] { [] } }
+    /// # impl<P, R: dmech_core::Real> PairLaw<1, P, R> for Soft {
+    /// #     type Between<'a> = Square;
+    /// #     fn between(&self, _: [R; 0], _: [R; 0], _: R) -> Square { Square }
+    /// # }
+    /// # impl<R: dmech_core::Real> Between<1, R> for Square {}
+    /// # impl<R: dmech_core::Real> Potential<1, R> for Square {
+    /// #     const CENTRAL: bool = true;
+    /// #     fn potential(&self, [x]: [R; 1]) -> R { -x * x }
+    /// #     fn gradient(&self, [x]: [R; 1]) -> [R; 1] { [-x - x] }
+    /// #     fn hessian(&self, _: [R; 1]) -> [[R; 1]; 1] { [[R::from_f64(-2.0)]] }
+    /// #     fn discrete_gradient(&self, [a]: [R; 1], [b]: [R; 1]) -> [R; 1] { [-a - b] }
+    /// #     fn discrete_gradient_jacobian(&self, _: [R; 1], _: [R; 1]) -> [[R; 1]; 1] { [[-R::ONE]] }
+    /// # }
+    /// // Φ(r) = −r² within a distance of 1, shifted to 0 there; two bodies that meet across the edge of the box.
+    /// let scene = Scene::new().body(1.0, [0.2], [-0.3]).body(1.0, [8.0], [0.1]).pairs(Soft).cutoff(1.0).periodic([9.0]);
+    /// let run = Simulation::scene(scene).scheme(DiscreteGradient).dt(0.05).run(200)?;
+    /// assert!(run.drift(Invariant::Energy).unwrap().max_abs() < 1e-14);
+    /// # Ok::<(), Interrupted<SceneState<1>>>(())
+    /// ```
     ///
     /// Implicit steps store the blocks of the Jacobian of those pairs and solve by iteration, O(N) too.
     ///

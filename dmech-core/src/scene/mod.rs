@@ -2,8 +2,10 @@
 //!
 //! A [`Scene`] holds bodies and laws; [`Simulation::scene`](crate::Simulation::scene) runs it by any of the schemes. What
 //! acts is composed in the type of the scene, so each law is compiled for itself and for no number of bodies in particular.
-//! The Newton matrix of the implicit schemes follows from what is linked: block-tridiagonal for chains, dense for all pairs.
+//! The Newton matrix of the implicit schemes follows from what is linked: block-tridiagonal for chains, dense for all pairs;
+//! within a cut-off its blocks are a list, and it is solved by iteration.
 
+mod acting;
 mod bodies;
 mod builder;
 mod compensated;

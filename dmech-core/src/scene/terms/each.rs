@@ -5,6 +5,7 @@ use super::{Acts, Fault, Moving, Term};
 use crate::error::{Culprit, Error, Place};
 use crate::law::written::{self, agree};
 use crate::law::{Field, Law, Potential, VelocityIndependent};
+use crate::scene::acting::Acting;
 use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
@@ -25,6 +26,7 @@ pub struct Each<X> {
 pub struct EachReady<X> {
     law: X,
     masses: Vec<f64>,
+    acting: Acting,
 }
 
 impl<X: VelocityIndependent> WithoutVelocities for EachReady<X> {}
@@ -46,7 +48,7 @@ impl<const D: usize, P, X: Law<D>, B> Term<D, P, B> for Each<X> {
                 agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Body(body))))?;
             }
         }
-        Ok(EachReady { law: self.law, masses: bodies.masses.clone() })
+        Ok(EachReady { law: self.law, masses: bodies.masses.clone(), acting: bodies.acting() })
     }
 }
 
@@ -69,7 +71,9 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     const PIECEWISE: bool = X::Field::<'_>::PIECEWISE;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
-        self.fields(t).map(|(i, field)| field.potential(q.get(i))).sum()
+        // The energy is that of the bodies that act on others.
+        let acting = self.fields(t).filter(|&(i, _)| self.acting.acts(i));
+        acting.map(|(i, field)| field.potential(q.get(i))).sum()
     }
 
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {

@@ -12,6 +12,7 @@ use crate::error::{Culprit, Error, SceneError};
 use crate::law::written::{self, Place, agree};
 use crate::law::{Between, LinkLaw, PairLaw, Reads};
 use crate::law::{Potential, VelocityIndependent};
+use crate::scene::acting::Acting;
 use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
@@ -33,9 +34,10 @@ pub struct Linked<X, T> {
 #[derive(Clone, Debug)]
 pub struct LinkedReady<X: Reads<P>, T, P, B> {
     law: X,
-    links: T,
-    space: B,
-    numbers: NumberColumns<X::Numbers>,
+    pub(super) links: T,
+    pub(super) space: B,
+    pub(super) acting: Acting,
+    pub(super) numbers: NumberColumns<X::Numbers>,
     data: PhantomData<fn() -> P>,
 }
 
@@ -64,7 +66,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Term<D, P, B> f
         }
         let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| self.law.numbers(mass, data));
         let numbers = NumberColumns::new(read);
-        Ok(LinkedReady { law: self.law, links: self.links, space, numbers, data: PhantomData })
+        Ok(LinkedReady { law: self.law, links: self.links, space, acting: bodies.acting(), numbers, data: PhantomData })
     }
 }
 
@@ -128,7 +130,7 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
 }
 
 #[inline(always)]
-fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
+pub(super) fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
     let (a, b) = (q.get(a), q.get(b));
     core::array::from_fn(|k| a[k] - b[k])
 }
@@ -152,19 +154,24 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         let mut sum = 0.0;
-        self.links.each(&self.space, [q], |a, b| sum += self.between(a, b, t).potential(self.separation(q, a, b)));
+        self.each([q], |a, b| {
+            // The energy is that of the bodies that act.
+            if self.acting.acts(a) && self.acting.acts(b) {
+                sum += self.between(a, b, t).potential(self.separation(q, a, b));
+            }
+        });
         sum
     }
 
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<false, D, 1, _>(&self.space, &self.slope(t), [q], &self.numbers, out);
+            self.sweep::<false, _, D, 1>(&self.slope(t), [q], out);
         }
     }
 
     fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<true, D, 1, _>(&self.space, &self.slope(t), [q], &self.numbers, out);
+            self.sweep::<true, _, D, 1>(&self.slope(t), [q], out);
         } else {
             out.clear();
         }
@@ -172,35 +179,43 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     #[inline]
     fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) {
-        self.links.kick(&self.slope(t), q, &self.numbers, kick);
+        if self.acting.all() {
+            self.links.kick(&self.slope(t), q, &self.numbers, kick);
+        } else {
+            self.kick_felt(&self.slope(t), q, kick);
+        }
     }
 
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if !Self::FORCED {
             return;
         }
-        self.links.each(&self.space, [q], |a, b| {
+        self.each([q], |a, b| {
             let (d, va, vb) = (self.separation(q, a, b), v.get(a), v.get(b));
             let on_a = self.between(a, b, t).force(d, va, vb);
-            out.add(a, on_a.map(|f| -c * f));
-            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
-                out.add(b, on_a.map(|f| c * f));
-            } else {
-                let on_b = self.between(b, a, t).force(d.map(|x| -x), vb, va);
-                out.add(b, on_b.map(|f| -c * f));
+            if self.acting.acts(b) {
+                out.add(a, on_a.map(|f| -c * f));
+            }
+            if self.acting.acts(a) {
+                if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                    out.add(b, on_a.map(|f| c * f));
+                } else {
+                    let on_b = self.between(b, a, t).force(d.map(|x| -x), vb, va);
+                    out.add(b, on_b.map(|f| -c * f));
+                }
             }
         });
     }
 
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<false, D, 2, _>(&self.space, &Secant(self.slope(t)), [a, b], &self.numbers, out);
+            self.sweep::<false, _, D, 2>(&Secant(self.slope(t)), [a, b], out);
         }
     }
 
     fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<true, D, 2, _>(&self.space, &Secant(self.slope(t)), [a, b], &self.numbers, out);
+            self.sweep::<true, _, D, 2>(&Secant(self.slope(t)), [a, b], out);
         } else {
             out.clear();
         }
@@ -208,46 +223,44 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.each(&self.space, [q], |a, b| {
+            self.each([q], |a, b| {
                 let hessian = self.between(a, b, t).hessian(self.separation(q, a, b));
-                out.add_link(a, b, hessian.map(|row| row.map(|x| c * x)));
+                self.add_link(a, b, hessian.map(|row| row.map(|x| c * x)), out);
             });
         }
     }
 
     fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<false, D, 2, _>(
-                &self.space,
-                &Turned { slope: self.slope(t), c },
-                [q, w],
-                &self.numbers,
-                out,
-            );
+            self.sweep::<false, _, D, 2>(&Turned { slope: self.slope(t), c }, [q, w], out);
         }
         if !Self::FORCED {
             return;
         }
-        self.links.each(&self.space, [q], |a, b| {
+        self.each([q], |a, b| {
             let (d, w) = (self.separation(q, a, b), scaled(c, separation(w, a, b)));
             let by_d =
                 |a: usize, b: usize, d: [f64; D]| self.between(a, b, t).force_jacobians(d, [0.0; D], [0.0; D])[0];
             let on_a = times(&by_d(a, b, d), w);
-            out.add(a, on_a.map(|x| -x));
-            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
-                out.add(b, on_a);
-            } else {
-                out.add(b, times(&by_d(b, a, d.map(|x| -x)), w));
+            if self.acting.acts(b) {
+                out.add(a, on_a.map(|x| -x));
+            }
+            if self.acting.acts(a) {
+                if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                    out.add(b, on_a);
+                } else {
+                    out.add(b, times(&by_d(b, a, d.map(|x| -x)), w));
+                }
             }
         });
     }
 
     fn add_discrete_jacobian(&self, from: &Vectors<D>, to: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.each(&self.space, [from, to], |a, b| {
+            self.each([from, to], |a, b| {
                 let way = [separation(from, a, b), separation(to, a, b)];
                 let kernel = Secant(self.slope(t));
-                out.add_link(a, b, kernel.jacobian(self.numbers.at(a), self.numbers.at(b), way));
+                self.add_link(a, b, kernel.jacobian(self.numbers.at(a), self.numbers.at(b), way), out);
             });
         }
     }
@@ -263,9 +276,13 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
             out.add_block(a, a, combine(-c, by_d, -c * rate, by_va));
             out.add_block(a, b, combine(c, by_d, -c * rate, by_vb));
         };
-        self.links.each(&self.space, [q], |a, b| {
-            row(a, b);
-            row(b, a);
+        self.each([q], |a, b| {
+            if self.acting.acts(b) {
+                row(a, b);
+            }
+            if self.acting.acts(a) {
+                row(b, a);
+            }
         });
     }
 
@@ -285,7 +302,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
         let mut all = at.nothing();
-        self.links.each(&self.space, [at.q], |a, b| {
+        self.each([at.q], |a, b| {
             if at.per_mass[a] + at.per_mass[b] != 0.0 {
                 let (on_a, on_b) = (at.body(a), at.body(b));
                 let stiffness = |s, d, _| self.stiffness(at.t, s, [(a, &on_a), (b, &on_b)], d);
@@ -296,7 +313,11 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     }
 
     fn links(&self, _: usize) -> Topology {
-        self.links.topology()
+        match self.links.topology() {
+            // Bodies that feel and do not act: links are no longer alike at both ends.
+            Topology::Chain if !self.acting.all() => Topology::Near,
+            topology => topology,
+        }
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
@@ -318,6 +339,9 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
         self.links.find(&self.space, q, |a, b| {
+            if !self.acting.acts(a) && !self.acting.acts(b) {
+                return None;
+            }
             let (d, va, vb) = (self.separation(q, a, b), v.get(a), v.get(b));
             let between = self.between(a, b, t);
             let gradient = between.gradient(d);

@@ -25,6 +25,21 @@ pub trait Links {
         visit: impl FnMut(usize, usize),
     );
 
+    /// Visits every link of which at least one body acts.
+    fn each_acting<const D: usize, const S: usize>(
+        &self,
+        space: &impl Space<D>,
+        q: [&Vectors<D>; S],
+        acts: impl Fn(usize) -> bool,
+        mut visit: impl FnMut(usize, usize),
+    ) {
+        self.each(space, q, |a, b| {
+            if acts(a) || acts(b) {
+                visit(a, b);
+            }
+        });
+    }
+
     /// The first link that `find` accepts.
     fn find<const D: usize, X>(
         &self,

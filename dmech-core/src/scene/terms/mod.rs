@@ -7,6 +7,7 @@ mod links;
 mod moving;
 mod near;
 mod numbers;
+mod one_sided;
 mod packed;
 mod pairs;
 pub(super) mod stencil;

@@ -57,6 +57,22 @@ impl Links for Pairs {
         }
     }
 
+    /// Rows of those that act: many test bodies among few others take O(N).
+    fn each_acting<const D: usize, const S: usize>(
+        &self,
+        _: &impl Space<D>,
+        q: [&Vectors<D>; S],
+        acts: impl Fn(usize) -> bool,
+        mut visit: impl FnMut(usize, usize),
+    ) {
+        let bodies = links::bodies(q);
+        for a in (0..bodies).filter(|&a| acts(a)) {
+            for b in (0..bodies).filter(|&b| b > a || (b < a && !acts(b))) {
+                visit(a, b);
+            }
+        }
+    }
+
     fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
         _: &impl Space<D>,

@@ -42,11 +42,35 @@ impl Neighbours {
         }
         // A long step goes further than a skin: what is within reach at its end must be found from its start.
         let far = others.iter().map(|q| farthest(q, first.flat())).fold(0.0, f64::max);
-        let slack = f64::max(0.5 * SKIN * cutoff, 1.01 * far);
+        let least = 0.5 * SKIN * cutoff;
+        let slack = if far < cutoff { f64::max(least, 1.01 * far) } else { least };
         self.made_at.clear();
         self.made_at.extend_from_slice(first.flat());
         (self.made_for, self.slack) = (Some(first.bodies()), slack);
         self.make(space, cutoff + 2.0 * slack, first);
+        if far >= cutoff {
+            others.iter().for_each(|q| self.join(space, cutoff + 2.0 * slack, q));
+        }
+    }
+
+    /// Adds those who are near at another moment, so far away that one reach for both would take in everybody.
+    #[cold]
+    fn join<const D: usize>(&mut self, space: &impl Space<D>, reach: f64, q: &Vectors<D>) {
+        let (first, with) = (core::mem::take(&mut self.first), core::mem::take(&mut self.with));
+        self.make(space, reach, q);
+        let (mut joined, mut begins, mut row) = (Vec::new(), vec![0], Vec::new());
+        self.longest = 0;
+        for a in 0..q.bodies() {
+            row.clear();
+            row.extend_from_slice(&with[first[a]..first[a + 1]]);
+            row.extend_from_slice(self.of(a));
+            row.sort_unstable();
+            row.dedup();
+            joined.extend_from_slice(&row);
+            begins.push(joined.len());
+            self.longest = self.longest.max(row.len());
+        }
+        (self.first, self.with) = (begins, joined);
     }
 
     fn make<const D: usize>(&mut self, space: &impl Space<D>, reach: f64, q: &Vectors<D>) {

@@ -1,5 +1,6 @@
 //! Setting up a scene.
 
+use super::OnNear;
 use super::bodies::Bodies;
 use super::space::{Open, Periodic};
 use super::state::SceneState;
@@ -229,7 +230,7 @@ impl<const D: usize, P, L, X, B> Scene<D, P, (L, Linked<X, Pairs>), B> {
     /// When run: [`SceneError::Cutoff`](crate::SceneError::Cutoff);
     /// [`SceneError::CutoffInBox`](crate::SceneError::CutoffInBox) where r is longer than half a box;
     /// [`SceneError::CutoffNotCentral`](crate::SceneError::CutoffNotCentral) for a potential of the direction.
-    pub fn cutoff(self, r: f64) -> Scene<D, P, (L, Linked<Within<X>, Near>), B> {
+    pub fn cutoff(self, r: f64) -> Scene<D, P, (L, OnNear<X>), B> {
         let Scene { bodies, laws: (laws, Linked { law, .. }), space } = self;
         Scene { bodies, laws: (laws, Linked { law: Within::new(law, r), links: Near::new(r) }), space }
     }

@@ -157,7 +157,12 @@ impl<const D: usize> NearMatrix<D> {
             sum.iter_mut().zip(&*p).zip(&*s).for_each(|((x, p), s)| *x += alpha * p + omega * s);
             r.iter_mut().zip(&*s).zip(&*t).for_each(|((r, s), t)| *r = s - omega * t);
         }
-        x.copy_from_slice(sum);
+        // Pinned bodies, of which g is 0, stay to the bit.
+        for ((x, found), g) in x.iter_mut().zip(&*sum).zip(&self.g) {
+            if *g != 0.0 {
+                *x = *found;
+            }
+        }
         self.room = room;
     }
 }

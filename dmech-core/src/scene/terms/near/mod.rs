@@ -124,11 +124,11 @@ impl Links for Near {
             let end = neighbours.end(rows.clone());
             felt.clear();
             felt.resize(D * (end - rows.start), 0.0);
-            row.fit(neighbours.longest());
+            row.fit(neighbours.longest(), self.cutoff);
             let start = rows.start;
             for a in rows {
-                let found = row.gather(space, moments, &places, a, neighbours.of(a), self.cutoff);
-                row.add(kernel, numbers, &places, [a, start], found, self.cutoff, felt.as_chunks_mut().0);
+                let found = row.gather(space, moments, &places, a, neighbours.of(a));
+                row.add(kernel, numbers, &places, [a, start], found, felt.as_chunks_mut().0);
             }
         });
         for (c, Chunk { felt, .. }) in room.iter().enumerate() {

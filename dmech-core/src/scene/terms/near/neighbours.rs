@@ -156,7 +156,7 @@ fn farthest<const D: usize>(q: &Vectors<D>, from: &[f64]) -> f64 {
     let mut largest = 0.0;
     for i in 0..bodies {
         let square: f64 = (0..D).map(|k| (columns[k][i] - from[k * bodies + i]).powi(2)).sum();
-        if !(square <= largest) {
+        if square > largest || square.is_nan() {
             largest = square;
         }
     }

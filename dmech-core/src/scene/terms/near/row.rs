@@ -14,6 +14,7 @@ use crate::vector::{difference, dot};
 /// way whatever the lists.
 #[derive(Debug, Default)]
 pub(super) struct Row {
+    cutoff: f64,
     bodies: Vec<u32>,
 }
 
@@ -58,7 +59,8 @@ fn at<const D: usize, const S: usize>(q: &[&[[f64; D]]; S], a: usize) -> [[f64; 
 
 impl Row {
     /// Makes room for so many neighbours, and for what fills up the last register.
-    pub(super) fn fit(&mut self, neighbours: usize) {
+    pub(super) fn fit(&mut self, neighbours: usize, cutoff: f64) {
+        self.cutoff = cutoff;
         self.bodies.resize(neighbours.next_multiple_of(Lanes::COUNT) + Lanes::COUNT, 0);
     }
 
@@ -71,9 +73,8 @@ impl Row {
         q: &[&[[f64; D]]; S],
         a: usize,
         neighbours: &[u32],
-        cutoff: f64,
     ) -> usize {
-        let (limit, here) = (Lanes::splat(cutoff * cutoff), at(q, a));
+        let (limit, here) = (Lanes::splat(self.cutoff * self.cutoff), at(q, a));
         let kept = self.bodies.as_mut_slice();
         let mut found = 0;
         for eight in neighbours.chunks(Lanes::COUNT) {
@@ -108,7 +109,6 @@ impl Row {
         q: &[&[[f64; D]]; S],
         [a, start]: [usize; 2],
         found: usize,
-        cutoff: f64,
         felt: &mut [[f64; D]],
     ) {
         let (on_a, here) = (numbers.at(a), at(q, a));
@@ -122,7 +122,7 @@ impl Row {
             for moment in d.iter_mut() {
                 for lane in count..Lanes::COUNT {
                     if let Some(first) = moment.first_mut() {
-                        first[lane] = cutoff;
+                        first[lane] = self.cutoff;
                     }
                 }
             }

@@ -52,6 +52,14 @@ fn scenes() -> Vec<Scene> {
         runs,
         loops: Box::new(move || chain::implicit(n, 1.1, 0.3, 0.05)),
     };
+    let liquid = |name, n: usize, steps, runs| Scene {
+        name,
+        bodies: 4 * n.pow(3),
+        unit: "ns/body",
+        steps,
+        runs,
+        loops: Box::new(move || vec![("cut off at 2.5 by lists", own::liquid(n, 0.005))]),
+    };
     vec![
         Scene {
             name: "figure eight",
@@ -73,6 +81,9 @@ fn scenes() -> Vec<Scene> {
         implicit("implicit chain, 100000", 100_000, 10, 8),
         gravity("gravity, 1000", 1000, 4, 50),
         gravity("gravity, 4000", 4000, 1, 20),
+        liquid("liquid, 4000", 10, 40, 10),
+        liquid("liquid, 32000", 20, 40, 4),
+        liquid("liquid, 256000", 40, 20, 2),
     ]
 }
 

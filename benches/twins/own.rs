@@ -1,6 +1,6 @@
 //! The same scenes by the project.
 
-use dmech::models::pairs::Gravity;
+use dmech::models::pairs::{Gravity, LennardJones};
 use dmech::prelude::*;
 use dmech::scene::{Acts, Chain, Linked, SceneSystem, Term, Vectors};
 
@@ -91,4 +91,26 @@ pub(super) fn eight(q: [f64; 6], v: [f64; 6], dt: f64) -> [Loop; 2] {
     }
     let simulation = Simulation::scene(scene.pairs(Gravity { g: 1.0 })).scheme(Leapfrog).dt(dt);
     [unrolled, scene_loop(simulation.stepper().expect("a scene"), |q| q.get(0)[0])]
+}
+
+/// 4 n³ atoms of Lennard-Jones as dense as a liquid, cut off at 2.5 in a periodic box. They melt before they are timed.
+pub(super) fn liquid(n: usize, dt: f64) -> Loop {
+    let spacing = (4.0 / 0.8442_f64).cbrt();
+    let basis = [[0.25, 0.25, 0.25], [0.25, 0.75, 0.75], [0.75, 0.25, 0.75], [0.75, 0.75, 0.25]];
+    let mut scene = Scene::<3>::new();
+    let mut dice = 1_u64;
+    for cell in 0..n.pow(3) {
+        let corner = [cell / n / n, cell / n % n, cell % n].map(|x| x as f64);
+        for at in basis {
+            let speeds = [(); 3].map(|()| {
+                dice = dice.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                4.15 * ((dice >> 11) as f64 / (1_u64 << 53) as f64 - 0.5)
+            });
+            scene = scene.body(1.0, [0, 1, 2].map(|k| spacing * (corner[k] + at[k])), speeds);
+        }
+    }
+    let scene = scene.pairs(LennardJones::default()).cutoff(2.5).periodic([spacing * n as f64; 3]);
+    let mut stepper = Simulation::scene(scene).scheme(Leapfrog).dt(dt).stepper().expect("a scene");
+    stepper.advance(100).expect("a finite motion");
+    scene_loop(stepper, |q| q.get(0)[0])
 }

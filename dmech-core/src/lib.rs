@@ -44,12 +44,12 @@ pub use error::Difference;
 pub use error::SceneError;
 pub use error::{Disagreement, Error, Place};
 pub use invariant::{Drift, Invariant, Kept};
-#[cfg(feature = "scene")]
-pub use law::LinkLaw;
 pub use law::{
     Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, MassIndependent, Masses, Numbers, PairLaw,
     Potential, Reads, Symmetric, VelocityIndependent, radial,
 };
+#[cfg(feature = "scene")]
+pub use law::{LinkLaw, Within};
 #[doc(hidden)]
 pub use law::{rotation, written};
 pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run};

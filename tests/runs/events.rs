@@ -195,6 +195,11 @@ fn encounters_name_the_bodies() {
     for ((_, t), exact) in met.iter().zip([2.5, 2.6, 4.5, 5.0 - (0.25_f64 - 0.01).sqrt()]) {
         assert!((t - exact).abs() < 1e-12, "{t} {exact}");
     }
+    // In a box the nearest image counts.
+    let two = Scene::<1>::new().body(1.0, [0.5], [0.0]).body(1.0, [8.0], [1.0]).periodic([10.0]);
+    let run = Simulation::scene(two).scheme(Leapfrog).dt(0.3).encounter(0.5).run_until(12.0).unwrap();
+    assert_eq!(run.events().len(), 1);
+    assert!((run.events()[0].state().t - 2.0).abs() < 1e-13);
     let lone = Scene::<2>::new().body(1.0, [0.0, 0.0], [1.0, 0.0]).pairs(Gravity { g: 1.0 });
     assert!(
         Simulation::scene(lone.clone()).scheme(Leapfrog).dt(0.1).encounter(0.5).run(9).unwrap().events().is_empty()

@@ -5,4 +5,6 @@ mod chains;
 mod closed;
 mod memory;
 mod pair_models;
+mod periodic;
 mod random;
+mod test_bodies;

@@ -91,4 +91,37 @@ pub enum SceneError {
         /// Those of the scene.
         bodies: usize,
     },
+    /// A length of a periodic box that is zero, negative, infinite or NaN.
+    #[error("the length of the box along coordinate {component} must be positive and finite, not {}", Number(*length))]
+    Length {
+        /// The coordinate, counted from 0.
+        component: usize,
+        /// The refused length.
+        length: f64,
+    },
+    /// A cut-off that is zero, negative, infinite or NaN.
+    #[error("the cut-off must be positive and finite, not {}", Number(*cutoff))]
+    Cutoff {
+        /// The refused cut-off.
+        cutoff: f64,
+    },
+    /// A cut-off so long that it reaches a body and its image.
+    #[error(
+        "the cut-off {} is longer than half the box, whose length along coordinate {component} is {}: a body would be within reach of two images of another",
+        Number(*cutoff),
+        Number(*length)
+    )]
+    CutoffInBox {
+        /// The refused cut-off.
+        cutoff: f64,
+        /// The coordinate, counted from 0.
+        component: usize,
+        /// The length of the box along it.
+        length: f64,
+    },
+    /// A cut-off of a law whose potential depends on the direction.
+    #[error(
+        "a law can be cut off where it depends on the distance alone: this one has no single value there by which it could be shifted"
+    )]
+    CutoffNotCentral,
 }

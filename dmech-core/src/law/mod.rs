@@ -7,6 +7,8 @@ mod pair;
 mod potential;
 #[doc(hidden)]
 pub mod rotation;
+#[cfg(feature = "scene")]
+mod within;
 #[doc(hidden)]
 pub mod written;
 
@@ -16,6 +18,8 @@ pub use masses::Masses;
 pub use pair::LinkLaw;
 pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use potential::{Force, Potential};
+#[cfg(feature = "scene")]
+pub use within::Within;
 
 use dmech_scalar::Real;
 

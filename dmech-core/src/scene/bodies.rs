@@ -1,5 +1,6 @@
 //! The bodies of a scene.
 
+use super::acting::Acting;
 use crate::error::{Error, SceneError};
 
 /// The bodies of a scene.
@@ -10,10 +11,24 @@ pub struct Bodies<const D: usize, P> {
     pub(super) v: Vec<[f64; D]>,
     pub(super) data: Vec<P>,
     pub(super) pins: Vec<usize>,
+    /// Those that do not act on others, ascending.
+    pub(super) tests: Vec<usize>,
     pub(super) t: f64,
 }
 
 impl<const D: usize, P> Bodies<D, P> {
+    /// Which of them act on others.
+    pub(super) fn acting(&self) -> Acting {
+        Acting::new(self.masses.len(), &self.tests)
+    }
+
+    /// What counts in energies and momenta: masses, and 0 for test bodies.
+    pub(super) fn weights(&self) -> Vec<f64> {
+        let mut weights = self.masses.clone();
+        self.tests.iter().for_each(|&i| weights[i] = 0.0);
+        weights
+    }
+
     /// What can be said to be wrong before any law is looked at.
     pub(super) fn check(&self) -> Result<(), Error> {
         let n = self.masses.len();

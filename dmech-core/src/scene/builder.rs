@@ -1,10 +1,12 @@
 //! Setting up a scene.
 
+use super::OnNear;
 use super::bodies::Bodies;
+use super::space::{Open, Periodic};
 use super::state::SceneState;
-use super::terms::{Bonds, Chain, Each, Linked, Pairs};
+use super::terms::{Bonds, Chain, Each, Linked, Near, Pairs};
 use crate::law::Law;
-use crate::law::{LinkLaw, Symmetric};
+use crate::law::{LinkLaw, Symmetric, Within};
 
 /// Bodies in D dimensions that carry data `P`, and the laws `L` that act on them.
 ///
@@ -22,9 +24,10 @@ use crate::law::{LinkLaw, Symmetric};
 /// together; they are composed in the type, and each is compiled for itself, once for all numbers of bodies.
 #[derive(Clone, Debug)]
 #[must_use = "a scene does nothing until it is simulated"]
-pub struct Scene<const D: usize, P = (), L = ()> {
+pub struct Scene<const D: usize, P = (), L = (), B = Open> {
     pub(super) bodies: Bodies<D, P>,
     pub(super) laws: L,
+    pub(super) space: B,
 }
 
 /// A [`Law`] in D dimensions, which acts on each body by itself.
@@ -42,9 +45,16 @@ impl<const D: usize, X: Law<D>> FieldLaw<D> for X {}
 impl<const D: usize, P> Scene<D, P> {
     /// An empty scene at t = 0.
     pub fn new() -> Self {
-        let bodies =
-            Bodies { masses: Vec::new(), q: Vec::new(), v: Vec::new(), data: Vec::new(), pins: Vec::new(), t: 0.0 };
-        Scene { bodies, laws: () }
+        let bodies = Bodies {
+            masses: Vec::new(),
+            q: Vec::new(),
+            v: Vec::new(),
+            data: Vec::new(),
+            pins: Vec::new(),
+            tests: Vec::new(),
+            t: 0.0,
+        };
+        Scene { bodies, laws: (), space: Open }
     }
 }
 
@@ -54,14 +64,32 @@ impl<const D: usize, P> Default for Scene<D, P> {
     }
 }
 
-impl<const D: usize, L> Scene<D, (), L> {
+impl<const D: usize, L, B> Scene<D, (), L, B> {
     /// Adds a body of mass `mass` at `q` with velocity `v`.
     pub fn body(self, mass: f64, q: [f64; D], v: [f64; D]) -> Self {
         self.body_with(mass, q, v, ())
     }
+
+    /// Adds a test body: it feels every law, with the mass `mass`, and does not act on the others.
+    ///
+    /// Its motion is that of a body of vanishing mass where forces are in proportion to it, as in gravity, whatever
+    /// the mass. Energy, momenta and work of a scene are those of the bodies that act: these are a closed system, and what
+    /// is an invariant stays one. Two test bodies do not know of each other, so that n of them take O(n).
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::Scene;
+    /// let scene = Scene::<2>::new()
+    ///     .body(1.0, [0.0, 0.0], [0.0, 0.0])
+    ///     .test_body(1.0, [1.0, 0.0], [0.0, 1.0]);
+    /// assert_eq!(scene.bodies(), 2);
+    /// ```
+    pub fn test_body(self, mass: f64, q: [f64; D], v: [f64; D]) -> Self {
+        self.test_body_with(mass, q, v, ())
+    }
 }
 
-impl<const D: usize, P, L> Scene<D, P, L> {
+impl<const D: usize, P, L, B> Scene<D, P, L, B> {
     /// Adds a body that carries data for the laws between bodies, such as a charge.
     pub fn body_with(mut self, mass: f64, q: [f64; D], v: [f64; D], data: P) -> Self {
         self.bodies.masses.push(mass);
@@ -69,6 +97,12 @@ impl<const D: usize, P, L> Scene<D, P, L> {
         self.bodies.v.push(v);
         self.bodies.data.push(data);
         self
+    }
+
+    /// Adds a [test body](Scene::test_body) that carries data for the laws between bodies.
+    pub fn test_body_with(mut self, mass: f64, q: [f64; D], v: [f64; D], data: P) -> Self {
+        self.bodies.tests.push(self.bodies.masses.len());
+        self.body_with(mass, q, v, data)
     }
 
     /// Fixes body i, counted from 0 in the order of addition: it acts on the others and does not move.
@@ -90,18 +124,40 @@ impl<const D: usize, P, L> Scene<D, P, L> {
         self
     }
 
+    /// A box of the lengths l that repeats itself on all sides: bodies are separated by the nearest image of q_a − q_b.
+    ///
+    /// Only separations of pairs, chains and bonds are taken so. Positions are not wrapped: they go on and on, so that
+    /// velocities, paths and diffusion are read off them as in open space; a body l away is the same body. A law on
+    /// [each body](Scene::field) sees the position as it is.
+    ///
+    /// Energy and linear momentum are kept as without a box; the angular momentum is not, a box has corners. Without a
+    /// [cut-off](Scene::cutoff) the force between two bodies jumps where the nearest image becomes another one.
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::Scene;
+    /// let scene = Scene::<3>::new().body(1.0, [0.1; 3], [0.0; 3]).body(1.0, [9.9; 3], [0.0; 3]).periodic([10.0; 3]);
+    /// # let _ = scene;
+    /// ```
+    ///
+    /// # Errors
+    /// When run: [`SceneError::Length`](crate::SceneError::Length).
+    pub fn periodic(self, lengths: [f64; D]) -> Scene<D, P, L, Periodic<D>> {
+        Scene { bodies: self.bodies, laws: self.laws, space: Periodic::new(lengths) }
+    }
+
     /// A law that acts on each body by itself.
-    pub fn field<X: FieldLaw<D>>(self, law: X) -> Scene<D, P, (L, Each<X>)> {
+    pub fn field<X: FieldLaw<D>>(self, law: X) -> Scene<D, P, (L, Each<X>), B> {
         self.with(Each { law })
     }
 
     /// A law that acts between any two bodies.
-    pub fn pairs<X: LinkLaw<D, P> + Symmetric>(self, law: X) -> Scene<D, P, (L, Linked<X, Pairs>)> {
+    pub fn pairs<X: LinkLaw<D, P> + Symmetric>(self, law: X) -> Scene<D, P, (L, Linked<X, Pairs>), B> {
         self.with(Linked { law, links: Pairs::default() })
     }
 
     /// A law that acts between consecutive bodies: a is body j and b is body j + 1.
-    pub fn chain<X: LinkLaw<D, P>>(self, law: X) -> Scene<D, P, (L, Linked<X, Chain>)> {
+    pub fn chain<X: LinkLaw<D, P>>(self, law: X) -> Scene<D, P, (L, Linked<X, Chain>), B> {
         self.with(Linked { law, links: Chain })
     }
 
@@ -110,12 +166,12 @@ impl<const D: usize, P, L> Scene<D, P, L> {
         self,
         law: X,
         list: impl IntoIterator<Item = (usize, usize)>,
-    ) -> Scene<D, P, (L, Linked<X, Bonds>)> {
+    ) -> Scene<D, P, (L, Linked<X, Bonds>), B> {
         self.with(Linked { law, links: Bonds::new(list) })
     }
 
-    fn with<X>(self, term: X) -> Scene<D, P, (L, X)> {
-        Scene { bodies: self.bodies, laws: (self.laws, term) }
+    fn with<X>(self, term: X) -> Scene<D, P, (L, X), B> {
+        Scene { bodies: self.bodies, laws: (self.laws, term), space: self.space }
     }
 
     /// The masses, in the order of the bodies.
@@ -126,5 +182,56 @@ impl<const D: usize, P, L> Scene<D, P, L> {
     /// The number of bodies.
     pub fn bodies(&self) -> usize {
         self.bodies.masses.len()
+    }
+}
+
+impl<const D: usize, P, L, X, B> Scene<D, P, (L, Linked<X, Pairs>), B> {
+    /// Ends the law on pairs that was added last at the distance r: `.pairs(law).cutoff(r)`.
+    ///
+    /// A law that vanishes at r is taken as it is; any other is shifted by its value there, Φ(d) − Φ(r), so that the
+    /// energy is an invariant. Where the force does not vanish too it jumps at r: `DiscreteGradient` keeps the energy
+    /// all the same, that of explicit schemes goes to and fro a little more.
+    ///
+    /// Bodies within reach are found by cells, and remembered in lists until one of them has moved: time and memory are
+    /// O(N), for N bodies of bounded density. The sums are formed in the order of the bodies, whatever the lists: they do
+    /// not depend on when those were made, nor on the number of threads.
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::{Between, PairLaw, Reads, Scene, Symmetric};
+    /// # #[derive(Clone, Copy)] struct Soft;
+    /// # #[derive(Clone, Copy)] struct Square;
+    /// # impl Symmetric for Soft {}
+    /// # impl VelocityIndependent for Soft {}
+    /// # impl<P> Reads<P> for Soft { type Numbers = [f64; 0]; fn numbers(&self, _: f64, _: &P) -> [f64; 0] { [] } }
+    /// # impl<P, R: dmech_core::Real> PairLaw<1, P, R> for Soft {
+    /// #     type Between<'a> = Square;
+    /// #     fn between(&self, _: [R; 0], _: [R; 0], _: R) -> Square { Square }
+    /// # }
+    /// # impl<R: dmech_core::Real> Between<1, R> for Square {}
+    /// # impl<R: dmech_core::Real> Potential<1, R> for Square {
+    /// #     const CENTRAL: bool = true;
+    /// #     fn potential(&self, [x]: [R; 1]) -> R { -x * x }
+    /// #     fn gradient(&self, [x]: [R; 1]) -> [R; 1] { [-x - x] }
+    /// #     fn hessian(&self, _: [R; 1]) -> [[R; 1]; 1] { [[R::from_f64(-2.0)]] }
+    /// #     fn discrete_gradient(&self, [a]: [R; 1], [b]: [R; 1]) -> [R; 1] { [-a - b] }
+    /// #     fn discrete_gradient_jacobian(&self, _: [R; 1], _: [R; 1]) -> [[R; 1]; 1] { [[-R::ONE]] }
+    /// # }
+    /// // Φ(r) = −r² within a distance of 1, shifted to 0 there; two bodies that meet across the edge of the box.
+    /// let scene = Scene::new().body(1.0, [0.2], [-0.3]).body(1.0, [8.0], [0.1]).pairs(Soft).cutoff(1.0).periodic([9.0]);
+    /// let run = Simulation::scene(scene).scheme(DiscreteGradient).dt(0.05).run(200)?;
+    /// assert!(run.drift(Invariant::Energy).unwrap().max_abs() < 1e-14);
+    /// # Ok::<(), Interrupted<SceneState<1>>>(())
+    /// ```
+    ///
+    /// Implicit steps store the blocks of the Jacobian of those pairs and solve by iteration, O(N) too.
+    ///
+    /// # Errors
+    /// When run: [`SceneError::Cutoff`](crate::SceneError::Cutoff);
+    /// [`SceneError::CutoffInBox`](crate::SceneError::CutoffInBox) where r is longer than half a box;
+    /// [`SceneError::CutoffNotCentral`](crate::SceneError::CutoffNotCentral) for a potential of the direction.
+    pub fn cutoff(self, r: f64) -> Scene<D, P, (L, OnNear<X>), B> {
+        let Scene { bodies, laws: (laws, Linked { law, .. }), space } = self;
+        Scene { bodies, laws: (laws, Linked { law: Within::new(law, r), links: Near::new(r) }), space }
     }
 }

@@ -1,13 +1,14 @@
 //! Encounters of bodies.
 
 use super::builder::Scene;
+use super::space::Space;
 use super::state::SceneState;
-use super::terms::Term;
 use crate::error::{Error, SceneError};
 use crate::run::{Attend, Crossing, Event, Within};
 use crate::simulation::Simulation;
+use crate::vector::{difference, dot};
 
-impl<const D: usize, P, L: Term<D, P>, S, O> Simulation<(), Scene<D, P, L>, S, O> {
+impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, S, O> {
     /// Watches for pairs of bodies that come nearer to one another than a distance, which
     /// [`Run::events`](crate::Run::events) then has, with [`bodies`](crate::Event::bodies) and the state at that distance. Pairs
     /// that are nearer at the start have met before. A pair that comes and goes within one step may be missed; each step
@@ -26,45 +27,47 @@ impl<const D: usize, P, L: Term<D, P>, S, O> Simulation<(), Scene<D, P, L>, S, O
     ///
     /// # Errors
     /// When run: [`SceneError::Encounter`] where the distance is not positive and finite.
-    pub fn encounter(self, distance: f64) -> Simulation<(), Scene<D, P, L>, S, (O, Encounter)> {
-        self.attended(Encounter { distance, excess: Vec::new() })
+    pub fn encounter(self, distance: f64) -> Simulation<(), Scene<D, P, L, B>, S, (O, Encounter<B>)> {
+        let space = self.start.space;
+        self.attended(Encounter { distance, space, excess: Vec::new() })
     }
 }
 
 /// The distance at which bodies meet, and by how much the squares of the distances of all pairs exceed its own.
 #[derive(Clone, Debug)]
-pub struct Encounter {
+pub struct Encounter<B> {
     distance: f64,
+    space: B,
     excess: Vec<f64>,
 }
 
-/// |q_a − q_b|² − r².
-fn excess<const D: usize>(state: &SceneState<D>, [a, b]: [usize; 2], distance: f64) -> f64 {
-    let separation = state.q[a].iter().zip(&state.q[b]).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
-    separation - distance * distance
+/// |q_a − q_b|² − r², in a periodic box to the nearest image.
+fn excess<const D: usize>(state: &SceneState<D>, [a, b]: [usize; 2], distance: f64, space: &impl Space<D>) -> f64 {
+    let d = space.image(difference(state.q[a], state.q[b]));
+    dot(d, d) - distance * distance
 }
 
 fn pairs(bodies: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..bodies).flat_map(move |b| (0..b).map(move |a| [a, b]))
 }
 
-impl<const D: usize> Attend<SceneState<D>> for Encounter {
+impl<const D: usize, B: Space<D>> Attend<SceneState<D>> for Encounter<B> {
     const EVENTS: usize = 1;
 
     fn begin(&mut self, start: &SceneState<D>) -> Result<(), Error> {
         if !(self.distance > 0.0 && self.distance.is_finite()) {
             return Err(SceneError::Encounter { distance: self.distance }.into());
         }
-        self.excess = pairs(start.q.len()).map(|pair| excess(start, pair, self.distance)).collect();
+        self.excess = pairs(start.q.len()).map(|pair| excess(start, pair, self.distance, &self.space)).collect();
         Ok(())
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, SceneState<D>>) -> Result<(), Error> {
         for (pair, last) in pairs(step.end.q.len()).zip(&mut self.excess) {
-            let now = excess(step.end, pair, self.distance);
+            let now = excess(step.end, pair, self.distance, &self.space);
             let before = core::mem::replace(last, now);
             if before > 0.0 && now <= 0.0 {
-                let mut function = |state: &SceneState<D>| excess(state, pair, self.distance);
+                let mut function = |state: &SceneState<D>| excess(state, pair, self.distance, &self.space);
                 let state = step.zero([before, now], &mut function)?;
                 step.happened(false, Event::new(which, state, Crossing::Falling, Some(pair)));
             }

@@ -2,8 +2,10 @@
 //!
 //! A [`Scene`] holds bodies and laws; [`Simulation::scene`](crate::Simulation::scene) runs it by any of the schemes. What
 //! acts is composed in the type of the scene, so each law is compiled for itself and for no number of bodies in particular.
-//! The Newton matrix of the implicit schemes follows from what is linked: block-tridiagonal for chains, dense for all pairs.
+//! The Newton matrix of the implicit schemes follows from what is linked: block-tridiagonal for chains, dense for all pairs;
+//! within a cut-off its blocks are a list, and it is solved by iteration.
 
+mod acting;
 mod bodies;
 mod builder;
 mod changes;
@@ -11,6 +13,7 @@ mod compensated;
 mod encounter;
 mod matrix;
 mod newton;
+mod space;
 mod state;
 mod system;
 mod terms;
@@ -22,12 +25,14 @@ pub use builder::{FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
 pub use encounter::Encounter;
 pub use matrix::Matrix;
+pub use space::{Open, Periodic, Space};
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Kicked, Laws, Linked, Moving, Pairs, Term};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Kicked, Laws, Linked, Moving, Near, Pairs, Term};
 pub use topology::Topology;
 pub use vectors::Vectors;
 
+use crate::law::Within;
 use crate::scheme::Scheme;
 use crate::setup::Setup;
 use crate::simulation::Simulation;
@@ -37,6 +42,8 @@ use crate::stepper::Stepper;
 pub type OnEach<X> = Each<X>;
 /// A law between any two bodies, as a type: [`Scene::pairs`] adds one.
 pub type OnPairs<X> = Linked<X, Pairs>;
+/// A law between bodies nearer than its cut-off, as a type: [`Scene::pairs`] and [`Scene::cutoff`] add one.
+pub type OnNear<X> = Linked<Within<X>, Near>;
 /// A law along a chain, as a type: [`Scene::chain`] adds one.
 pub type OnChain<X> = Linked<X, Chain>;
 /// A law on listed bonds, as a type: [`Scene::bonds`] adds one.
@@ -67,11 +74,11 @@ pub type OnBonds<X> = Linked<X, Bonds>;
 /// game.bodies.advance(100)?;
 /// # Ok::<(), Error>(())
 /// ```
-pub type SceneStepper<const D: usize, L, S, P = ()> = Stepper<<Scene<D, P, L> as Setup<()>>::System, S>;
+pub type SceneStepper<const D: usize, L, S, P = (), B = Open> = Stepper<<Scene<D, P, L, B> as Setup<()>>::System, S>;
 
-impl<const D: usize, P, L> Simulation<(), Scene<D, P, L>> {
+impl<const D: usize, P, L, B> Simulation<(), Scene<D, P, L, B>> {
     /// The bodies of a scene under its laws.
-    pub fn scene(scene: Scene<D, P, L>) -> Self {
+    pub fn scene(scene: Scene<D, P, L, B>) -> Self {
         Simulation::of((), scene)
     }
 }

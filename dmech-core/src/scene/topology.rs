@@ -12,6 +12,8 @@ pub enum Topology {
         /// Consecutive bodies are linked too.
         chain: bool,
     },
+    /// Those within reach of each other, which change.
+    Near,
     /// Any two.
     Dense,
 }
@@ -21,6 +23,7 @@ impl Topology {
     pub fn and(self, other: Topology) -> Topology {
         match (self, other) {
             (Topology::Dense, _) | (_, Topology::Dense) => Topology::Dense,
+            (Topology::Near, _) | (_, Topology::Near) => Topology::Near,
             (Topology::Chain, Topology::Chain) => Topology::Chain,
             (Topology::Chain, Topology::Sparse { bonds, .. }) | (Topology::Sparse { bonds, .. }, Topology::Chain) => {
                 Topology::Sparse { bonds, chain: true }

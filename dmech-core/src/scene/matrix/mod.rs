@@ -3,12 +3,14 @@
 pub(super) mod block;
 mod chain;
 mod dense;
+mod near;
 mod series;
 #[cfg(feature = "sparse")]
 mod sparse;
 
 use chain::ChainMatrix;
 use dense::DenseMatrix;
+use near::NearMatrix;
 #[cfg(feature = "sparse")]
 use sparse::SparseMatrix;
 
@@ -23,6 +25,8 @@ pub enum Matrix<const D: usize> {
     /// The bodies of a list are linked: sparse, with the fill of its elimination (feature `sparse`).
     #[cfg(feature = "sparse")]
     Sparse(Box<SparseMatrix<D>>),
+    /// Bodies within reach are linked: the blocks as they come, and no factors, O(links).
+    Near(Box<NearMatrix<D>>),
     /// Any bodies may be linked: dense, O(n³) to factorise.
     Dense(DenseMatrix<D>),
 }
@@ -42,6 +46,7 @@ impl<const D: usize> Matrix<D> {
             // A dense matrix fits everything.
             #[cfg(not(feature = "sparse"))]
             Topology::Sparse { .. } => Matrix::Dense(DenseMatrix::new(bodies)),
+            Topology::Near => Matrix::Near(Box::new(NearMatrix::new(bodies))),
             Topology::Dense => Matrix::Dense(DenseMatrix::new(bodies)),
         }
     }
@@ -52,6 +57,7 @@ impl<const D: usize> Matrix<D> {
             Matrix::Chain(matrix) => matrix.clear(),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.clear(),
+            Matrix::Near(matrix) => matrix.clear(),
             Matrix::Dense(matrix) => matrix.clear(),
         }
     }
@@ -63,6 +69,7 @@ impl<const D: usize> Matrix<D> {
             Matrix::Chain(matrix) => matrix.add_block(a, b, block),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.add_block(a, b, block),
+            Matrix::Near(matrix) => matrix.add_block(a, b, block),
             Matrix::Dense(matrix) => matrix.add_block(a, b, block),
         }
     }
@@ -70,8 +77,10 @@ impl<const D: usize> Matrix<D> {
     /// What a link with ∂G_d/∂d = block adds: G_a = G_d and G_b = −G_d.
     #[inline]
     pub fn add_link(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
-        if let Matrix::Chain(matrix) = self {
-            return matrix.add_link(a, b, block);
+        match self {
+            Matrix::Chain(matrix) => return matrix.add_link(a, b, block),
+            Matrix::Near(matrix) => return matrix.add_link(a, b, block),
+            _ => {}
         }
         let opposite = block.map(|row| row.map(|x| -x));
         self.add_block(a, a, block);
@@ -86,6 +95,7 @@ impl<const D: usize> Matrix<D> {
             Matrix::Chain(matrix) => matrix.multiply_add(x, y),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.multiply_add(x, y),
+            Matrix::Near(matrix) => matrix.multiply_add(x.flat(), y.flat_mut()),
             Matrix::Dense(matrix) => matrix.multiply_add(x, y),
         }
     }
@@ -96,6 +106,7 @@ impl<const D: usize> Matrix<D> {
             Matrix::Chain(matrix) => matrix.add_row_sums(out),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.add_row_sums(out.flat_mut()),
+            Matrix::Near(matrix) => matrix.add_row_sums(out.flat_mut()),
             Matrix::Dense(matrix) => matrix.add_row_sums(out.flat_mut()),
         }
     }
@@ -106,6 +117,7 @@ impl<const D: usize> Matrix<D> {
             Matrix::Chain(matrix) => matrix.factorise(g),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.factorise(g),
+            Matrix::Near(matrix) => matrix.factorise(g),
             Matrix::Dense(matrix) => matrix.factorise(g),
         }
     }
@@ -116,6 +128,7 @@ impl<const D: usize> Matrix<D> {
             Matrix::Chain(matrix) => matrix.solve(g, x),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.solve(x),
+            Matrix::Near(matrix) => matrix.solve(x.flat_mut()),
             Matrix::Dense(matrix) => matrix.solve(x),
         }
     }

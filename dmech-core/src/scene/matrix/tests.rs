@@ -1,10 +1,10 @@
 use super::*;
 
 /// The topologies of a chain, the last of them with a matrix that could hold more.
-fn topologies(n: usize) -> [Topology; 3] {
+fn topologies(n: usize) -> [Topology; 4] {
     // Listed once or twice, forwards or backwards: the pattern holds each link once.
     let bonds = (1..n).map(|i| if i % 2 == 0 { (i, i - 1) } else { (i - 1, i) }).chain([(0, 1)]).collect();
-    [Topology::Chain, Topology::Sparse { bonds, chain: n > 5 }, Topology::Dense]
+    [Topology::Chain, Topology::Sparse { bonds, chain: n > 5 }, Topology::Near, Topology::Dense]
 }
 
 /// A dense matrix and the others with the same blocks multiply and solve alike, with rows of pinned bodies among them.
@@ -13,7 +13,7 @@ fn all_matrices_solve_the_same_system() {
     let n = 7;
     let mut matrices = topologies(n).map(|topology| Matrix::<2>::new(n, &topology));
     #[cfg(feature = "sparse")]
-    assert!(matches!(matrices, [Matrix::Chain(_), Matrix::Sparse(_), Matrix::Dense(_)]));
+    assert!(matches!(matrices, [Matrix::Chain(_), Matrix::Sparse(_), Matrix::Near(_), Matrix::Dense(_)]));
     let mut g = Vectors::<2>::zeros(n);
     let mut x = Vectors::<2>::zeros(n);
     for i in 0..n {
@@ -34,7 +34,7 @@ fn all_matrices_solve_the_same_system() {
             assert!(matrix.factorise(&g));
         }
     }
-    let [chain, sparse, dense] = matrices.map(|mut matrix| {
+    let [chain, sparse, near, dense] = matrices.map(|mut matrix| {
         let (mut product, mut solution, mut sums) = (Vectors::zeros(n), x.clone(), Vectors::zeros(n));
         matrix.multiply_add(&x, &mut product);
         matrix.add_row_sums(&mut sums);
@@ -49,7 +49,7 @@ fn all_matrices_solve_the_same_system() {
         assert!(residual.largest() < 1e-14, "{:e}", residual.largest());
         (product, solution, sums)
     });
-    for other in [chain, sparse] {
+    for other in [chain, sparse, near] {
         for i in 0..2 * n {
             assert!((other.0.flat()[i] - dense.0.flat()[i]).abs() < 1e-14);
             assert!((other.1.flat()[i] - dense.1.flat()[i]).abs() < 1e-14);
@@ -64,7 +64,8 @@ fn all_matrices_solve_the_same_system() {
 /// Elimination needs the exchange of rows here: the first pivot is 1 − 1 + 10⁻¹⁷, which rounds to nothing.
 #[test]
 fn rows_are_exchanged_by_size() {
-    for topology in &topologies(3)[1..] {
+    // All but the first, and the one that has no factors.
+    for topology in topologies(3)[1..].iter().filter(|&topology| *topology != Topology::Near) {
         let mut matrix = Matrix::<1>::new(3, topology);
         let mut g = Vectors::zeros(3);
         g.flat_mut().fill(1.0);
@@ -126,7 +127,8 @@ fn large_matrices_are_solved_both_ways() {
 
 #[test]
 fn a_singular_matrix_is_noticed() {
-    for topology in topologies(2) {
+    // Without factors it is noticed by what does not converge.
+    for topology in topologies(2).into_iter().filter(|topology| *topology != Topology::Near) {
         let mut matrix = Matrix::<1>::new(2, &topology);
         matrix.add_block(0, 0, [[-1.0]]);
         let mut g = Vectors::zeros(2);

@@ -10,6 +10,7 @@ pub use solve::SceneSolver;
 use super::bodies::{Bodies, check_state};
 use super::builder::Scene;
 use super::compensated::CompensatedVectors;
+use super::space::Space;
 use super::state::SceneState;
 use super::terms::{Acts, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
@@ -31,6 +32,10 @@ pub struct SceneSystem<const D: usize, A> {
     pub(super) pins: Vec<usize>,
     /// 1/m, and 0 for pinned bodies.
     per_mass: Vec<f64>,
+    /// Those that do not act on others.
+    pub(super) tests: Vec<usize>,
+    /// What counts in energies and momenta: masses, and 0 for test bodies.
+    weights: Vec<f64>,
 }
 
 /// The length of a step, and what follows from it for each coordinate.
@@ -73,7 +78,7 @@ pub struct SceneRoom<const D: usize> {
     by_velocity: Vec<[[f64; D]; D]>,
 }
 
-impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
+impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P, L, B> {
     type State = SceneState<D>;
     type System = SceneSystem<D, L::Ready>;
 
@@ -87,17 +92,20 @@ impl<const D: usize, P, L: Term<D, P>> Setup<()> for Scene<D, P, L> {
     }
 
     fn mass(&self, _: f64) -> f64 {
-        self.bodies.masses.iter().sum()
+        self.bodies.weights().iter().sum()
     }
 
     fn system(self, (): (), _: f64, dt: f64) -> Result<Self::System, Error> {
-        let Scene { bodies, laws } = self;
+        let Scene { bodies, laws, space } = self;
         bodies.check()?;
+        space.check()?;
         moves_on(bodies.t, dt)?;
-        let acts = laws.prepare(&bodies)?;
+        let acts = laws.prepare(&bodies, space)?;
         let mut per_mass: Vec<_> = bodies.masses.iter().map(|mass| mass.recip()).collect();
         bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);
-        Ok(SceneSystem { acts, masses: bodies.masses, pins: bodies.pins, per_mass })
+        let weights = bodies.weights();
+        let Bodies { masses, pins, tests, .. } = bodies;
+        Ok(SceneSystem { acts, masses, pins, per_mass, tests, weights })
     }
 }
 
@@ -228,7 +236,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn kinetic_energy(&self, v: &Vectors<D>) -> f64 {
-        let squares = v.columns().map(|column| column.iter().zip(&self.masses).map(|(v, m)| m * (v * v)).sum::<f64>());
+        let squares = v.columns().map(|column| column.iter().zip(&self.weights).map(|(v, m)| m * (v * v)).sum::<f64>());
         0.5 * squares.iter().sum::<f64>()
     }
 
@@ -366,25 +374,28 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         let (columns, speeds) = (work.columns_mut(), v.columns().into_iter().zip(next.columns()));
         for (work, (v, next)) in columns.into_iter().zip(speeds) {
             for (i, work) in work.iter_mut().enumerate() {
-                *work += 0.5 * self.masses[i] * (next[i] - v[i]) * (next[i] + v[i]);
+                *work += 0.5 * self.weights[i] * (next[i] - v[i]) * (next[i] + v[i]);
             }
         }
     }
 
     fn total(&self, work: &Vectors<D>) -> f64 {
-        work.flat().iter().sum()
+        if self.tests.is_empty() {
+            return work.flat().iter().sum();
+        }
+        work.flat().iter().enumerate().filter(|&(i, _)| self.counts(i)).map(|(_, work)| work).sum()
     }
 
     fn work_along(&self, slope: &Vectors<D>, moved: &Vectors<D>) -> f64 {
-        work(slope, |i| moved.flat()[i])
+        self.work(slope, |i| moved.flat()[i])
     }
 
     fn work_between(&self, slope: &Vectors<D>, before: &Self::Sum, after: &Self::Sum) -> f64 {
-        work(slope, |i| after.since(before, i))
+        self.work(slope, |i| after.since(before, i))
     }
 
     fn work_at_speeds(&self, slope: &Vectors<D>, c: f64, v: &Vectors<D>, next: &Vectors<D>) -> f64 {
-        work(slope, |i| c * (v.flat()[i] + next.flat()[i]))
+        self.work(slope, |i| c * (v.flat()[i] + next.flat()[i]))
     }
 
     fn solver(&self) -> SceneSolver<D> {
@@ -510,8 +521,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     fn momentum(&self, invariant: Invariant, state: &SceneState<D>, start: &SceneState<D>) -> (f64, f64) {
         let [now, first] = [state, start].map(|state| match invariant {
-            Invariant::LinearMomentum => state.linear_momentum(&self.masses),
-            _ => state.angular_momentum(&self.masses),
+            Invariant::LinearMomentum => state.linear_momentum(&self.weights),
+            _ => state.angular_momentum(&self.weights),
         });
         if let ([now], [first]) = (&*now, &*first) {
             return (*now, now - first);
@@ -522,6 +533,20 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 }
 
 impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
+    /// Whether coordinate i is that of a body that acts on others.
+    fn counts(&self, i: usize) -> bool {
+        self.weights[i % self.weights.len()] != 0.0
+    }
+
+    /// Σ F·Δq of the force −S that acts on the bodies that move: work on a pinned body is none.
+    fn work(&self, slope: &Vectors<D>, moved: impl Fn(usize) -> f64) -> f64 {
+        let all = slope.flat().iter().enumerate();
+        if self.tests.is_empty() {
+            return -all.map(|(i, s)| s * moved(i)).sum::<f64>();
+        }
+        -all.filter(|&(i, _)| self.counts(i)).map(|(i, s)| s * moved(i)).sum::<f64>()
+    }
+
     /// The length of a kick by the slope in the room.
     #[inline(always)]
     fn length(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
@@ -554,9 +579,4 @@ impl<const D: usize, A: Acts<D>> TimeScale for SceneSystem<D, A> {
         System::slope(self, t, q, v, &mut room.slope);
         self.acts.look(&Moving { t, q, v, slope: &room.slope, per_mass: &self.per_mass, least })
     }
-}
-
-/// Σ F·Δq of the force −S that acts on the bodies that move: work on a pinned body is none.
-fn work<const D: usize>(slope: &Vectors<D>, moved: impl Fn(usize) -> f64) -> f64 {
-    -slope.flat().iter().enumerate().map(|(i, s)| s * moved(i)).sum::<f64>()
 }

@@ -29,6 +29,7 @@ impl<const D: usize, A: Acts<D>> Saved for SceneSystem<D, A> {
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
         self.acts.fields(see);
+        self.tests.iter().for_each(|&i| see("test bodies", i as f64));
     }
 
     /// Φ, ∇Φ and F.

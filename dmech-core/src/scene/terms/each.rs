@@ -7,6 +7,7 @@ use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error, Place};
 use crate::law::written::{self, agree};
 use crate::law::{Field, Law, LinearInVelocity, Potential, VelocityIndependent};
+use crate::scene::acting::Acting;
 use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
@@ -26,16 +27,17 @@ pub struct Each<X> {
 pub struct EachReady<X> {
     law: X,
     masses: Vec<f64>,
+    acting: Acting,
 }
 
 impl<X: VelocityIndependent> WithoutVelocities for EachReady<X> {}
 impl<X: LinearInVelocity> LinearVelocities for EachReady<X> {}
 
-impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
+impl<const D: usize, P, X: Law<D>, B> Term<D, P, B> for Each<X> {
     type Ready = EachReady<X>;
 
     /// Compares the law with its author's methods on every body, and around the first.
-    fn prepare(self, bodies: &Bodies<D, P>) -> Result<EachReady<X>, Error> {
+    fn prepare(self, bodies: &Bodies<D, P>, _: B) -> Result<EachReady<X>, Error> {
         if let Some(written) = self.law.written() {
             let place = |i: usize| written::Probe {
                 q: bodies.q[i],
@@ -48,7 +50,7 @@ impl<const D: usize, P, X: Law<D>> Term<D, P> for Each<X> {
                 agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Body(body))))?;
             }
         }
-        Ok(EachReady { law: self.law, masses: bodies.masses.clone() })
+        Ok(EachReady { law: self.law, masses: bodies.masses.clone(), acting: bodies.acting() })
     }
 }
 
@@ -77,7 +79,9 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     const PIECEWISE: bool = X::Field::<'_>::PIECEWISE;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
-        self.fields(t).map(|(i, field)| field.potential(q.get(i))).sum()
+        // The energy is that of the bodies that act on others.
+        let acting = self.fields(t).filter(|&(i, _)| self.acting.acts(i));
+        acting.map(|(i, field)| field.potential(q.get(i))).sum()
     }
 
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {

@@ -5,25 +5,29 @@ use core::marker::PhantomData;
 
 use super::packed::Packed;
 use super::sweep::Kernel;
-use crate::law::Potential;
-use crate::law::{Numbers, PairLaw};
+use super::way::Way;
+use crate::law::{Numbers, PairLaw, Potential};
+use crate::scene::space::Space;
 use crate::vector::{dot, scaled};
 
 /// d ↦ ∇Φ(d).
-pub(super) struct Slope<'a, X, P> {
+pub(super) struct Slope<'a, X, P, B> {
     pub(super) law: &'a X,
     pub(super) t: f64,
+    pub(super) space: B,
     pub(super) data: PhantomData<fn() -> P>,
 }
 
-impl<X, P> Copy for Slope<'_, X, P> {}
-impl<X, P> Clone for Slope<'_, X, P> {
+impl<X, P, B: Copy> Copy for Slope<'_, X, P, B> {}
+impl<X, P, B: Copy> Clone for Slope<'_, X, P, B> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers, R> for Slope<'_, X, P> {
+impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>, B: Space<D>> Kernel<D, 1, X::Numbers, R>
+    for Slope<'_, X, P, B>
+{
     #[inline(always)]
     fn gradient(
         &self,
@@ -31,7 +35,7 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers,
         b: <X::Numbers as Numbers>::Of<R>,
         [d]: [[R; D]; 1],
     ) -> [R; D] {
-        self.law.between(a, b, R::from_f64(self.t)).gradient(d)
+        self.law.between(a, b, R::from_f64(self.t)).gradient(self.space.image(d))
     }
 
     #[inline(always)]
@@ -41,21 +45,23 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 1, X::Numbers,
         b: <X::Numbers as Numbers>::Of<R>,
         [d]: [[R; D]; 1],
     ) -> [[R; D]; D] {
-        self.law.between(a, b, R::from_f64(self.t)).hessian(d)
+        self.law.between(a, b, R::from_f64(self.t)).hessian(self.space.image(d))
     }
 }
 
 /// (d, d′) ↦ ∇̄Φ(d, d′).
-pub(super) struct Secant<'a, X, P>(pub(super) Slope<'a, X, P>);
+pub(super) struct Secant<'a, X, P, B>(pub(super) Slope<'a, X, P, B>);
 
-impl<X, P> Copy for Secant<'_, X, P> {}
-impl<X, P> Clone for Secant<'_, X, P> {
+impl<X, P, B: Copy> Copy for Secant<'_, X, P, B> {}
+impl<X, P, B: Copy> Clone for Secant<'_, X, P, B> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Secant<'_, X, P> {
+impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>, B: Space<D>> Kernel<D, 2, X::Numbers, R>
+    for Secant<'_, X, P, B>
+{
     #[inline(always)]
     fn gradient(
         &self,
@@ -63,7 +69,8 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers,
         b: <X::Numbers as Numbers>::Of<R>,
         [from, to]: [[R; D]; 2],
     ) -> [R; D] {
-        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient(from, to)
+        let between = self.0.law.between(a, b, R::from_f64(self.0.t));
+        Way::new(&self.0.space, from, to).discrete_gradient(&between)
     }
 
     #[inline(always)]
@@ -73,24 +80,29 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers,
         b: <X::Numbers as Numbers>::Of<R>,
         [from, to]: [[R; D]; 2],
     ) -> [[R; D]; D] {
-        self.0.law.between(a, b, R::from_f64(self.0.t)).discrete_gradient_jacobian(from, to)
+        let between = self.0.law.between(a, b, R::from_f64(self.0.t));
+        Way::new(&self.0.space, from, to).discrete_gradient_jacobian(&between)
     }
 }
 
 /// (d, w) ↦ c ∂²Φ/∂d∂d w, linear in w: the second moment is that of the vectors which are turned.
-pub(super) struct Turned<'a, X, P> {
-    pub(super) slope: Slope<'a, X, P>,
+pub(super) struct Turned<'a, X, P, B> {
+    pub(super) slope: Slope<'a, X, P, B>,
     pub(super) c: f64,
 }
 
-impl<X, P> Copy for Turned<'_, X, P> {}
-impl<X, P> Clone for Turned<'_, X, P> {
+impl<X, P, B: Copy> Copy for Turned<'_, X, P, B> {}
+impl<X, P, B: Copy> Clone for Turned<'_, X, P, B> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers, R> for Turned<'_, X, P> {
+impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>, B: Space<D>> Kernel<D, 2, X::Numbers, R>
+    for Turned<'_, X, P, B>
+{
+    const PLACES: usize = 1;
+
     #[inline(always)]
     fn gradient(
         &self,
@@ -98,7 +110,7 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers,
         b: <X::Numbers as Numbers>::Of<R>,
         [d, w]: [[R; D]; 2],
     ) -> [R; D] {
-        let hessian = self.slope.law.between(a, b, R::from_f64(self.slope.t)).hessian(d);
+        let hessian = self.slope.law.between(a, b, R::from_f64(self.slope.t)).hessian(self.slope.space.image(d));
         let w = scaled(R::from_f64(self.c), w);
         from_fn(|k| dot(hessian[k], w))
     }
@@ -110,7 +122,7 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>> Kernel<D, 2, X::Numbers,
         b: <X::Numbers as Numbers>::Of<R>,
         [d, _]: [[R; D]; 2],
     ) -> [[R; D]; D] {
-        let hessian = self.slope.law.between(a, b, R::from_f64(self.slope.t)).hessian(d);
+        let hessian = self.slope.law.between(a, b, R::from_f64(self.slope.t)).hessian(self.slope.space.image(d));
         hessian.map(|row| scaled(R::from_f64(self.c), row))
     }
 }

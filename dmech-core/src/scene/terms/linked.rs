@@ -7,15 +7,17 @@ use super::kernels::{Secant, Slope, Turned};
 use super::links::Links;
 use super::numbers::NumberColumns;
 use super::stencil::Stencil;
-use super::sweep::{self, Kicked};
+use super::sweep::{self, Kernel, Kicked};
 use super::{Acts, Fault, Laws, Moving, Term, if_of};
-use crate::error::{Culprit, Error};
+use crate::error::{Culprit, Error, SceneError};
 use crate::law::written::{self, Probe, agree};
 use crate::law::{Between, LinkLaw, PairLaw, Reads};
 use crate::law::{LinearInVelocity, Potential, VelocityIndependent};
+use crate::scene::acting::Acting;
 use crate::scene::bodies::Bodies;
 use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::times;
+use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 use crate::system::{Course, Frequency, LinearVelocities, Stiffness, WithoutVelocities};
@@ -28,30 +30,36 @@ pub struct Linked<X, T> {
     pub(crate) links: T,
 }
 
-/// A law that acts along links, with what it reads of the bodies.
+/// A law that acts along links in the space `B`, with what it reads of the bodies.
 #[derive(Clone, Debug)]
-pub struct LinkedReady<X: Reads<P>, T, P> {
+pub struct LinkedReady<X: Reads<P>, T, P, B> {
     law: X,
-    links: T,
-    numbers: NumberColumns<X::Numbers>,
+    pub(super) links: T,
+    pub(super) space: B,
+    pub(super) acting: Acting,
+    pub(super) numbers: NumberColumns<X::Numbers>,
     data: PhantomData<fn() -> P>,
 }
 
-impl<X: Reads<P> + VelocityIndependent, T, P> WithoutVelocities for LinkedReady<X, T, P> {}
-impl<X: Reads<P> + LinearInVelocity, T, P> LinearVelocities for LinkedReady<X, T, P> {}
+impl<X: Reads<P> + VelocityIndependent, T, P, B> WithoutVelocities for LinkedReady<X, T, P, B> {}
+impl<X: Reads<P> + LinearInVelocity, T, P, B> LinearVelocities for LinkedReady<X, T, P, B> {}
 
-impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> {
-    type Ready = LinkedReady<X, T, P>;
+impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Term<D, P, B> for Linked<X, T> {
+    type Ready = LinkedReady<X, T, P, B>;
 
     /// Compares the law with its author's methods on the first thousand links of a sample (`Links::sample`), and around
     /// the first of them.
-    fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
+    fn prepare(self, bodies: &Bodies<D, P>, space: B) -> Result<Self::Ready, Error> {
         const LINKS: usize = 1000;
         let Bodies { masses, q, v, data, t, .. } = bodies;
-        self.links.check(masses.len())?;
+        self.links.check(masses.len(), &space)?;
+        let central = !<X as PairLaw<D, P>>::Between::<'_>::POTENTIAL || <X as PairLaw<D, P>>::Between::<'_>::CENTRAL;
+        if T::OF_DISTANCE && !central {
+            return Err(SceneError::CutoffNotCentral.into());
+        }
         if let Some(law) = PairLaw::<D, P, f64>::written(&self.law) {
             for (i, (a, b)) in self.links.sample(masses.len()).take(LINKS).enumerate() {
-                let d = core::array::from_fn(|k| q[a][k] - q[b][k]);
+                let d = space.image(core::array::from_fn(|k| q[a][k] - q[b][k]));
                 let place = Probe { q: d, v: [v[a], v[b]], m: [masses[a], masses[b]], t: *t };
                 let agreed = agree(&written::Between { law, a: &data[a], b: &data[b] }, &place, i == 0);
                 agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Link(a, b))))?;
@@ -59,19 +67,19 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Term<D, P> for Linked<X, T> 
         }
         let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| self.law.numbers(mass, data));
         let numbers = NumberColumns::new(read);
-        Ok(LinkedReady { law: self.law, links: self.links, numbers, data: PhantomData })
+        Ok(LinkedReady { law: self.law, links: self.links, space, acting: bodies.acting(), numbers, data: PhantomData })
     }
 }
 
-impl<X: Reads<P> + 'static, T, P> Laws for LinkedReady<X, T, P> {
+impl<X: Reads<P> + 'static, T, P, B> Laws for LinkedReady<X, T, P, B> {
     fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
         if_of(&mut self.law, of)
     }
 }
 
-impl<X: Reads<P>, T: Links, P> LinkedReady<X, T, P> {
-    fn slope(&self, t: f64) -> Slope<'_, X, P> {
-        Slope { law: &self.law, t, data: PhantomData }
+impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
+    fn slope(&self, t: f64) -> Slope<'_, X, P, B> {
+        Slope { law: &self.law, t, space: self.space, data: PhantomData }
     }
 
     /// The law between two bodies, as seen from the first.
@@ -91,8 +99,10 @@ impl<X: Reads<P>, T: Links, P> LinkedReady<X, T, P> {
     fn stiffness<const D: usize>(&self, t: f64, s: f64, ends: [(usize, &Course<D>); 2], d: [f64; D]) -> Stiffness<D>
     where
         X: PairLaw<D, P>,
+        B: Space<D>,
     {
         let [(a, on_a), (b, on_b)] = ends;
+        let d = self.space.image(d);
         let between = self.between(a, b, t + s);
         let mut by_position = [[0.0; D]; D];
         let mut damping = 0.0;
@@ -115,10 +125,19 @@ impl<X: Reads<P>, T: Links, P> LinkedReady<X, T, P> {
         }
         Stiffness { by_position, damping }
     }
+
+    /// q_a − q_b as the space has it.
+    #[inline(always)]
+    fn separation<const D: usize>(&self, q: &Vectors<D>, a: usize, b: usize) -> [f64; D]
+    where
+        B: Space<D>,
+    {
+        self.space.image(separation(q, a, b))
+    }
 }
 
 #[inline(always)]
-fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
+pub(super) fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
     let (a, b) = (q.get(a), q.get(b));
     core::array::from_fn(|k| a[k] - b[k])
 }
@@ -128,33 +147,38 @@ fn combine<const D: usize>(c: f64, x: [[f64; D]; D], d: f64, y: [[f64; D]; D]) -
     core::array::from_fn(|k| core::array::from_fn(|l| c.mul_add(x[k][l], d * y[k][l])))
 }
 
-impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T, P> {
+impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for LinkedReady<X, T, P, B> {
     const FORCED: bool = <X as PairLaw<D, P>>::Between::<'_>::FORCED;
     const CONSERVES_ENERGY: bool = !<X as PairLaw<D, P>>::Between::<'_>::FORCED && <X as PairLaw<D, P>>::AUTONOMOUS;
     const AUTONOMOUS: bool = <X as PairLaw<D, P>>::AUTONOMOUS;
     const LINEAR_MOMENTUM: bool = <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL;
     const ANGULAR_MOMENTUM: bool =
-        <X as PairLaw<D, P>>::Between::<'_>::CENTRAL && !<X as PairLaw<D, P>>::Between::<'_>::FORCED;
-    const LINEAR: bool = <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
-    const PIECEWISE: bool = <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
+        !B::PERIODIC && <X as PairLaw<D, P>>::Between::<'_>::CENTRAL && !<X as PairLaw<D, P>>::Between::<'_>::FORCED;
+    const LINEAR: bool = !B::PERIODIC && <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
+    const PIECEWISE: bool = B::PERIODIC || <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
 
     const AT_ONCE: bool = T::AT_ONCE && <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         let mut sum = 0.0;
-        self.links.each(q.bodies(), |a, b| sum += self.between(a, b, t).potential(separation(q, a, b)));
+        self.each([q], |a, b| {
+            // The energy is that of the bodies that act.
+            if self.acting.acts(a) && self.acting.acts(b) {
+                sum += self.between(a, b, t).potential(self.separation(q, a, b));
+            }
+        });
         sum
     }
 
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<false, D, 1, _>(&self.slope(t), [q], &self.numbers, out);
+            self.sweep::<false, _, D, 1>(&self.slope(t), [q], out);
         }
     }
 
     fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<true, D, 1, _>(&self.slope(t), [q], &self.numbers, out);
+            self.sweep::<true, _, D, 1>(&self.slope(t), [q], out);
         } else {
             out.clear();
         }
@@ -162,35 +186,43 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
 
     #[inline]
     fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) {
-        self.links.kick(&self.slope(t), q, &self.numbers, kick);
+        if self.acting.all() {
+            self.links.kick(&self.slope(t), q, &self.numbers, kick);
+        } else {
+            self.kick_felt(&self.slope(t), q, kick);
+        }
     }
 
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if !Self::FORCED {
             return;
         }
-        self.links.each(q.bodies(), |a, b| {
-            let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
+        self.each([q], |a, b| {
+            let (d, va, vb) = (self.separation(q, a, b), v.get(a), v.get(b));
             let on_a = self.between(a, b, t).force(d, va, vb);
-            out.add(a, on_a.map(|f| -c * f));
-            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
-                out.add(b, on_a.map(|f| c * f));
-            } else {
-                let on_b = self.between(b, a, t).force(d.map(|x| -x), vb, va);
-                out.add(b, on_b.map(|f| -c * f));
+            if self.acting.acts(b) {
+                out.add(a, on_a.map(|f| -c * f));
+            }
+            if self.acting.acts(a) {
+                if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                    out.add(b, on_a.map(|f| c * f));
+                } else {
+                    let on_b = self.between(b, a, t).force(d.map(|x| -x), vb, va);
+                    out.add(b, on_b.map(|f| -c * f));
+                }
             }
         });
     }
 
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<false, D, 2, _>(&Secant(self.slope(t)), [a, b], &self.numbers, out);
+            self.sweep::<false, _, D, 2>(&Secant(self.slope(t)), [a, b], out);
         }
     }
 
     fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<true, D, 2, _>(&Secant(self.slope(t)), [a, b], &self.numbers, out);
+            self.sweep::<true, _, D, 2>(&Secant(self.slope(t)), [a, b], out);
         } else {
             out.clear();
         }
@@ -198,39 +230,44 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
 
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.each(q.bodies(), |a, b| {
-                let hessian = self.between(a, b, t).hessian(separation(q, a, b));
-                out.add_link(a, b, hessian.map(|row| row.map(|x| c * x)));
+            self.each([q], |a, b| {
+                let hessian = self.between(a, b, t).hessian(self.separation(q, a, b));
+                self.add_link(a, b, hessian.map(|row| row.map(|x| c * x)), out);
             });
         }
     }
 
     fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.sweep::<false, D, 2, _>(&Turned { slope: self.slope(t), c }, [q, w], &self.numbers, out);
+            self.sweep::<false, _, D, 2>(&Turned { slope: self.slope(t), c }, [q, w], out);
         }
         if !Self::FORCED {
             return;
         }
-        self.links.each(q.bodies(), |a, b| {
-            let (d, w) = (separation(q, a, b), scaled(c, separation(w, a, b)));
+        self.each([q], |a, b| {
+            let (d, w) = (self.separation(q, a, b), scaled(c, separation(w, a, b)));
             let by_d =
                 |a: usize, b: usize, d: [f64; D]| self.between(a, b, t).force_jacobians(d, [0.0; D], [0.0; D])[0];
             let on_a = times(&by_d(a, b, d), w);
-            out.add(a, on_a.map(|x| -x));
-            if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
-                out.add(b, on_a);
-            } else {
-                out.add(b, times(&by_d(b, a, d.map(|x| -x)), w));
+            if self.acting.acts(b) {
+                out.add(a, on_a.map(|x| -x));
+            }
+            if self.acting.acts(a) {
+                if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                    out.add(b, on_a);
+                } else {
+                    out.add(b, times(&by_d(b, a, d.map(|x| -x)), w));
+                }
             }
         });
     }
 
     fn add_discrete_jacobian(&self, from: &Vectors<D>, to: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            self.links.each(from.bodies(), |a, b| {
-                let (from, to) = (separation(from, a, b), separation(to, a, b));
-                out.add_link(a, b, self.between(a, b, t).discrete_gradient_jacobian(from, to));
+            self.each([from, to], |a, b| {
+                let way = [separation(from, a, b), separation(to, a, b)];
+                let kernel = Secant(self.slope(t));
+                self.add_link(a, b, kernel.jacobian(self.numbers.at(a), self.numbers.at(b), way), out);
             });
         }
     }
@@ -241,14 +278,18 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
         }
         // F_ab depends on d = q_a − q_b, v_a and v_b.
         let mut row = |a: usize, b: usize| {
-            let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
+            let (d, va, vb) = (self.separation(q, a, b), v.get(a), v.get(b));
             let [by_d, by_va, by_vb] = self.between(a, b, t).force_jacobians(d, va, vb);
             out.add_block(a, a, combine(-c, by_d, -c * rate, by_va));
             out.add_block(a, b, combine(c, by_d, -c * rate, by_vb));
         };
-        self.links.each(q.bodies(), |a, b| {
-            row(a, b);
-            row(b, a);
+        self.each([q], |a, b| {
+            if self.acting.acts(b) {
+                row(a, b);
+            }
+            if self.acting.acts(a) {
+                row(b, a);
+            }
         });
     }
 
@@ -268,7 +309,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
 
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
         let mut all = at.nothing();
-        self.links.each(at.q.bodies(), |a, b| {
+        self.each([at.q], |a, b| {
             if at.per_mass[a] + at.per_mass[b] != 0.0 {
                 let (on_a, on_b) = (at.body(a), at.body(b));
                 let stiffness = |s, d, _| self.stiffness(at.t, s, [(a, &on_a), (b, &on_b)], d);
@@ -279,7 +320,11 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     }
 
     fn links(&self, _: usize) -> Topology {
-        self.links.topology()
+        match self.links.topology() {
+            // Bodies that feel and do not act: links are no longer alike at both ends.
+            Topology::Chain if !self.acting.all() => Topology::Near,
+            topology => topology,
+        }
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
@@ -287,6 +332,12 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
             written.fields(see);
         }
         self.numbers.flat().iter().for_each(|&x| see("data of the bodies", x));
+        for length in self.space.lengths().into_iter().flatten() {
+            see("lengths of the box", length);
+        }
+        if let Some(cutoff) = self.links.cutoff() {
+            see("cut-off", cutoff);
+        }
         for &(a, b) in self.links.listed() {
             see("list of bonds", a as f64);
             see("list of bonds", b as f64);
@@ -294,13 +345,18 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links> Acts<D> for LinkedReady<X, T
     }
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
-        self.links.find(q.bodies(), |a, b| {
-            let (d, va, vb) = (separation(q, a, b), v.get(a), v.get(b));
+        self.links.find(&self.space, q, |a, b| {
+            if !self.acting.acts(a) && !self.acting.acts(b) {
+                return None;
+            }
+            let (d, va, vb) = (self.separation(q, a, b), v.get(a), v.get(b));
             let between = self.between(a, b, t);
             let gradient = between.gradient(d);
             let force = between.force(d, va, vb);
             let back = self.between(b, a, t).force(d.map(|x| -x), vb, va);
-            let secant = from.map_or([0.0; D], |from| between.discrete_gradient(separation(from, a, b), d));
+            let way = |from| [separation(from, a, b), separation(q, a, b)];
+            let secant = |way| Secant(self.slope(t)).gradient(self.numbers.at(a), self.numbers.at(b), way);
+            let secant = from.map_or([0.0; D], |from| secant(way(from)));
             let components = [gradient, force, back, secant];
             let finite = between.potential(d).is_finite() && components.iter().flatten().all(|x| x.is_finite());
             // A square would overflow for bodies that a step too long has thrown apart.

@@ -6,6 +6,7 @@ use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Kicked};
 use crate::error::{Error, SceneError};
 use crate::law::Numbers;
+use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 
@@ -13,14 +14,41 @@ use crate::scene::vectors::Vectors;
 pub trait Links {
     /// The gradient at a body is known in one pass over them.
     const AT_ONCE: bool = false;
+    /// Which bodies are linked depends on their distance, and so must the law.
+    const OF_DISTANCE: bool = false;
 
-    /// Visits every link (a, b) in a fixed order.
-    fn each(&self, bodies: usize, visit: impl FnMut(usize, usize));
+    /// Visits every link (a, b) in a fixed order: where distances decide, those of any of the moments.
+    fn each<const D: usize, const S: usize>(
+        &self,
+        space: &impl Space<D>,
+        q: [&Vectors<D>; S],
+        visit: impl FnMut(usize, usize),
+    );
+
+    /// Visits every link of which at least one body acts.
+    fn each_acting<const D: usize, const S: usize>(
+        &self,
+        space: &impl Space<D>,
+        q: [&Vectors<D>; S],
+        acts: impl Fn(usize) -> bool,
+        mut visit: impl FnMut(usize, usize),
+    ) {
+        self.each(space, q, |a, b| {
+            if acts(a) || acts(b) {
+                visit(a, b);
+            }
+        });
+    }
 
     /// The first link that `find` accepts.
-    fn find<X>(&self, bodies: usize, mut find: impl FnMut(usize, usize) -> Option<X>) -> Option<X> {
+    fn find<const D: usize, X>(
+        &self,
+        space: &impl Space<D>,
+        q: &Vectors<D>,
+        mut find: impl FnMut(usize, usize) -> Option<X>,
+    ) -> Option<X> {
         let mut found = None;
-        self.each(bodies, |a, b| {
+        self.each(space, [q], |a, b| {
             if found.is_none() {
                 found = find(a, b);
             }
@@ -39,9 +67,15 @@ pub trait Links {
         &[]
     }
 
+    /// The distance at which links end.
+    fn cutoff(&self) -> Option<f64> {
+        None
+    }
+
     /// Adds the gradient of every link to its two bodies; if `SET`, in place of what is there.
     fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
+        space: &impl Space<D>,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
@@ -61,13 +95,20 @@ pub trait Links {
     /// What it means for the Jacobian.
     fn topology(&self) -> Topology;
 
-    /// Whether every link is between two bodies of the scene.
+    /// Whether every link is between two bodies of the scene, and a cut-off fits its space.
     ///
     /// # Errors
-    /// [`SceneError::Bond`], [`SceneError::SelfBond`], [`SceneError::DuplicateBond`].
-    fn check(&self, _bodies: usize) -> Result<(), Error> {
+    /// [`SceneError::Bond`], [`SceneError::SelfBond`], [`SceneError::DuplicateBond`]; [`SceneError::Cutoff`],
+    /// [`SceneError::CutoffInBox`].
+    fn check<const D: usize>(&self, _bodies: usize, _space: &impl Space<D>) -> Result<(), Error> {
         Ok(())
     }
+}
+
+/// The number of bodies.
+#[inline]
+pub(super) fn bodies<const D: usize, const S: usize>(q: [&Vectors<D>; S]) -> usize {
+    q.first().map_or(0, |q| q.bodies())
 }
 
 /// Consecutive bodies.
@@ -78,14 +119,20 @@ impl Links for Chain {
     const AT_ONCE: bool = true;
 
     #[inline]
-    fn each(&self, bodies: usize, mut visit: impl FnMut(usize, usize)) {
-        for b in 1..bodies {
+    fn each<const D: usize, const S: usize>(
+        &self,
+        _: &impl Space<D>,
+        q: [&Vectors<D>; S],
+        mut visit: impl FnMut(usize, usize),
+    ) {
+        for b in 1..bodies(q) {
             visit(b - 1, b);
         }
     }
 
     fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
+        _: &impl Space<D>,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
@@ -123,7 +170,12 @@ impl Bonds {
 
 impl Links for Bonds {
     #[inline]
-    fn each(&self, _: usize, mut visit: impl FnMut(usize, usize)) {
+    fn each<const D: usize, const S: usize>(
+        &self,
+        _: &impl Space<D>,
+        _: [&Vectors<D>; S],
+        mut visit: impl FnMut(usize, usize),
+    ) {
         for &(a, b) in &self.list {
             visit(a, b);
         }
@@ -131,6 +183,7 @@ impl Links for Bonds {
 
     fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
+        _: &impl Space<D>,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,
@@ -156,7 +209,7 @@ impl Links for Bonds {
         Topology::Sparse { bonds: self.list.clone(), chain: false }
     }
 
-    fn check(&self, bodies: usize) -> Result<(), Error> {
+    fn check<const D: usize>(&self, bodies: usize, _: &impl Space<D>) -> Result<(), Error> {
         let mut seen = HashSet::with_capacity(self.list.len());
         for &(a, b) in &self.list {
             if a >= bodies || b >= bodies {

@@ -5,12 +5,15 @@ mod kernels;
 mod linked;
 mod links;
 mod moving;
+mod near;
 mod numbers;
+mod one_sided;
 mod packed;
 mod pairs;
 pub(super) mod stencil;
 mod sum;
 mod sweep;
+mod way;
 
 #[cfg(test)]
 mod tests;
@@ -19,6 +22,7 @@ pub use each::Each;
 pub use linked::Linked;
 pub use links::{Bonds, Chain};
 pub use moving::Moving;
+pub use near::Near;
 pub use pairs::Pairs;
 pub use sweep::Kicked;
 
@@ -28,21 +32,22 @@ use stencil::Stencil;
 
 use super::bodies::Bodies;
 use super::matrix::Matrix;
+use super::space::Open;
 use super::topology::Topology;
 use super::vectors::Vectors;
 use crate::error::{Error, Place};
 use crate::system::{Frequency, Look};
 
-/// A term of a scene as it was declared, for bodies that carry a `P`.
-pub trait Term<const D: usize, P> {
+/// A term of a scene as it was declared, for bodies that carry a `P` in the space `B`.
+pub trait Term<const D: usize, P, B = Open> {
     /// The term with what it reads of the bodies in columns.
     type Ready: Acts<D>;
 
     /// Reads the bodies.
     ///
     /// # Errors
-    /// [`Error`] for links between bodies that are not there.
-    fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error>;
+    /// [`Error`] for links between bodies that are not there, and for a cut-off that does not fit.
+    fn prepare(self, bodies: &Bodies<D, P>, space: B) -> Result<Self::Ready, Error>;
 }
 
 /// What acts in a scene, all terms together: a sum of potentials, and perhaps of forces.

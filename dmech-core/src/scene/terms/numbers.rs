@@ -1,6 +1,6 @@
 //! What a pair law reads of the bodies, in columns.
 
-use dmech_scalar::Real;
+use dmech_scalar::{Lanes, Real};
 
 use super::packed::Packed;
 use crate::law::Numbers;
@@ -39,6 +39,12 @@ impl<N: Numbers> NumberColumns<N> {
     #[inline(always)]
     pub(super) fn at<R: Real>(&self, i: usize) -> N::Of<R> {
         N::gather(|k| R::from_f64(self.flat[k * self.bodies + i]))
+    }
+
+    /// Those of eight bodies anywhere.
+    #[inline(always)]
+    pub(super) fn of(&self, body: impl Fn(usize) -> usize) -> N::Of<Lanes> {
+        N::gather(|k| Lanes::from_fn(|lane| self.flat[k * self.bodies + body(lane)]))
     }
 
     /// Those of as many bodies as R has lanes, from body i on.

@@ -5,10 +5,11 @@ use std::sync::{Mutex, PoisonError};
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use super::links::Links;
+use super::links::{self, Links};
 use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Moments};
 use crate::law::Numbers;
+use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 
@@ -42,7 +43,13 @@ fn begin(bodies: usize, chunks: usize, c: usize) -> usize {
 
 impl Links for Pairs {
     #[inline]
-    fn each(&self, bodies: usize, mut visit: impl FnMut(usize, usize)) {
+    fn each<const D: usize, const S: usize>(
+        &self,
+        _: &impl Space<D>,
+        q: [&Vectors<D>; S],
+        mut visit: impl FnMut(usize, usize),
+    ) {
+        let bodies = links::bodies(q);
         for a in 0..bodies {
             for b in a + 1..bodies {
                 visit(a, b);
@@ -50,8 +57,25 @@ impl Links for Pairs {
         }
     }
 
+    /// Rows of those that act: many test bodies among few others take O(N).
+    fn each_acting<const D: usize, const S: usize>(
+        &self,
+        _: &impl Space<D>,
+        q: [&Vectors<D>; S],
+        acts: impl Fn(usize) -> bool,
+        mut visit: impl FnMut(usize, usize),
+    ) {
+        let bodies = links::bodies(q);
+        for a in (0..bodies).filter(|&a| acts(a)) {
+            for b in (0..bodies).filter(|&b| b > a || (b < a && !acts(b))) {
+                visit(a, b);
+            }
+        }
+    }
+
     fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(
         &self,
+        _: &impl Space<D>,
         kernel: &impl Kernels<D, S, N>,
         q: [&Vectors<D>; S],
         numbers: &NumberColumns<N>,

@@ -13,10 +13,10 @@ use crate::scene::vectors::Vectors;
 use crate::system::{Frequency, LinearVelocities, WithoutVelocities};
 
 /// Nothing acts.
-impl<const D: usize, P> Term<D, P> for () {
+impl<const D: usize, P, B> Term<D, P, B> for () {
     type Ready = ();
 
-    fn prepare(self, _: &Bodies<D, P>) -> Result<(), Error> {
+    fn prepare(self, _: &Bodies<D, P>, _: B) -> Result<(), Error> {
         Ok(())
     }
 }
@@ -71,11 +71,11 @@ impl<const D: usize> Acts<D> for () {
 }
 
 /// Two terms, or a list of them and one more.
-impl<const D: usize, P, A: Term<D, P>, B: Term<D, P>> Term<D, P> for (A, B) {
+impl<const D: usize, P, S: Copy, A: Term<D, P, S>, B: Term<D, P, S>> Term<D, P, S> for (A, B) {
     type Ready = (A::Ready, B::Ready);
 
-    fn prepare(self, bodies: &Bodies<D, P>) -> Result<Self::Ready, Error> {
-        Ok((self.0.prepare(bodies)?, self.1.prepare(bodies)?))
+    fn prepare(self, bodies: &Bodies<D, P>, space: S) -> Result<Self::Ready, Error> {
+        Ok((self.0.prepare(bodies, space)?, self.1.prepare(bodies, space)?))
     }
 }
 

@@ -12,6 +12,9 @@ use crate::scene::vectors::Vectors;
 
 /// The gradient along a link at S moments: one for ∇Φ(d), two for ∇̄Φ(d, d′).
 pub trait Kernel<const D: usize, const S: usize, N: Numbers, R: Packed>: Copy + Sync {
+    /// How many of the moments are separations of bodies; the others are vectors beside them.
+    const PLACES: usize = S;
+
     /// With respect to d = q_a − q_b, for the numbers of a and b.
     fn gradient(&self, a: N::Of<R>, b: N::Of<R>, d: [[R; D]; S]) -> [R; D];
     /// Its derivative with respect to the last d.

@@ -16,7 +16,7 @@ fn look_at<const D: usize, L: Term<D, ()>>(scene: Scene<D, (), L>, least: f64, s
     let mut per_mass: Vec<f64> = bodies.masses.iter().map(|m| m.recip()).collect();
     bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);
     let [mut q, mut v] = [&bodies.q, &bodies.v].map(|list| Vectors::from_list(list));
-    let acts = scene.laws.prepare(bodies).unwrap();
+    let acts = scene.laws.prepare(bodies, scene.space).unwrap();
     let mut slope = Vectors::zeros(n);
     let act = |q: &Vectors<D>, v: &Vectors<D>, slope: &mut Vectors<D>| {
         acts.set_gradient(q, bodies.t, slope);

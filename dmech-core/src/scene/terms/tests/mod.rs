@@ -3,3 +3,4 @@
 mod laws;
 mod look;
 mod turned;
+mod ways;

@@ -24,7 +24,7 @@ fn bodies<const D: usize>(n: usize, corner: f64) -> Scene<D> {
 /// The term on the bodies of a scene turns vectors as its matrix does, and as differences of its forces tell.
 fn turns<const D: usize, L: Term<D, ()>>(what: &str, scene: Scene<D, (), L>) {
     let n = scene.bodies();
-    let acts = scene.laws.prepare(&scene.bodies).unwrap();
+    let acts = scene.laws.prepare(&scene.bodies, scene.space).unwrap();
     let q = Vectors::from_list(&scene.bodies.q);
     let list: Vec<[f64; D]> = (0..n).map(|i| from_fn(|k| (0.9 * i as f64 + 2.0 * k as f64).cos())).collect();
     let (w, at_rest) = (Vectors::from_list(&list), Vectors::zeros(n));

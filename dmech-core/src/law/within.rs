@@ -1,0 +1,205 @@
+//! A law that ends at a distance.
+
+use dmech_scalar::{Mask, Real};
+
+use super::pair::{Between, Numbers, PairLaw, Reads};
+use super::written::WrittenPair;
+use super::{LinearInVelocity, Potential, VelocityIndependent};
+use crate::vector::{dot, scaled, sum};
+
+/// A law of the distance, cut off at r: Φ(d) − Φ(r) within, 0 beyond. Where Φ(r) = 0 it is the law as it is.
+///
+/// The potential is continuous, so that the energy is an invariant; the force jumps at r by Φ′(r), unless that is 0.
+///
+/// Across the cut-off, with s = |d|² and i the end that lies within, the discrete gradient is
+///
+/// ```text
+/// ∇̄Φ(a, b) = C f (a + b),   C = (φ(r²) − φ(sᵢ))/(r² − sᵢ),   f = (r² − sᵢ)/|s_b − s_a|
+/// ```
+///
+/// the law's own secant up to the cut-off, times the part f of the way that lies within. The secant identity holds to
+/// rounding, it is along a + b, and it is continuous where an end comes to lie at r.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Within<X> {
+    law: X,
+    cutoff: f64,
+}
+
+impl<X> Within<X> {
+    pub(crate) fn new(law: X, cutoff: f64) -> Self {
+        Within { law, cutoff }
+    }
+
+    /// The law itself.
+    pub fn law(&self) -> &X {
+        &self.law
+    }
+
+    /// The same, to be changed: `stepper.law_mut::<Within<LennardJones>>()`.
+    pub fn law_mut(&mut self) -> &mut X {
+        &mut self.law
+    }
+}
+
+impl<X: LinearInVelocity> LinearInVelocity for Within<X> {}
+
+impl<X: VelocityIndependent> VelocityIndependent for Within<X> {}
+
+impl<P, X: Reads<P>> Reads<P> for Within<X> {
+    type Numbers = X::Numbers;
+
+    fn numbers(&self, mass: f64, data: &P) -> X::Numbers {
+        self.law.numbers(mass, data)
+    }
+}
+
+impl<const D: usize, P, R: Real, X: PairLaw<D, P, R>> PairLaw<D, P, R> for Within<X> {
+    type Between<'a>
+        = Cut<X::Between<'a>, R>
+    where
+        Self: 'a;
+
+    const AUTONOMOUS: bool = X::AUTONOMOUS;
+
+    #[inline(always)]
+    fn between(&self, a: <X::Numbers as Numbers>::Of<R>, b: <X::Numbers as Numbers>::Of<R>, t: R) -> Self::Between<'_> {
+        Cut { between: self.law.between(a, b, t), r: R::from_f64(self.cutoff) }
+    }
+
+    fn written(&self) -> Option<&dyn WrittenPair<D, P>> {
+        self.law.written()
+    }
+}
+
+/// What acts between two bodies, cut off at r.
+#[derive(Clone, Copy, Debug)]
+pub struct Cut<B, R> {
+    between: B,
+    r: R,
+}
+
+/// x at the first component: the law does not depend on the direction.
+#[inline(always)]
+fn along<const D: usize, R: Real>(x: R) -> [R; D] {
+    let mut d = [R::ZERO; D];
+    if let Some(first) = d.first_mut() {
+        *first = x;
+    }
+    d
+}
+
+/// x where it is so, else 0.
+#[inline(always)]
+fn only<const D: usize, R: Real>(mask: R::Mask, x: [R; D]) -> [R; D] {
+    x.map(|x| R::either(mask, x, R::ZERO))
+}
+
+#[inline(always)]
+fn only_block<const D: usize, R: Real>(mask: R::Mask, x: [[R; D]; D]) -> [[R; D]; D] {
+    x.map(|row| only(mask, row))
+}
+
+/// Both ends of a way: which lie within, and the squares of the distances.
+struct Ends<R: Real> {
+    both: R::Mask,
+    /// One of them lies beyond.
+    across: R::Mask,
+    /// a lies within.
+    from: R::Mask,
+    squares: [R; 2],
+}
+
+impl<B, R: Real> Cut<B, R> {
+    #[inline(always)]
+    fn within<const D: usize>(&self, d: [R; D]) -> R::Mask {
+        dot(d, d).less(self.r * self.r)
+    }
+
+    #[inline(always)]
+    fn ends<const D: usize>(&self, a: [R; D], b: [R; D]) -> Ends<R> {
+        let (squares, square) = ([dot(a, a), dot(b, b)], self.r * self.r);
+        let [from, to] = squares.map(|s| s.less(square));
+        Ends { both: from.and(to), across: from.and(to.not()).or(to.and(from.not())), from, squares }
+    }
+
+    /// C f of a way across the cut-off.
+    #[inline(always)]
+    fn part<const D: usize>(&self, ends: &Ends<R>) -> R
+    where
+        B: Potential<D, R>,
+    {
+        let [from, to] = ends.squares;
+        let (inner, outer) = (R::either(ends.from, from, to), R::either(ends.from, to, from));
+        let distance = inner.sqrt();
+        let secant: [R; D] = self.between.discrete_gradient(along(distance), along(self.r));
+        let slope = secant.first().map_or(R::ZERO, |&x| x) / (distance + self.r);
+        slope * ((self.r * self.r - inner) / (outer - inner))
+    }
+}
+
+impl<const D: usize, R: Real, B: Potential<D, R>> Potential<D, R> for Cut<B, R> {
+    const CENTRAL: bool = B::CENTRAL;
+    const PIECEWISE: bool = true;
+
+    #[inline(always)]
+    fn potential(&self, d: [R; D]) -> R {
+        let shifted = self.between.potential(d) - self.between.potential(along(self.r));
+        R::either(self.within(d), shifted, R::ZERO)
+    }
+
+    #[inline(always)]
+    fn gradient(&self, d: [R; D]) -> [R; D] {
+        only(self.within(d), self.between.gradient(d))
+    }
+
+    #[inline(always)]
+    fn hessian(&self, d: [R; D]) -> [[R; D]; D] {
+        only_block::<D, R>(self.within(d), self.between.hessian(d))
+    }
+
+    #[inline(always)]
+    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
+        let ends = self.ends(a, b);
+        let inside = only(ends.both, self.between.discrete_gradient(a, b));
+        if !ends.across.any() {
+            return inside;
+        }
+        let across = scaled(self.part::<D>(&ends), sum(a, b));
+        core::array::from_fn(|k| R::either(ends.across, across[k], inside[k]))
+    }
+
+    #[inline(always)]
+    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
+        let ends = self.ends(a, b);
+        let inside = only_block::<D, R>(ends.both, self.between.discrete_gradient_jacobian(a, b));
+        if !ends.across.any() {
+            return inside;
+        }
+        // K 1 + (a + b)⊗(∇Φ(b) − 2 K b)/(s_b − s_a) with K = C f, and ∇Φ(b) only where b lies within.
+        let [from, to] = ends.squares;
+        let (part, length, way) = (self.part::<D>(&ends), to - from, sum(a, b));
+        let slope = only(ends.from.not(), self.between.gradient(b));
+        let row = |k: usize, l: usize| {
+            let bent = way[k] * ((slope[l] - (part + part) * b[l]) / length);
+            if k == l { bent + part } else { bent }
+        };
+        core::array::from_fn(|k| core::array::from_fn(|l| R::either(ends.across, row(k, l), inside[k][l])))
+    }
+}
+
+impl<const D: usize, R: Real, B: Between<D, R>> Between<D, R> for Cut<B, R> {
+    const POTENTIAL: bool = B::POTENTIAL;
+    const FORCED: bool = B::FORCED;
+    const RECIPROCAL: bool = B::RECIPROCAL;
+
+    #[inline(always)]
+    fn force(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [R; D] {
+        only(self.within(d), self.between.force(d, va, vb))
+    }
+
+    #[inline(always)]
+    fn force_jacobians(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [[[R; D]; D]; 3] {
+        let within = self.within(d);
+        self.between.force_jacobians(d, va, vb).map(|block| only_block::<D, R>(within, block))
+    }
+}

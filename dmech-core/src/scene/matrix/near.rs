@@ -1,0 +1,173 @@
+//! Bodies within reach of each other, which are others from step to step: the blocks as they come, and no factors.
+
+use super::block::{Block, add, times};
+use super::series::{SMALL, Series};
+use crate::scene::vectors::{Vectors, largest};
+
+/// J as a list of blocks, and what solves with 1 + g J by products with it: O(links) numbers, and as much time for a product.
+///
+/// A small g J is solved by its power series, any other by BiCGSTAB (H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13
+/// (1992) 631), both to rounding. Where that does not converge Newton's corrections do not either, and the step says so.
+#[derive(Clone, Debug)]
+pub struct NearMatrix<const D: usize> {
+    bodies: usize,
+    /// What acts on each body by itself.
+    own: Vec<Block<D>>,
+    /// What acts along links: G_a = G_d and G_b = −G_d, with ∂G_d/∂d.
+    links: Vec<(usize, usize, Block<D>)>,
+    /// Blocks of forces that are not reciprocal.
+    others: Vec<(usize, usize, Block<D>)>,
+    /// J_aa, for the sums over rows.
+    diagonal: Vec<Block<D>>,
+    g: Vec<f64>,
+    small: bool,
+    series: Series,
+    room: [Vec<f64>; 7],
+}
+
+/// Products with J in a solution at most, twice this: what takes more does not converge.
+const MOST: usize = 200;
+
+impl<const D: usize> NearMatrix<D> {
+    pub(super) fn new(bodies: usize) -> Self {
+        let (none, zeros) = (vec![[[0.0; D]; D]; bodies], vec![0.0; D * bodies]);
+        NearMatrix {
+            bodies,
+            own: none.clone(),
+            links: Vec::new(),
+            others: Vec::new(),
+            diagonal: none,
+            g: zeros.clone(),
+            small: false,
+            series: Series::new(D * bodies),
+            room: core::array::from_fn(|_| zeros.clone()),
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.own.fill([[0.0; D]; D]);
+        self.diagonal.fill([[0.0; D]; D]);
+        self.links.clear();
+        self.others.clear();
+    }
+
+    #[inline]
+    pub(super) fn add_block(&mut self, a: usize, b: usize, block: Block<D>) {
+        if a == b {
+            add(&mut self.own[a], block);
+            add(&mut self.diagonal[a], block);
+        } else {
+            self.others.push((a, b, block));
+        }
+    }
+
+    #[inline]
+    pub(super) fn add_link(&mut self, a: usize, b: usize, block: Block<D>) {
+        add(&mut self.diagonal[a], block);
+        add(&mut self.diagonal[b], block);
+        self.links.push((a, b, block));
+    }
+
+    pub(super) fn multiply_add(&self, x: &[f64], y: &mut [f64]) {
+        let n = self.bodies;
+        let at = |a: usize| core::array::from_fn(|k| x[k * n + a]);
+        let mut put = |a: usize, product: [f64; D]| (0..D).for_each(|k| y[k * n + a] += product[k]);
+        for (a, block) in self.own.iter().enumerate() {
+            put(a, times(block, at(a)));
+        }
+        for &(a, b, ref block) in &self.links {
+            let product = times(block, core::array::from_fn(|k| x[k * n + a] - x[k * n + b]));
+            put(a, product);
+            put(b, product.map(|x| -x));
+        }
+        for &(a, b, ref block) in &self.others {
+            put(a, times(block, at(b)));
+        }
+    }
+
+    pub(super) fn add_row_sums(&self, sums: &mut [f64]) {
+        let n = self.bodies;
+        let mut put = |a: usize, block: &Block<D>| {
+            (0..D).for_each(|k| sums[k * n + a] += block[k].iter().map(|x| x.abs()).sum::<f64>());
+        };
+        for (a, block) in self.diagonal.iter().enumerate() {
+            put(a, block);
+        }
+        for (a, b, block) in &self.links {
+            put(*a, block);
+            put(*b, block);
+        }
+        for (a, _, block) in &self.others {
+            put(*a, block);
+        }
+    }
+
+    pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
+        self.g.copy_from_slice(g.flat());
+        let mut series = core::mem::replace(&mut self.series, Series::new(0));
+        self.small = series.ends(g, SMALL, |sums| self.add_row_sums(sums));
+        self.series = series;
+        true
+    }
+
+    pub(super) fn solve(&mut self, x: &mut [f64]) {
+        if self.small {
+            let mut series = core::mem::replace(&mut self.series, Series::new(0));
+            // The series asks for a product with −g J in place of zeros.
+            series.solve(x, |x, y| {
+                self.multiply_add(x, y);
+                y.iter_mut().zip(&self.g).for_each(|(y, g)| *y *= -g);
+            });
+            self.series = series;
+        } else {
+            self.iterate(x);
+        }
+    }
+
+    /// y ← (1 + g J) x.
+    fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        y.fill(0.0);
+        self.multiply_add(x, y);
+        y.iter_mut().zip(&self.g).zip(x).for_each(|((y, g), x)| *y = g * *y + x);
+    }
+
+    /// BiCGSTAB from 0, in the letters of its author.
+    fn iterate(&mut self, x: &mut [f64]) {
+        let mut room = core::mem::take(&mut self.room);
+        let [shadow, r, p, v, s, t, sum] = &mut room;
+        shadow.copy_from_slice(x);
+        r.copy_from_slice(x);
+        [&mut *p, &mut *v, &mut *sum].into_iter().for_each(|x| x.fill(0.0));
+        let enough = 0.25 * f64::EPSILON * largest(x);
+        let [mut rho, mut alpha, mut omega] = [1.0; 3];
+        for _ in 0..MOST {
+            // What is not finite does not get smaller.
+            if largest(r) <= enough || !largest(r).is_finite() {
+                break;
+            }
+            let last = core::mem::replace(&mut rho, product(shadow, r));
+            let beta = rho / last * (alpha / omega);
+            p.iter_mut().zip(&*v).zip(&*r).for_each(|((p, v), r)| *p = r + beta * (*p - omega * v));
+            self.multiply(p, v);
+            alpha = rho / product(shadow, v);
+            s.iter_mut().zip(&*r).zip(&*v).for_each(|((s, r), v)| *s = r - alpha * v);
+            self.multiply(s, t);
+            let square = product(t, t);
+            omega = if square > 0.0 { product(t, s) / square } else { 0.0 };
+            sum.iter_mut().zip(&*p).zip(&*s).for_each(|((x, p), s)| *x += alpha * p + omega * s);
+            r.iter_mut().zip(&*s).zip(&*t).for_each(|((r, s), t)| *r = s - omega * t);
+        }
+        // Pinned bodies, of which g is 0, stay to the bit.
+        for ((x, found), g) in x.iter_mut().zip(&*sum).zip(&self.g) {
+            if *g != 0.0 {
+                *x = *found;
+            }
+        }
+        self.room = room;
+    }
+}
+
+/// x·y.
+fn product(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| x * y).sum()
+}

@@ -1,0 +1,113 @@
+//! The way of a separation in a step, where its image may become another one.
+
+use crate::law::Potential;
+use crate::scene::space::Space;
+use crate::vector::{difference, dot, sum};
+use dmech_scalar::{Mask, Real};
+
+/// From one separation to another.
+///
+/// In a box the nearest image of the end may be another one than that of the start. The secant is then
+///
+/// ```text
+/// G = (∇̄Φ(a, a + Δ) + ∇̄Φ(b − Δ, b))/2 + c Δ/|Δ|²,   c = (Φ(b) − Φ(a + Δ) + Φ(b − Δ) − Φ(a))/2
+/// ```
+///
+/// with the images a and b of both ends and the way Δ itself, so that G·Δ = Φ(b) − Φ(a): the energy is kept.
+pub(super) struct Way<'a, B, const D: usize, R: Real> {
+    space: &'a B,
+    from: [R; D],
+    to: [R; D],
+}
+
+/// Both ends as images, each with where the other would be if the image stayed.
+struct Images<const D: usize, R: Real> {
+    moved: [R; D],
+    a: [R; D],
+    beyond: [R; D],
+    before: [R; D],
+    b: [R; D],
+    /// The image has become another one.
+    jumps: R::Mask,
+}
+
+impl<'a, const D: usize, R: Real, B: Space<D>> Way<'a, B, D, R> {
+    #[inline(always)]
+    pub(super) fn new(space: &'a B, from: [R; D], to: [R; D]) -> Self {
+        Way { space, from, to }
+    }
+
+    #[inline(always)]
+    fn images(&self) -> Images<D, R> {
+        let (a, b, moved) = (self.space.image(self.from), self.space.image(self.to), difference(self.to, self.from));
+        let (beyond, before) = (sum(a, moved), difference(b, moved));
+        let mut jumps = R::ONE.less(R::ZERO);
+        for (k, length) in self.space.lengths().into_iter().flatten().enumerate() {
+            jumps = jumps.or(R::from_f64(0.5 * length).less((beyond[k] - b[k]).abs()));
+        }
+        Images { moved, a, beyond, before, b, jumps }
+    }
+
+    /// ∇̄Φ.
+    #[inline(always)]
+    pub(super) fn discrete_gradient(&self, law: &impl Potential<D, R>) -> [R; D] {
+        if !B::PERIODIC {
+            return law.discrete_gradient(self.from, self.to);
+        }
+        let images = self.images();
+        let plain = law.discrete_gradient(images.a, images.b);
+        if images.jumps.any() { images.choose(plain, images.secant(law)) } else { plain }
+    }
+
+    /// ∂∇̄Φ/∂(the end).
+    #[inline(always)]
+    pub(super) fn discrete_gradient_jacobian(&self, law: &impl Potential<D, R>) -> [[R; D]; D] {
+        if !B::PERIODIC {
+            return law.discrete_gradient_jacobian(self.from, self.to);
+        }
+        let images = self.images();
+        let plain = law.discrete_gradient_jacobian(images.a, images.b);
+        if !images.jumps.any() {
+            return plain;
+        }
+        let jumped = images.secant_jacobian(law);
+        core::array::from_fn(|k| images.choose(plain[k], jumped[k]))
+    }
+}
+
+impl<const D: usize, R: Real> Images<D, R> {
+    #[inline(always)]
+    fn choose(&self, plain: [R; D], jumped: [R; D]) -> [R; D] {
+        core::array::from_fn(|k| R::either(self.jumps, jumped[k], plain[k]))
+    }
+
+    /// c/|Δ|².
+    fn missing(&self, law: &impl Potential<D, R>) -> R {
+        let end = law.potential(self.b) - law.potential(self.beyond);
+        let start = law.potential(self.before) - law.potential(self.a);
+        R::from_f64(0.5) * (end + start) / dot(self.moved, self.moved)
+    }
+
+    fn secant(&self, law: &impl Potential<D, R>) -> [R; D] {
+        let (half, missing) = (R::from_f64(0.5), self.missing(law));
+        let ends = sum(law.discrete_gradient(self.a, self.beyond), law.discrete_gradient(self.before, self.b));
+        core::array::from_fn(|k| missing.mul_add(self.moved[k], half * ends[k]))
+    }
+
+    /// The ends b and a + Δ move with the end of the way; a and b − Δ stay.
+    fn secant_jacobian(&self, law: &impl Potential<D, R>) -> [[R; D]; D] {
+        let (half, missing) = (R::from_f64(0.5), self.missing(law));
+        let per_square = dot(self.moved, self.moved).recip();
+        let ends = [(self.a, self.beyond), (self.before, self.b)].map(|(a, b)| law.discrete_gradient_jacobian(a, b));
+        let slope = difference(law.gradient(self.b), law.gradient(self.beyond));
+        let mut jacobian = [[R::ZERO; D]; D];
+        for k in 0..D {
+            for l in 0..D {
+                let bent = half * slope[l] - (missing + missing) * self.moved[l];
+                jacobian[k][l] = half * (ends[0][k][l] + ends[1][k][l]) + self.moved[k] * bent * per_square;
+            }
+            jacobian[k][k] += missing;
+        }
+        jacobian
+    }
+}

@@ -1,0 +1,83 @@
+//! Bodies that feel the others and do not act on them.
+
+use dmech::models::pairs::{Gravity, LennardJones, Spring};
+use dmech::prelude::*;
+
+const G: Gravity = Gravity { g: 1.0 };
+
+fn sun_and_planet() -> Scene<2> {
+    Scene::new().body(1.0, [0.0, 0.0], [0.0, -0.02]).body(0.02, [1.0, 0.0], [0.0, 1.0])
+}
+
+fn apart(x: &[[f64; 2]], y: &[[f64; 2]]) -> f64 {
+    x.iter().flatten().zip(y.iter().flatten()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+/// A mass that is almost nothing moves as a test body of any mass does, and the others as if it were not there.
+#[test]
+fn the_limit_of_a_vanishing_mass() {
+    let (q, v) = ([0.4, 0.9], [-0.8, 0.5]);
+    fn end<L: dmech::scene::Term<2, ()>, S: Scheme<dmech::scene::SceneSystem<2, L::Ready>>>(
+        scene: Scene<2, (), L>,
+        scheme: S,
+    ) -> Vec<[f64; 2]> {
+        Simulation::scene(scene).scheme(scheme).dt(0.002).run(2000).unwrap().last().q.clone()
+    }
+    macro_rules! every {
+        ($($scheme:expr),*) => {$({
+            let alone = end(sun_and_planet().pairs(G), $scheme);
+            let light = end(sun_and_planet().body(1e-15, q, v).pairs(G), $scheme);
+            let test = end(sun_and_planet().test_body(3.0, q, v).test_body(1.0, [2.0, 0.1], [0.0, 0.7]).pairs(G), $scheme);
+            assert!(apart(&test[..2], &alone) < 1e-12, "{}: {:e}", stringify!($scheme), apart(&test[..2], &alone));
+            assert!(apart(&test[..3], &light) < 1e-11, "{}: {:e}", stringify!($scheme), apart(&test[..3], &light));
+        })*};
+    }
+    every!(Explicit, Leapfrog, ForceGradient::order4(), Implicit, DiscreteGradient, Composed::order4(DiscreteGradient));
+}
+
+/// What is watched are the bodies that act: they are a closed system.
+#[test]
+fn invariants_are_those_of_the_bodies_that_act() {
+    let scene = sun_and_planet().test_body(5.0, [0.4, 0.9], [-0.8, 0.5]).pairs(G);
+    let run = Simulation::scene(scene).scheme(DiscreteGradient).dt(0.01).run(2000).unwrap();
+    for invariant in [Invariant::Energy, Invariant::WorkEnergy, Invariant::LinearMomentum, Invariant::AngularMomentum] {
+        let drift = run.drift(invariant).unwrap();
+        assert!(drift.max_abs() < 1e-13, "{invariant:?}: {:e}", drift.max_abs());
+    }
+    let alone = Simulation::scene(sun_and_planet().pairs(G)).scheme(DiscreteGradient).dt(0.01).run(1).unwrap();
+    let energy = |run: &Run<SceneState<2>>| run.drift(Invariant::Energy).unwrap().start();
+    assert!((energy(&run) - energy(&alone)).abs() < 1e-15);
+}
+
+/// Along a chain, on bonds and within a cut-off in a box: explicit and implicit steps agree in the limit of small ones.
+#[test]
+fn every_link_is_one_sided() {
+    let spring = Spring { k: 2.0, length: 1.0 };
+    let row = || {
+        Scene::<2>::new()
+            .body(1.0, [0.0, 0.0], [0.0, 0.1])
+            .body(2.0, [1.1, 0.0], [0.1, 0.0])
+            .test_body(0.5, [2.0, 0.3], [0.0, 0.0])
+            .test_body(0.7, [2.9, 0.0], [0.0, -0.2])
+    };
+    macro_rules! agree {
+        ($scene:expr) => {{
+            let end = |state: SceneState<2>| state.q;
+            let leapfrog = Simulation::scene($scene).scheme(Leapfrog).dt(1e-3).run(1000).unwrap();
+            let exact = Simulation::scene($scene).scheme(DiscreteGradient).dt(1e-3).run(1000).unwrap();
+            let energy = exact.drift(Invariant::Energy).unwrap().max_abs();
+            assert!(energy < 1e-13, "{energy:e}");
+            let error = apart(&end(leapfrog.last().clone()), &end(exact.last().clone()));
+            assert!(error < 1e-4, "{error:e}");
+            end(exact.last().clone())
+        }};
+    }
+    let chain = agree!(row().chain(spring));
+    let bonds = agree!(row().bonds(spring, [(0, 1), (1, 2), (2, 3)]));
+    assert!(apart(&chain, &bonds) < 1e-12);
+    // Two test bodies do not feel each other: the last one flies on.
+    assert!(apart(&chain[3..], &[[2.9, -0.2]]) < 1e-12);
+    let atoms = LennardJones { epsilon: 1.0, sigma: 0.9 };
+    agree!(row().pairs(atoms).cutoff(1.8).periodic([4.0, 4.0]));
+    agree!(row().pairs(atoms).periodic([4.0, 4.0]));
+}

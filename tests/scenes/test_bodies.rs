@@ -68,7 +68,8 @@ fn every_link_is_one_sided() {
             let energy = exact.drift(Invariant::Energy).unwrap().max_abs();
             assert!(energy < 1e-13, "{energy:e}");
             let error = apart(&end(leapfrog.last().clone()), &end(exact.last().clone()));
-            assert!(error < 1e-4, "{error:e}");
+            // Where the force jumps, leap-frog is off by the jump times the step.
+            assert!(error < 1e-3, "{error:e}");
             end(exact.last().clone())
         }};
     }

@@ -138,7 +138,11 @@ fn main() -> Drawn {
     };
     let film = play(Leapfrog, 8)?;
     row("Leapfrog", 8, &film);
-    row("DiscreteGradient", 1, &play(DiscreteGradient, 1)?);
+    if cfg!(feature = "sparse") {
+        row("DiscreteGradient", 1, &play(DiscreteGradient, 1)?);
+    } else {
+        println!("DiscreteGradient with `--features sparse`: without it, its matrix of 768 rows is dense");
+    }
 
     let path = picture::save("cloth.svg", [960, 520], |area| {
         let title = "The middle of a curtain in the wind, from the side";

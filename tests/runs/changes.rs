@@ -5,6 +5,7 @@ use dmech::extend::Scheme;
 use dmech::models::Kepler;
 use dmech::models::pairs::{Gravity, Spring};
 use dmech::prelude::*;
+use dmech::scene::{OnBonds, OnEach, OnPairs};
 use dmech_core::extend::Particle;
 
 const START: State<2> = State { t: 0.3, q: [0.8, 0.1], v: [0.0, 1.2] };
@@ -129,8 +130,9 @@ fn a_broken_law_is_told_by_the_next_step() {
     assert_eq!(stepper.steps(), same.steps());
 }
 
-fn web()
--> Scene<2, (), ((((), dmech::scene::OnBonds<Spring>), dmech::scene::OnPairs<Gravity>), dmech::scene::OnEach<Wind>)> {
+type Laws = ((((), OnBonds<Spring>), OnPairs<Gravity>), OnEach<Wind>);
+
+fn web() -> Scene<2, (), Laws> {
     Scene::new()
         .body(1.0, [0.0, 0.0], [0.0, 0.0])
         .body(1.3, [1.1, 0.0], [0.0, 0.3])

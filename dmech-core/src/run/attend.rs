@@ -89,8 +89,11 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     }
 }
 
+/// A simulation that is accompanied by one thing more.
+pub type Attended<L, X, S, O, A> = Simulation<L, X, S, (O, A)>;
+
 impl<L, X, S, O> Simulation<L, X, S, O> {
-    pub(crate) fn attended<A>(self, also: A) -> Simulation<L, X, S, (O, A)> {
+    pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
         let Simulation { law, start, scheme, settings, attend } = self;
         Simulation { law, start, scheme, settings, attend: (attend, also) }
     }

@@ -15,7 +15,7 @@ mod stream;
 mod watch;
 mod zero;
 
-pub use attend::{Attend, Within};
+pub use attend::{Attend, Attended, Within};
 pub use between::{Blend, Weights};
 pub use csv::Columns;
 pub(crate) use due::Due;

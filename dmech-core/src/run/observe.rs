@@ -2,7 +2,7 @@
 
 use core::ops::ControlFlow;
 
-use super::attend::Attend;
+use super::attend::{Attend, Attended};
 use crate::setup::Setup;
 use crate::simulation::Simulation;
 
@@ -43,7 +43,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         self,
         n: u64,
         function: F,
-    ) -> Simulation<L, X, S, (O, Observer<F>)> {
+    ) -> Attended<L, X, S, O, Observer<F>> {
         self.attended(Observer { n, function })
     }
 }

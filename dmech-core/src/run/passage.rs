@@ -1,6 +1,6 @@
 //! Events: where a function of the state passes through zero.
 
-use super::attend::{Attend, Within};
+use super::attend::{Attend, Attended, Within};
 use super::event::{Crossing, Event};
 use crate::error::Error;
 use crate::setup::Setup;
@@ -40,7 +40,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         self,
         function: F,
         crossing: Crossing,
-    ) -> Simulation<L, X, S, (O, Passage<F>)> {
+    ) -> Attended<L, X, S, O, Passage<F>> {
         self.attended(Passage::new(function, crossing, false))
     }
 
@@ -50,7 +50,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         self,
         function: F,
         crossing: Crossing,
-    ) -> Simulation<L, X, S, (O, Passage<F>)> {
+    ) -> Attended<L, X, S, O, Passage<F>> {
         self.attended(Passage::new(function, crossing, true))
     }
 }

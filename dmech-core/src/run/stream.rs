@@ -2,7 +2,7 @@
 
 use std::io::{self, Seek, SeekFrom, Write};
 
-use super::attend::Attend;
+use super::attend::{Attend, Attended};
 use super::csv::Columns;
 use crate::error::Error;
 use crate::setup::Setup;
@@ -36,7 +36,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     ///
     /// # Errors
     /// When run: [`Error::Stream`] where nothing more can be written; what was written stays.
-    pub fn stream<W: Sink<X::State>>(self, sink: W) -> Simulation<L, X, S, (O, Stream<W>)> {
+    pub fn stream<W: Sink<X::State>>(self, sink: W) -> Attended<L, X, S, O, Stream<W>> {
         self.attended(Stream { sink, rows: 0 })
     }
 }

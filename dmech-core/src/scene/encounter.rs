@@ -4,7 +4,7 @@ use super::builder::Scene;
 use super::space::Space;
 use super::state::SceneState;
 use crate::error::{Error, SceneError};
-use crate::run::{Attend, Crossing, Event, Within};
+use crate::run::{Attend, Attended, Crossing, Event, Within};
 use crate::simulation::Simulation;
 use crate::vector::{difference, dot};
 
@@ -27,7 +27,7 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     ///
     /// # Errors
     /// When run: [`SceneError::Encounter`] where the distance is not positive and finite.
-    pub fn encounter(self, distance: f64) -> Simulation<(), Scene<D, P, L, B>, S, (O, Encounter<B>)> {
+    pub fn encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
         let space = self.start.space;
         self.attended(Encounter { distance, space, excess: Vec::new() })
     }

@@ -12,7 +12,7 @@ use crate::expression::{Expr, Graph, Node, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
-use super::forced::expand;
+use super::expand::expand;
 use super::newton::dot;
 use super::variables::Variables;
 

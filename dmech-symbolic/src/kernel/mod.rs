@@ -1,5 +1,6 @@
 //! The programs that schemes need of a law, made for its structure.
 
+mod expand;
 mod forced;
 mod mean;
 mod newton;

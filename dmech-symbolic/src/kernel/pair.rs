@@ -9,7 +9,7 @@ use crate::program::Program;
 use crate::structure::{Central, Structure};
 
 use super::Formulas;
-use super::forced::expand;
+use super::expand::expand;
 use super::variables::{Variables, exchange};
 
 /// The variables of a pair law besides those of a potential in d.

@@ -137,11 +137,11 @@ pub use crate::newton::{self, Equation, Increment, NotConverged};
 pub use crate::run::{Attend, Attended, Blend, Columns, Observer, Passage, Sink, Stream, Watch, Weights, Within};
 #[cfg(feature = "scene")]
 pub use crate::scene::Encounter;
+pub use crate::scheme::NoScheme;
 pub use crate::scheme::{
     Adaptable, Adaptive, Effort, LinearVelocities, Method, OneStep, Scheme, Steps, WithoutVelocities,
 };
 pub use crate::setup::Setup;
-pub use crate::simulation::NoScheme;
 pub use crate::span::steps_until;
 pub use crate::system::{Ahead, Beginning, Kick, Particle, Step, Stride, System, TimeScale};
 pub use crate::vector;

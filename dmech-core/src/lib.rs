@@ -15,12 +15,12 @@ mod checkpoint;
 mod error;
 mod invariant;
 mod law;
+mod method;
 mod name;
 #[cfg(feature = "serde")]
 mod resume;
 mod run;
 mod setup;
-mod simulation;
 mod span;
 mod state;
 mod stepper;
@@ -52,15 +52,15 @@ pub use law::{
 pub use law::{LinkLaw, Within};
 #[doc(hidden)]
 pub use law::{rotation, written};
-pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run};
+pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run, Simulation};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
+pub use scheme::NoScheme;
 pub use scheme::{
     Adaptable, Adaptive, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess,
     Implicit, Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
 };
 pub use setup::Setup;
-pub use simulation::{NoScheme, Simulation};
 pub use state::State;
 pub use stepper::Stepper;
 pub use system::{Particle, System};

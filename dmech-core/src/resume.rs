@@ -2,9 +2,9 @@
 
 use crate::checkpoint::{Carried, Checkpoint, FORMAT, Fields, Fingerprint, Numbers, Saved, load, save};
 use crate::error::{Difference, Error};
+use crate::run::Simulation;
 use crate::scheme::Scheme;
 use crate::setup::Setup;
-use crate::simulation::Simulation;
 use crate::stepper::Stepper;
 
 impl<L, X, S, O> Simulation<L, X, S, O> {

@@ -17,8 +17,8 @@ use std::collections::BTreeSet;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Difference;
+use crate::method::Method;
 use crate::name::Name;
-use crate::scheme::Method;
 
 /// Where a simulation stands: everything that the next step needs, and what shows that it is the same simulation.
 ///

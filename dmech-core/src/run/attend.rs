@@ -5,7 +5,6 @@ use core::ops::ControlFlow;
 use super::event::Event;
 use super::zero::zero;
 use crate::error::Error;
-use crate::simulation::Simulation;
 
 /// What accompanies a run beside its record: events, observers, streams. They stand in a list in the type of the simulation, so
 /// that nothing is left of them in a run that has none.
@@ -86,16 +85,6 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
 
     fn end(&mut self) -> Result<(), Error> {
         self.0.end().and(self.1.end())
-    }
-}
-
-/// A simulation that is accompanied by one thing more.
-pub type Attended<L, X, S, O, A> = Simulation<L, X, S, (O, A)>;
-
-impl<L, X, S, O> Simulation<L, X, S, O> {
-    pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
-        let Simulation { law, start, scheme, settings, attend } = self;
-        Simulation { law, start, scheme, settings, attend: (attend, also) }
     }
 }
 

@@ -8,30 +8,32 @@ mod event;
 mod interrupted;
 mod motion;
 mod observe;
+mod output;
 mod passage;
 mod progress;
 mod report;
+#[cfg(feature = "progress")]
+mod shown;
+mod simulation;
 mod stream;
 mod watch;
 mod zero;
 
-pub use attend::{Attend, Attended, Within};
+pub use attend::{Attend, Within};
 pub use between::{Blend, Weights};
 pub use csv::Columns;
-pub(crate) use due::Due;
 pub use event::{Crossing, Event};
 pub use interrupted::Interrupted;
-pub(crate) use motion::record;
 pub use observe::Observer;
 pub use passage::Passage;
-pub(crate) use progress::Shown;
 pub use report::Report;
+pub use simulation::{Attended, Simulation};
 pub use stream::{Csv, Npy, Sink, Stream};
 pub use watch::Watch;
 
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
-use crate::scheme::Method;
+use crate::method::Method;
 use report::Work;
 
 /// The recorded states of a simulation, what it kept and what it cost.

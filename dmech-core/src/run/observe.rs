@@ -2,9 +2,9 @@
 
 use core::ops::ControlFlow;
 
-use super::attend::{Attend, Attended};
+use super::attend::Attend;
+use super::simulation::{Attended, Simulation};
 use crate::setup::Setup;
-use crate::simulation::Simulation;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// Shows the state after every n-th step to a function, which may stop the run. Nothing is kept of what it sees.

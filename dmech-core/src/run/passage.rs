@@ -1,10 +1,10 @@
 //! Events: where a function of the state passes through zero.
 
-use super::attend::{Attend, Attended, Within};
+use super::attend::{Attend, Within};
 use super::event::{Crossing, Event};
+use super::simulation::{Attended, Simulation};
 use crate::error::Error;
 use crate::setup::Setup;
-use crate::simulation::Simulation;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// Watches for passages of a function of the state through zero, which [`Run::events`](crate::Run::events) then has: a

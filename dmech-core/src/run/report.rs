@@ -4,7 +4,7 @@ use core::fmt;
 use std::time::Duration;
 
 use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
-use crate::scheme::Method;
+use crate::method::Method;
 use crate::text::Number;
 
 /// What a run cost.

@@ -2,11 +2,11 @@
 
 use std::io::{self, Seek, SeekFrom, Write};
 
-use super::attend::{Attend, Attended};
+use super::attend::Attend;
 use super::csv::Columns;
+use super::simulation::{Attended, Simulation};
 use crate::error::Error;
 use crate::setup::Setup;
-use crate::simulation::Simulation;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// Writes the recorded states as they come, as [`Csv`] or [`Npy`], and keeps none of them: however long the run,

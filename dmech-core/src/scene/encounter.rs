@@ -4,8 +4,7 @@ use super::builder::Scene;
 use super::space::Space;
 use super::state::SceneState;
 use crate::error::{Error, SceneError};
-use crate::run::{Attend, Attended, Crossing, Event, Within};
-use crate::simulation::Simulation;
+use crate::run::{Attend, Attended, Crossing, Event, Simulation, Within};
 use crate::vector::{difference, dot};
 
 impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, S, O> {

@@ -33,9 +33,9 @@ pub use topology::Topology;
 pub use vectors::Vectors;
 
 use crate::law::Within;
+use crate::run::Simulation;
 use crate::scheme::Scheme;
 use crate::setup::Setup;
-use crate::simulation::Simulation;
 use crate::stepper::Stepper;
 
 /// A law on each body, as a type: [`Scene::field`] adds one.

@@ -3,8 +3,11 @@
 use super::{Effort, Method, Scheme};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::simulation::NoScheme;
 use crate::system::{Beginning, System};
+
+/// No scheme yet: such a simulation cannot run.
+#[derive(Clone, Copy, Debug)]
+pub struct NoScheme;
 
 /// A scheme was chosen for what acts. Nothing implements it: it has the words for [`NoScheme`], and stands on what acts
 /// because the compiler would not say them of the scheme itself.

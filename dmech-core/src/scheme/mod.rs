@@ -27,38 +27,15 @@ pub use force_gradient::ForceGradient;
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::Leapfrog;
-pub use missing::{NeverBegun, WithScheme};
+pub use missing::{NeverBegun, NoScheme, WithScheme};
 pub use nystrom::Nystrom;
 pub use splitting::{First, SplittingMemory};
 
 use crate::error::Error;
-use crate::invariant::{Invariant, Kept};
+pub use crate::method::Method;
 use crate::newton::NotConverged;
 use crate::system::{Beginning, System};
 pub use crate::system::{Effort, Guess, LinearVelocities, Newton, WithoutVelocities};
-
-/// What a scheme promises, whatever the law.
-pub trait Method: Copy + core::fmt::Debug {
-    /// The name in reports.
-    const NAME: &'static str;
-    /// The global error of the position is O(dt^ORDER).
-    const ORDER: u32;
-    /// A step back from the new state returns to the old one: the scheme can be composed to higher order.
-    const SYMMETRIC: bool;
-
-    /// How well the scheme keeps an invariant of the law.
-    fn keeps(invariant: Invariant) -> Kept;
-
-    /// The tolerance of an [`Adaptive`] scheme; `None` where all steps are equal.
-    fn tolerance(&self) -> Option<f64> {
-        None
-    }
-
-    /// The same scheme with its last step ending at the time `end`, where it chooses its steps.
-    fn until(self, _end: f64) -> Self {
-        self
-    }
-}
 
 /// A scheme for systems of the type Y: one law, or the bodies of a scene. It is a program over the instructions of [`System`].
 ///

@@ -2,20 +2,20 @@
 
 use dmech_scalar::Real;
 
+use super::attend::Attend;
+use super::due::Due;
+use super::motion::record;
+use super::progress::Shown;
+use super::{Interrupted, Run};
 use crate::error::Error;
 use crate::law::Masses;
 use crate::law::{Law, MassIndependent};
-use crate::run::{Attend, Due, Interrupted, Run, Shown, record};
-use crate::scheme::{Adaptable, Adaptive, Scheme};
+use crate::scheme::{Adaptable, Adaptive, NoScheme, Scheme};
 use crate::setup::Setup;
 use crate::span::{UNCOUNTED, steps_until};
 use crate::state::State;
 use crate::stepper::{Stepper, check_step};
 use crate::system::System;
-
-/// No scheme yet: such a simulation cannot run.
-#[derive(Clone, Copy, Debug)]
-pub struct NoScheme;
 
 /// A simulation to be set up and run.
 ///
@@ -316,5 +316,15 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
             Ok((steps, stepper)) => record(stepper, run, steps, (due, attend), shown),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }
+    }
+}
+
+/// A simulation that is accompanied by one thing more.
+pub type Attended<L, X, S, O, A> = Simulation<L, X, S, (O, A)>;
+
+impl<L, X, S, O> Simulation<L, X, S, O> {
+    pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
+        let Simulation { law, start, scheme, settings, attend } = self;
+        Simulation { law, start, scheme, settings, attend: (attend, also) }
     }
 }

@@ -1,0 +1,51 @@
+//! Runs that are shown.
+
+use std::borrow::Cow;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::progress::Shown;
+use super::simulation::Simulation;
+
+/// Drawings per second at most.
+const RATE: u8 = 4;
+
+impl<L, X, S, O> Simulation<L, X, S, O> {
+    /// Shows a bar on the standard error while [`run`](Simulation::run) or [`run_until`](Simulation::run_until) is at
+    /// work: a title, the steps, their rate and the time left, drawn four times per second at most (feature
+    /// `progress`). Where the standard error is not a terminal nothing is written.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// # struct Spring { k: f64 }
+    /// # impl Conservative for Spring {}
+    /// # impl Potential<1> for Spring {
+    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
+    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
+    /// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
+    /// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+    /// # }
+    /// let run = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0]))
+    ///     .scheme(Leapfrog)
+    ///     .dt(0.001)
+    ///     .record_every(1000)
+    ///     .with_progress("a spring")
+    ///     .run(100_000)?;
+    /// assert_eq!(run.steps(), 100_000);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_progress(self, title: impl Into<Cow<'static, str>>) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr_with_hz(RATE));
+        let template = "{msg} [{bar:40}] {percent:>3} %  {human_pos} of {human_len} steps  {per_sec}  {eta} left";
+        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        self.with_progress_bar(bar.with_style(style.progress_chars("=> ")).with_message(title))
+    }
+
+    /// The same with a bar of one's own: another style or target, or one of several in an
+    /// [`indicatif::MultiProgress`]. Its length becomes the number of steps; it is finished at the end of the run, and
+    /// abandoned where that ends early.
+    pub fn with_progress_bar(self, bar: ProgressBar) -> Self {
+        self.with(|settings| settings.shown = Shown { bar: Some(bar) })
+    }
+}

@@ -7,7 +7,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// Records the state after every n-th step (default 1). The first state is always recorded.
     ///
     /// A state takes 8 (1 + 2 D) bytes, of a scene 16 D a body: a run of 10⁷ steps in the plane 400 MB. More than there is memory
-    /// for is refused before the run, with [`Error::Recording`].
+    /// for is refused before the run, with [`Error::Recording`](crate::Error::Recording).
     pub fn record_every(self, n: u64) -> Self {
         self.with(|settings| settings.due = Due::Every(n))
     }
@@ -40,7 +40,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// ```
     ///
     /// # Errors
-    /// When run: [`Error::RecordAt`] for times that are not finite or lie before the start.
+    /// When run: [`Error::RecordAt`](crate::Error::RecordAt) for times that are not finite or lie before the start.
     pub fn record_at(self, times: impl IntoIterator<Item = f64>) -> Self {
         let mut times: Vec<f64> = times.into_iter().collect();
         times.sort_by(f64::total_cmp);
@@ -50,7 +50,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// Records the states at the times t₀ + k dt, as [`record_at`](Simulation::record_at), for as long as the run goes.
     ///
     /// # Errors
-    /// When run: [`Error::RecordDt`] where dt is not positive and finite.
+    /// When run: [`Error::RecordDt`](crate::Error::RecordDt) where dt is not positive and finite.
     pub fn record_dt(self, dt: f64) -> Self {
         self.with(|settings| settings.due = Due::Apart(dt))
     }

@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::Law;
 use crate::scheme::Scheme;
+use crate::span::moves_on;
 use crate::stepper::{Stepper, check_step};
 use crate::system::{Particle, System};
 
@@ -29,6 +30,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// [`Error::State`] and what the start of a simulation may be refused for; the stepper then stays as it was.
     pub fn set_state(&mut self, state: Y::State) -> Result<(), Error> {
         self.system.check(&state)?;
+        self.moves_on(Y::time(&state), self.dt)?;
         self.begin_from(state)
     }
 
@@ -38,6 +40,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// [`Error::TimeStep`]; the stepper then stays as it was.
     pub fn set_dt(&mut self, dt: f64) -> Result<(), Error> {
         check_step::<Y::Scalar>(self.scheme.tolerance(), dt)?;
+        self.moves_on(self.t(), dt)?;
         let before = core::mem::replace(&mut self.dt, dt);
         self.pace();
         let begun = self.begin_from(self.state_at(before));
@@ -46,6 +49,11 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             self.pace();
         }
         begun
+    }
+
+    /// Whether steps of equal length change the time.
+    fn moves_on(&self, time: f64, dt: f64) -> Result<(), Error> {
+        if self.scheme.tolerance().is_some() { Ok(()) } else { moves_on(time, dt) }
     }
 
     /// The state now, reached in steps of the length `dt`.
@@ -114,8 +122,10 @@ impl<Y: System + Holds<X>, S: Scheme<Y>, X: Clone> Drop for LawMut<'_, Y, S, X> 
         if let Some(law) = self.stepper.system.law_mut() {
             law.clone_from(&self.law);
         }
-        // Where the law has no value, what the scheme carries stays, and the next step says why it fails.
-        let _ = self.stepper.begin_from(state);
+        // Where the law has no value, the next step begins from here, or says why it cannot.
+        if self.stepper.begin_from(state.clone()).is_err() {
+            self.stepper.wait_at(state);
+        }
     }
 }
 

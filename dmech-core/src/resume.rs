@@ -43,12 +43,13 @@ where
             options: Checkpoint::options(&self.scheme),
             dimension: Y::DIMENSION,
             bodies: masses.len(),
-            times: Numbers(vec![Y::time(&self.start), dt, self.t()]),
+            times: Numbers(vec![self.first, dt, self.t(), Y::time(&self.start)]),
             masses: Numbers(masses),
             pins,
             laws: self.fingerprint(),
             fields: self.fields().saved(),
-            steps: self.steps,
+            steps: self.steps(),
+            steps_before: self.steps_before,
             evaluations: self.evaluations,
             iterations: self.iterations,
             start: system.vectors(&self.start).map(|mut x| Numbers(Y::numbers(&mut x).to_vec())).into(),
@@ -67,8 +68,9 @@ where
         }
         let mut memory = self.memory.clone();
         load(&mut memory, &saved.memory)?;
-        let start = self.system.state(Y::time(&self.start), &q, &v);
-        self.put(start, memory, [saved.steps, saved.evaluations, saved.iterations]);
+        let start = self.system.state(saved.begun_at(), &q, &v);
+        let since = saved.steps.saturating_sub(saved.steps_before);
+        self.put(start, memory, [saved.steps_before, since, saved.evaluations, saved.iterations]);
         if self.fingerprint() == saved.laws { Ok(()) } else { Err(Difference::Laws) }
     }
 

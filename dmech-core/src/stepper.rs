@@ -23,9 +23,13 @@ pub struct Stepper<Y: System, S: Scheme<Y>> {
     pub(crate) memory: S::Memory,
     /// Room for the next memory, where a new one is not free.
     spare: Option<S::Memory>,
-    /// Steps since the start, and those before it: a change on the way is a new start.
+    /// The time of the first start: a change on the way is a new one.
+    pub(crate) first: f64,
+    /// Steps since the start, and those before it.
     pub(crate) steps: u64,
     pub(crate) steps_before: u64,
+    /// The start is still to be begun from: a law that was changed has had no value there.
+    pub(crate) waits: bool,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
 }
@@ -61,6 +65,7 @@ pub(crate) fn check_step<R: Real>(tolerance: Option<f64>, dt: f64) -> Result<(),
 
 /// What a scheme carries from a state on.
 fn begun<Y: System, S: Scheme<Y>>(
+    step: u64,
     system: &Y,
     scheme: &S,
     stride: &Y::Stride,
@@ -74,7 +79,7 @@ fn begun<Y: System, S: Scheme<Y>>(
     let memory = scheme.begin(system, stride, &first, workspace);
     // A start that solves an equation makes a step backward.
     let memory = memory.map_err(|cause| system.unsolved(0, [&q, &v], t, -Y::dt(stride).to_f64(), cause))?;
-    scheme.ready(1, &memory)?;
+    scheme.ready(step, &memory)?;
     Ok(memory)
 }
 
@@ -83,9 +88,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     pub(crate) fn new(system: Y, scheme: S, start: Y::State, dt: f64) -> Result<Self, Error> {
         let stride = system.stride(Y::Scalar::from_f64(dt), S::SHARE);
         let mut workspace = scheme.workspace(&system, &stride);
-        let memory = begun(&system, &scheme, &stride, &start, &mut workspace)?;
+        let memory = begun(1, &system, &scheme, &stride, &start, &mut workspace)?;
         let spare = (!Y::IN_REGISTERS).then(|| memory.clone());
-        let (steps, steps_before, evaluations, iterations) = (0, 0, 0, 0);
+        let (first, steps, steps_before, evaluations, iterations) = (Y::time(&start), 0, 0, 0, 0);
         Ok(Stepper {
             system,
             scheme,
@@ -95,8 +100,10 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             start,
             memory,
             spare,
+            first,
             steps,
             steps_before,
+            waits: false,
             evaluations,
             iterations,
         })
@@ -104,10 +111,22 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 
     /// Begins anew from a state; what fails leaves everything as it was.
     pub(crate) fn begin_from(&mut self, start: Y::State) -> Result<(), Error> {
-        let memory = begun(&self.system, &self.scheme, &self.stride, &start, &mut self.workspace)?;
+        let memory = begun(self.steps() + 1, &self.system, &self.scheme, &self.stride, &start, &mut self.workspace)?;
         self.steps_before += core::mem::take(&mut self.steps);
         (self.start, self.memory) = (start, memory);
+        self.waits = false;
         Ok(())
+    }
+
+    /// Begins anew from a state as soon as the law has a value there.
+    pub(crate) fn wait_at(&mut self, start: Y::State) {
+        self.steps_before += core::mem::take(&mut self.steps);
+        (self.start, self.waits) = (start, true);
+    }
+
+    #[cold]
+    fn begin_at_last(&mut self) -> Result<(), Error> {
+        self.begin_from(self.start.clone())
     }
 
     /// Advances by one time step.
@@ -123,7 +142,10 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// Makes a step and shows the memory before and after it.
     #[inline(always)]
     pub(crate) fn step_and(&mut self, see: impl FnOnce(&Self, &S::Memory, &S::Memory)) -> Result<(), Error> {
-        self.scheme.ready(self.steps + 1, &self.memory)?;
+        if self.waits {
+            self.begin_at_last()?;
+        }
+        self.scheme.ready(self.steps() + 1, &self.memory)?;
         let t = Y::Scalar::from_f64(self.t());
         let mut next = self.copy();
         match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
@@ -180,6 +202,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// would lead to [`Error::TimeStandsStill`].
     #[inline]
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
+        if self.waits {
+            self.begin_at_last()?;
+        }
         let end = self.steps.saturating_add(self.possible(steps)?);
         let mut last = self.copy();
         self.scheme.watch(false, &mut self.workspace);
@@ -245,11 +270,11 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if !(now..=now + dt).contains(&t) {
             return Err(Error::OutsideStep { time: t, from: now, to: now + dt });
         }
-        self.between(&self.state(), t).map(|(state, _)| state)
+        self.between(self.steps() + 1, &self.state(), t).map(|(state, _)| state)
     }
 
-    /// The state at a later time by a single step from a state, and what it costs.
-    pub(crate) fn between(&self, from: &Y::State, t: f64) -> Result<(Y::State, Effort), Error> {
+    /// The state at a later time, within a step of a number, by a single one from a state, and what it costs.
+    pub(crate) fn between(&self, step: u64, from: &Y::State, t: f64) -> Result<(Y::State, Effort), Error> {
         let (system, start) = (&self.system, Y::time(from));
         if t == start {
             return Ok((from.clone(), Effort::default()));
@@ -260,10 +285,10 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         let from = Beginning { t: now, q: &q, v: &v, slope: &slope };
         let ([q, v], mut effort) = match self.scheme.within(system, Y::Scalar::from_f64(t - start), &from) {
             Ok(step) => step,
-            Err(cause) => return Err(system.unsolved(self.steps(), [&q, &v], start, t - start, cause)),
+            Err(cause) => return Err(system.unsolved(step, [&q, &v], start, t - start, cause)),
         };
         if !Y::is_finite(&q) || !Y::is_finite(&v) {
-            return Err(system.not_finite(self.steps(), [&q, &v], start, t - start));
+            return Err(system.not_finite(step, [&q, &v], start, t - start));
         }
         effort.evaluations += 1;
         Ok((system.state(t, &q, &v), effort))
@@ -328,9 +353,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 
     /// Goes to where a checkpoint stands.
     #[cfg(feature = "serde")]
-    pub(crate) fn put(&mut self, start: Y::State, memory: S::Memory, counts: [u64; 3]) {
+    pub(crate) fn put(&mut self, start: Y::State, memory: S::Memory, counts: [u64; 4]) {
         (self.start, self.memory) = (start, memory);
-        [self.steps, self.evaluations, self.iterations] = counts;
+        [self.steps_before, self.steps, self.evaluations, self.iterations] = counts;
     }
 
     /// Why the next step failed, which left `after` behind.

@@ -239,3 +239,86 @@ fn a_law_may_come_and_go() {
     stepper.advance(10).unwrap();
     assert!((stepper.state().q[1][0] - 1.0 - 0.5 * 0.2 / 2.0).abs() < 1e-13);
 }
+
+/// A point that attracts, wherever it is put.
+#[derive(Clone, Copy, Debug)]
+struct Point {
+    gm: f64,
+    at: [f64; 2],
+}
+
+#[dmech::law]
+impl Point {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let (x, y) = (q[0] - self.at[0], q[1] - self.at[1]);
+        -self.gm / (x * x + y * y).sqrt()
+    }
+}
+
+/// A law without a value where the motion is stops the next step, and a better one lets it go on from where it was.
+fn broken<S: Scheme<Particle<Point, 2>> + Copy>(scheme: S) {
+    let law = Point { gm: 1.3, at: [0.0; 2] };
+    let mut stepper = Simulation::new(law, START).scheme(scheme).dt(0.01).stepper().unwrap();
+    stepper.advance(5).unwrap();
+    let state = stepper.state();
+    for wrong in [Point { gm: f64::NAN, ..law }, Point { at: state.q, ..law }] {
+        *stepper.law_mut() = wrong;
+        assert!(stepper.step().is_err() && stepper.advance(3).is_err(), "{scheme:?}");
+        assert_eq!((stepper.state(), stepper.steps()), (state, 5), "{scheme:?}");
+    }
+    *stepper.law_mut() = law;
+    let mut other = Simulation::new(law, state).scheme(scheme).dt(0.01).stepper().unwrap();
+    stepper.advance(7).unwrap();
+    other.advance(7).unwrap();
+    assert_eq!(stepper.state(), other.state());
+    // To look is not to change.
+    let mut same = stepper.clone();
+    assert_eq!(stepper.law_mut().gm, 1.3);
+    stepper.advance(10).unwrap();
+    same.advance(10).unwrap();
+    assert_eq!(stepper.state(), same.state());
+}
+
+#[test]
+fn every_scheme_waits_for_a_law_with_a_value() {
+    broken(Leapfrog);
+    broken(CompensatedLeapfrog);
+    broken(Implicit);
+    broken(DiscreteGradient);
+    broken(Kanatani);
+    broken(Nystrom::order6());
+    broken(Composed::order4(DiscreteGradient));
+}
+
+/// What a checkpoint saves of a stepper that was changed: its time, its counts, its motion.
+#[test]
+fn a_changed_stepper_is_saved_and_resumed() {
+    let simulation = || Simulation::new(Kepler { gm: 0.9 }, START).scheme(DiscreteGradient).dt(0.01);
+    let mut stepper = Simulation::new(Kepler { gm: 1.3 }, START).scheme(DiscreteGradient).dt(0.01).stepper().unwrap();
+    stepper.advance(37).unwrap();
+    stepper.law_mut().gm = 0.9;
+    stepper.advance(11).unwrap();
+    let saved = serde_json::to_string(&stepper.checkpoint()).unwrap();
+    let checkpoint: Checkpoint = serde_json::from_str(&saved).unwrap();
+    assert_eq!((checkpoint.steps(), checkpoint.t()), (48, stepper.t()));
+    let mut other = simulation().resume(&checkpoint).unwrap();
+    assert_eq!((other.steps(), other.t(), other.state()), (48, stepper.t(), stepper.state()));
+    stepper.advance(20).unwrap();
+    other.advance(20).unwrap();
+    assert_eq!((other.steps(), other.t(), other.state()), (68, stepper.t(), stepper.state()));
+}
+
+/// Times that steps cannot tell apart are refused, as at the start.
+#[test]
+fn changes_keep_the_time_moving() {
+    let mut stepper = Simulation::new(Kepler { gm: 1.3 }, START).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    assert!(matches!(stepper.set_state(START.at_time(1e30)), Err(Error::TimeStandsStill { .. })));
+    assert!(matches!(stepper.set_dt(1e-300), Err(Error::TimeStandsStill { .. })));
+    stepper.step().unwrap();
+    assert_eq!((stepper.steps(), stepper.dt()), (1, 0.01));
+    stepper.law_mut().gm = 2.0;
+    stepper.law_mut().gm = f64::NAN;
+    let error = stepper.step().unwrap_err();
+    assert!(matches!(error, Error::Law { .. }), "{error}");
+}

@@ -321,7 +321,7 @@ fn damaged_checkpoints_are_refused() {
     assert_eq!(refusal(&|x| drop(x["memory"].as_array_mut().unwrap().pop())), difference(6, 7));
     assert_eq!(refusal(&|x| x["masses"] = "".into()), difference(0, 3));
     assert_eq!(refusal(&|x| x["start"] = serde_json::json!(["1.0"])), difference(1, 2));
-    assert_eq!(refusal(&|x| x["format"] = 9.into()), Error::Checkpoint(Difference::Format { checkpoint: 9, here: 3 }));
+    assert_eq!(refusal(&|x| x["format"] = 9.into()), Error::Checkpoint(Difference::Format { checkpoint: 9, here: 4 }));
     assert_eq!(refusal(&|x| x["seals"] = serde_json::json!([])), difference(0, 6));
 }
 

@@ -197,7 +197,7 @@ fn encounters_name_the_bodies() {
     }
     // In a box the nearest image counts.
     let two = Scene::<1>::new().body(1.0, [0.5], [0.0]).body(1.0, [8.0], [1.0]).periodic([10.0]);
-    let run = Simulation::scene(two).scheme(Leapfrog).dt(0.3).encounter(0.5).run_until(12.0).unwrap();
+    let run = Simulation::scene(two).scheme(Leapfrog).dt(0.3).encounter(0.5).run_until(11.0).unwrap();
     assert_eq!(run.events().len(), 1);
     assert!((run.events()[0].state().t - 2.0).abs() < 1e-13);
     let lone = Scene::<2>::new().body(1.0, [0.0, 0.0], [1.0, 0.0]).pairs(Gravity { g: 1.0 });
@@ -243,4 +243,43 @@ fn a_poincare_section_is_exact() {
         assert!((state.t - exact.t).abs() < 1e-10, "{} {}", state.t, exact.t);
         assert!((state.q[1] - exact.q[1].to_f64()).abs() < 1e-10 && (state.v[1] - exact.v[1].to_f64()).abs() < 1e-10);
     }
+}
+
+/// Infinite values have a sign; what happens after a stop in the same step is no event; what stops a run is what it ends with.
+#[test]
+fn edges_of_events() {
+    let broken = |state: &State<1>| if state.q[0] > 0.2 { f64::INFINITY } else { -1.0 };
+    let run = spring(Nystrom::order8(), 0.1).event(broken, Crossing::Falling).run_until(1.0).unwrap();
+    assert!((run.events()[0].state().t - 0.5 * 0.2_f64.acos()).abs() < 1e-9);
+    let run = spring(Nystrom::order8(), 0.5)
+        .stop_when(|state| state.q[0] - 0.1, Crossing::Falling)
+        .event(|state| state.q[0], Crossing::Falling)
+        .run_until(9.0)
+        .unwrap();
+    assert_eq!(run.events().iter().map(Event::which).collect::<Vec<_>>(), [0]);
+    // The drift is that of what is recorded and of the last state, not of a step that goes on beyond the stop.
+    let law = Kepler { gm: 1.3 };
+    let fall = Simulation::new(law, State::new([1.0, 0.0], [0.0, 0.1])).scheme(Leapfrog).dt(0.05);
+    let run = fall.stop_when(|state| state.q[0] - 0.1, Crossing::Falling).run_until(9.0).unwrap();
+    let energy =
+        |state: &State<2>| 0.5 * (state.v[0].powi(2) + state.v[1].powi(2)) - 1.3 / state.q[0].hypot(state.q[1]);
+    let first = energy(&run.states()[0]);
+    let most = run.states().iter().chain([run.last()]).map(|state| (energy(state) - first).abs()).fold(0.0, f64::max);
+    let drift = run.drift(Invariant::Energy).unwrap().max_abs();
+    assert!((drift / most - 1.0).abs() < 1e-12, "{drift} {most}");
+    // A falling zero on the end of a step; output at the very time of a stop there.
+    let clock = |to: f64| move |state: &State<1>| to - state.t;
+    let run = spring(Leapfrog, 0.25).event(clock(0.5), Crossing::Falling).run(9).unwrap();
+    assert_eq!(times(&run, 0), [0.5]);
+    let run =
+        spring(Leapfrog, 0.25).stop_when(clock(0.5), Crossing::Falling).record_at([0.25, 0.5, 0.75]).run(9).unwrap();
+    assert_eq!((run.states().len(), run.steps(), run.last().t), (2, 2, 0.5));
+    // Bodies that start at the distance of an encounter have met.
+    let scene = Scene::<1>::new().body(1.0, [0.0], [0.0]).body(1.0, [0.5], [-0.1]);
+    assert!(Simulation::scene(scene).scheme(Leapfrog).dt(0.1).encounter(0.5).run(9).unwrap().events().is_empty());
+    // An event costs its shortened steps, each of which evaluates the force at its start as well.
+    let without = spring(Leapfrog, 0.25).run(9).unwrap().report().evaluations();
+    let with = spring(Leapfrog, 0.25).event(|state| state.q[0] - 0.1, Crossing::Falling).run(9).unwrap();
+    let cost = with.report().evaluations() - without;
+    assert!(cost.is_multiple_of(2) && (6..=24).contains(&cost), "{cost}");
 }

@@ -165,7 +165,7 @@ fn records_that_do_not_fit_are_refused_at_once() {
     let scene = Simulation::scene(three_bodies()).scheme(Leapfrog).dt(0.1);
     assert!(matches!(scene.run(states).unwrap_err().cause(), Error::Recording { bytes, .. } if bytes > 96 * states));
     let stopped = simulation().observe(9, |_| core::ops::ControlFlow::Break(()));
-    assert_eq!(stopped.stream(Csv(std::io::sink())).run(states).unwrap().steps(), 9);
+    assert_eq!(stopped.stream(Csv::new(std::io::sink())).run(states).unwrap().steps(), 9);
 }
 
 /// What is recorded between steps does not weaken what is said of the invariants, and is itself as exact.
@@ -237,4 +237,59 @@ fn a_failed_run_keeps_its_output() {
     let failed = failed.unwrap_err();
     assert!(failed.run().states().len() > 10, "{failed}");
     assert!(failed.run().last().t < 10.0 && failed.run().steps() > 0);
+}
+
+/// States that all but coincide do not spoil what lies beside them.
+#[test]
+fn close_states_do_not_spoil_those_between() {
+    let truth = |t: f64| planet().scheme(Nystrom::order8()).dt((t - 0.7) / 400.0).run(400).unwrap().last().q;
+    let close = [0.7, 0.75, 0.8, 0.8_f64.next_up(), 0.8 + 1e-12, 0.9, 1.0, 1.1];
+    let run = planet().scheme(Nystrom::order8()).dt(0.05).record_at(close).run_until(1.1).unwrap();
+    for t in [0.72, 0.78, 0.83, 0.86, 0.95, 1.08] {
+        let error = distance(&[run.at(t).unwrap().q], &[truth(t)]);
+        assert!(error < 1e-6, "{t} {error:e}");
+    }
+    // A run that ends a rounding after its last record, and one that stops right after a step.
+    for end in [0.3, 0.6, 0.7, 1.2, 1.4] {
+        let run = planet().scheme(Nystrom::order8()).dt(0.1).record_dt(0.1).run_until(0.7 + end).unwrap();
+        let t = 0.7 + end - 0.04;
+        assert!(distance(&[run.at(t).unwrap().q], &[truth(t)]) < 1e-5, "{end}");
+    }
+    let stop = planet().scheme(Nystrom::order8()).dt(0.1).stop_when(|state| state.t - (1.2 + 1e-9), Crossing::Any);
+    let run = stop.run_until(9.0).unwrap();
+    assert!(run.stopped() && distance(&[run.at(1.15).unwrap().q], &[truth(1.15)]) < 1e-5);
+}
+
+/// What is recorded at the end of a step is that state, to the bit.
+#[test]
+fn output_at_the_end_of_a_step_is_its_state() {
+    let every = planet().scheme(Nystrom::order6()).dt(0.125).run(40).unwrap();
+    let at = planet().scheme(Nystrom::order6()).dt(0.125).record_at(every.states().iter().map(|state| state.t)).run(40);
+    assert_eq!(at.unwrap().states(), every.states());
+    // Positions beside the end of a step go over into it, also where the first step was made backward.
+    let beside = |t: f64| {
+        let run = planet().scheme(Kanatani.start(Start::BackwardStep)).dt(0.125).record_at([t]).run(9).unwrap();
+        run.states()[0]
+    };
+    let [before, there, after] = [1.2_f64.next_down(), 1.2, 1.2_f64.next_up()].map(beside);
+    for near in [before, after] {
+        assert!(distance(&[near.q], &[there.q]) < 1e-14 && distance(&[near.v], &[there.v]) < 1e-13);
+    }
+    // Invariants are looked at after every step in which something is recorded.
+    let looked = planet().scheme(Leapfrog).dt(0.05).record_dt(0.05).run_until(4.0).unwrap();
+    let last = planet().scheme(Leapfrog).dt(0.05).record_at([]).run_until(4.0).unwrap();
+    let drift = |run: &Run<State<2>>| run.drift(Invariant::Energy).unwrap().max_abs();
+    assert!(drift(&looked) > drift(&last) && drift(&last) > 0.0);
+}
+
+#[test]
+fn distances_that_the_time_cannot_tell_are_refused() {
+    let dt = 1e-17;
+    let refused = planet().scheme(Leapfrog).dt(0.1).record_dt(dt).run(3).unwrap_err();
+    assert_eq!(refused.cause(), Error::RecordDt { dt });
+    let many = planet().scheme(Leapfrog).dt(0.1).record_dt(1e-12).run_until(1e4).unwrap_err();
+    assert!(matches!(many.cause(), Error::Recording { .. }), "{many}");
+    let law = Kepler { gm: 1.3 };
+    let late = Simulation::new(law, law.pericentre(0.9, 0.4)).scheme(Leapfrog).dt(1e3).record_dt(3e-14).run(9);
+    assert!(late.is_err());
 }

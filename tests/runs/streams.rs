@@ -14,7 +14,7 @@ fn planet() -> Simulation<Kepler, State<2>, Leapfrog> {
 #[test]
 fn a_stream_has_what_a_table_has() {
     let mut streamed = Vec::new();
-    let run = planet().record_every(3).stream(Csv(&mut streamed)).run(100).unwrap();
+    let run = planet().record_every(3).stream(Csv::new(&mut streamed)).run(100).unwrap();
     assert!(run.states().is_empty());
     let kept = planet().record_every(3).run(100).unwrap();
     let mut table = Vec::new();
@@ -26,7 +26,7 @@ fn a_stream_has_what_a_table_has() {
     let mut streamed = Vec::new();
     let scene = Scene::new().body(1.0, [0.0], [0.0]).body(0.3, [1.0], [0.0]).pairs(Gravity { g: -1.0 });
     let simulation = || Simulation::scene(scene.clone()).scheme(Leapfrog).dt(0.1).record_dt(0.07);
-    simulation().stream(Csv(&mut streamed)).run(20).unwrap();
+    simulation().stream(Csv::new(&mut streamed)).run(20).unwrap();
     let mut table = Vec::new();
     simulation().run(20).unwrap().write_csv(&mut table).unwrap();
     assert_eq!(streamed, table);
@@ -37,7 +37,7 @@ fn a_stream_has_what_a_table_has() {
 #[test]
 fn a_table_of_numpy_reads_back() {
     let mut file = Cursor::new(Vec::new());
-    planet().record_every(7).stream(Npy(&mut file)).run(700).unwrap();
+    planet().record_every(7).stream(Npy::new(&mut file)).run(700).unwrap();
     let kept = planet().record_every(7).run(700).unwrap();
     let bytes = file.into_inner();
     assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
@@ -51,7 +51,7 @@ fn a_table_of_numpy_reads_back() {
     assert_eq!(numbers, expected);
     // Nothing recorded: an empty table.
     let mut file = Cursor::new(Vec::new());
-    planet().record_at([]).stream(Npy(&mut file)).run(7).unwrap();
+    planet().record_at([]).stream(Npy::new(&mut file)).run(7).unwrap();
     assert_eq!(file.into_inner().len(), 128);
 }
 
@@ -74,13 +74,76 @@ impl Write for Full {
 
 #[test]
 fn a_full_disk_ends_the_run_with_what_it_has() {
-    let failed = planet().stream(Csv(Full(1000))).run(100).unwrap_err();
+    let failed = planet().stream(Csv::new(Full(1000))).run(100).unwrap_err();
     assert_eq!(failed.cause(), Error::Stream(io::ErrorKind::StorageFull));
     assert!(failed.run().steps() > 3 && failed.run().last().t > 0.03);
     assert_eq!(failed.cause().to_string(), "a recorded state could not be written: no storage space");
     // A stream that fails at once, and events that are kept.
-    assert_eq!(planet().stream(Csv(Full(0))).run(100).unwrap_err().run().steps(), 0);
-    let run = planet().event(|state| state.q[1], Crossing::Falling).stream(Csv(io::sink())).run(1000).unwrap();
+    assert_eq!(planet().stream(Csv::new(Full(0))).run(100).unwrap_err().run().steps(), 0);
+    let run = planet().event(|state| state.q[1], Crossing::Falling).stream(Csv::new(io::sink())).run(1000).unwrap();
     // Twice in 1.8 revolutions.
     assert_eq!(run.events().len(), 2);
+}
+
+/// What a full disk has taken of a row is none; a table may stand behind other bytes; a table of nothing has its columns.
+#[test]
+fn tables_are_whole_wherever_they_end() {
+    struct Short(Cursor<Vec<u8>>, usize);
+    impl Write for Short {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            // The head is put in at the end, where there was one.
+            let room = if self.0.position() < 128 { usize::MAX } else { self.1 };
+            if room < bytes.len() {
+                return Err(io::ErrorKind::StorageFull.into());
+            }
+            self.1 -= if room == usize::MAX { 0 } else { bytes.len() };
+            self.0.write(bytes)
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+    impl io::Seek for Short {
+        fn seek(&mut self, to: io::SeekFrom) -> io::Result<u64> {
+            self.0.seek(to)
+        }
+    }
+    let head = |bytes: &[u8]| String::from_utf8(bytes[10..128].to_vec()).unwrap();
+    for (rows, part) in [(3, 24), (1, 24), (0, 8)] {
+        let mut disk = Short(Cursor::new(Vec::new()), rows * 40 + part);
+        let failed = planet().stream(Npy::new(&mut disk)).run(100).unwrap_err();
+        assert_eq!(failed.cause(), Error::Stream(io::ErrorKind::StorageFull));
+        assert!(head(&disk.0.into_inner()).contains(&format!("'shape': ({rows}, 5)")), "{rows}");
+    }
+    let mut file = Cursor::new(vec![7; 30]);
+    file.set_position(30);
+    planet().record_every(50).stream(Npy::new(&mut file)).run(100).unwrap();
+    assert_eq!(file.position(), 30 + 128 + 3 * 40);
+    let bytes = file.into_inner();
+    assert!(bytes[..30].iter().all(|&x| x == 7) && &bytes[30..36] == b"\x93NUMPY" && bytes.len() == 30 + 128 + 120);
+    let mut file = Cursor::new(Vec::new());
+    planet().record_at([]).stream(Npy::new(&mut file)).run(7).unwrap();
+    assert!(head(&file.into_inner()).contains("'shape': (0, 5)"));
+    let mut names = Vec::new();
+    planet().record_at([]).stream(Csv::new(&mut names)).run(7).unwrap();
+    assert_eq!(names, b"t,q0,q1,v0,v1\n");
+}
+
+/// The run tells why it ended, also where the stream cannot be ended either.
+#[test]
+fn the_cause_of_a_run_comes_before_that_of_its_stream() {
+    struct Broken;
+    impl Write for Broken {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            Ok(bytes.len())
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Err(io::ErrorKind::BrokenPipe.into())
+        }
+    }
+    let falling = Simulation::new(Kepler { gm: 1.3 }, State::new([1.0, 0.0], [0.0, 0.0]));
+    let failed = falling.scheme(DiscreteGradient).dt(0.05).stream(Csv::new(Broken)).run(1000).unwrap_err();
+    assert!(!matches!(failed.cause(), Error::Stream(_)), "{failed}");
+    assert!(failed.to_string().contains("steps done"), "{failed}");
+    assert_eq!(planet().stream(Csv::new(Broken)).run(9).unwrap_err().cause(), Error::Stream(io::ErrorKind::BrokenPipe));
 }

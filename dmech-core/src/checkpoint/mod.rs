@@ -72,13 +72,15 @@ pub struct Checkpoint {
     pub(crate) options: String,
     pub(crate) dimension: usize,
     pub(crate) bodies: usize,
-    /// t₀, dt and the time now.
+    /// t₀, dt, the time now, and that of the last change of the stepper, from which it counts its steps.
     pub(crate) times: Numbers,
     pub(crate) masses: Numbers,
     pub(crate) pins: Vec<usize>,
     pub(crate) laws: Fingerprint,
     pub(crate) fields: Fields,
     pub(crate) steps: u64,
+    /// Those before the last change.
+    pub(crate) steps_before: u64,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
     /// The positions and velocities of the start: a scheme may hold those only to rounding.
@@ -89,7 +91,7 @@ pub struct Checkpoint {
 }
 
 /// The form of a checkpoint, to be raised when what a scheme carries changes.
-pub(crate) const FORMAT: u32 = 3;
+pub(crate) const FORMAT: u32 = 4;
 
 impl Checkpoint {
     /// Steps made.
@@ -97,10 +99,9 @@ impl Checkpoint {
         self.steps
     }
 
-    /// The time: t₀ + k h where the steps are equal.
+    /// The time.
     pub fn t(&self) -> f64 {
-        let [t0, dt] = self.times();
-        self.times.0.get(2).copied().unwrap_or(t0 + self.steps as f64 * dt)
+        self.times.0.get(2).copied().unwrap_or(f64::NAN)
     }
 
     /// The number of bodies; 1 for a law without a scene.
@@ -111,6 +112,11 @@ impl Checkpoint {
     /// The name of the scheme.
     pub fn scheme(&self) -> &str {
         &self.scheme
+    }
+
+    /// The time of the last change, or of the start.
+    pub(crate) fn begun_at(&self) -> f64 {
+        self.times.0.get(3).copied().unwrap_or(f64::NAN)
     }
 
     fn times(&self) -> [f64; 2] {

@@ -52,7 +52,9 @@ impl Checkpoint {
                 self.fields.add_to(seal);
             }),
             named("count of steps, evaluations or iterations", &|seal| {
-                [self.steps, self.evaluations, self.iterations].into_iter().for_each(|n| seal.add_bits(n));
+                [self.steps, self.steps_before, self.evaluations, self.iterations]
+                    .into_iter()
+                    .for_each(|n| seal.add_bits(n));
             }),
             named("start", &|seal| lists(seal, &self.start)),
             named("memory of the scheme", &|seal| lists(seal, &self.memory)),

@@ -78,8 +78,8 @@ pub enum Error {
     /// `record_every(0)`.
     #[error("record_every needs at least 1")]
     RecordEvery,
-    /// `record_dt` of a distance that is zero, negative, infinite or NaN.
-    #[error("record_dt needs a positive, finite distance in time, not {}", Number(*dt))]
+    /// `record_dt` of a distance that is zero, negative, infinite or NaN, or lost in the rounding of the time.
+    #[error("record_dt needs a positive, finite distance that the time can tell, not {}", Number(*dt))]
     RecordDt {
         /// The refused distance.
         dt: f64,
@@ -94,7 +94,7 @@ pub enum Error {
     },
     /// The states to be recorded do not fit into memory.
     #[error(
-        "recording {states} states takes {} bytes, more than there are: record fewer with .record_every(n), or write them as they come with .stream(Csv(file))",
+        "recording {states} states takes {} bytes, more than there are: record fewer with .record_every(n), or write them as they come with .stream(Csv::new(file))",
         Number(*bytes as f64)
     )]
     Recording {

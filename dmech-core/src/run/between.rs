@@ -97,14 +97,41 @@ impl<X: Blend + Clone> Run<X> {
         }
         let most = self.report.order().div_ceil(2) as usize + 1;
         // The end of the run belongs to it also where it was not due.
-        let unrecorded = states.last().is_some_and(|state| state.time() < self.last.time());
-        let first = after.saturating_sub(most / 2).min((states.len() + usize::from(unrecorded)).saturating_sub(most));
-        let mut near: Vec<X> = states.iter().skip(first).take(most).cloned().collect();
-        if unrecorded && near.len() < most {
-            near.push(self.last.clone());
+        let unrecorded = states.last().is_some_and(|state| state.time() < self.last.time()).then_some(&self.last);
+        let (before, behind) = (states.get(after - 1)?, states.get(after).or(unrecorded)?);
+        let [start, end] = [before, behind].map(Blend::time);
+        if t >= end {
+            return None;
         }
-        near.dedup_by(|a, b| a.time() == b.time());
+        let least = 0.1 * (end - start);
+        let mut earlier = spaced(start, least, states[..after - 1].iter().rev()).peekable();
+        let mut later = spaced(end, least, states.iter().skip(after + 1).chain(unrecorded)).peekable();
+        let mut near = vec![before.clone(), behind.clone()];
+        while near.len() < most {
+            let nearer = match (earlier.peek(), later.peek()) {
+                (Some(one), Some(other)) => t - one.time() <= other.time() - t,
+                (one, _) => one.is_some(),
+            };
+            let Some(next) = (if nearer { earlier.next() } else { later.next() }) else { break };
+            near.push(next.clone());
+        }
         let nodes: Vec<f64> = near.iter().map(Blend::time).collect();
-        nodes.last().is_some_and(|&end| t < end).then(|| X::blend(t, &near, &hermite(t, &nodes)))
+        Some(X::blend(t, &near, &hermite(t, &nodes)))
     }
+}
+
+/// Of states in a row those that lie apart: between two that all but coincide nothing is to be divided by.
+fn spaced<'a, X: Blend + 'a>(
+    from: f64,
+    least: f64,
+    states: impl Iterator<Item = &'a X>,
+) -> impl Iterator<Item = &'a X> {
+    let mut last = from;
+    states.filter(move |state| {
+        let apart = (state.time() - last).abs() >= least;
+        if apart {
+            last = state.time();
+        }
+        apart
+    })
 }

@@ -1,6 +1,7 @@
 //! Which states are recorded.
 
 use crate::error::Error;
+use crate::span::moves_on;
 
 /// Which states are recorded.
 #[derive(Clone, Debug)]
@@ -18,7 +19,9 @@ impl Due {
     pub(crate) fn check(&self, start: f64) -> Result<(), Error> {
         match *self {
             Due::Every(0) => Err(Error::RecordEvery),
-            Due::Apart(dt) if !(dt > 0.0 && dt.is_finite()) => Err(Error::RecordDt { dt }),
+            Due::Apart(dt) if !(dt > 0.0 && dt.is_finite() && moves_on(start, dt).is_ok()) => {
+                Err(Error::RecordDt { dt })
+            }
             Due::At(ref times) => match times.iter().find(|t| !t.is_finite() || **t < start) {
                 Some(&time) => Err(Error::RecordAt { time, start }),
                 None => Ok(()),
@@ -27,12 +30,12 @@ impl Due {
         }
     }
 
-    /// How many states so many steps from the start will give, where that is known before.
-    pub(crate) fn states(&self, steps: u64) -> u64 {
+    /// How many states so many steps of a length from the start will give, where that is known before.
+    pub(crate) fn states(&self, steps: u64, length: f64) -> u64 {
         match self {
             Due::Every(n) => steps.checked_div(*n).map_or(0, |states| states.saturating_add(1)),
             Due::At(times) => times.len() as u64,
-            Due::Apart(_) => 0,
+            Due::Apart(dt) => (steps as f64 * length / dt) as u64,
         }
     }
 

@@ -34,7 +34,7 @@ impl<X> core::fmt::Display for Interrupted<X> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let recorded = self.run().states().len();
         write!(f, "{}", self.cause())?;
-        if recorded > 0 {
+        if recorded > 0 || self.run().steps() > 0 {
             write!(f, " ({} steps done, {recorded} states recorded)", self.run().steps())?;
         }
         Ok(())

@@ -23,7 +23,7 @@ pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
 ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     let mut log = Log::new(&stepper, run, due, attend);
     // A stream keeps none.
-    let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps) };
+    let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps, stepper.dt) };
     if let Err(cause) = log.run.expect(states, Y::size(&stepper.start)) {
         return Err(Interrupted::new(log.run, cause));
     }
@@ -87,10 +87,12 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             }
             Ok(stopped)
         });
-        let outcome = self.attend.end().and(outcome);
+        let ended = self.attend.end();
+        let outcome = outcome.and_then(|stopped| ended.map(|()| stopped));
         follow.end(stepper.steps(), outcome.is_ok());
         if self.looked_at != stepper.steps() {
-            self.look_at(&stepper, &stepper.state());
+            let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| stepper.state());
+            self.look_at(&stepper, &last);
         }
         let Log { mut run, watch, between: Effort64 { evaluations, iterations }, .. } = self;
         let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());
@@ -173,7 +175,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let after = stepper.state();
         let times = [Y::time(before), Y::time(&after)];
         let mut at = |t| {
-            let (state, effort) = stepper.between(before, t)?;
+            let (state, effort) = stepper.between(stepper.steps(), before, t)?;
             between.add(effort);
             Ok(state)
         };
@@ -195,7 +197,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             self.record_due(state)?;
             any = true;
         }
-        if any {
+        if any && stopped.is_none() {
             self.look_at(stepper, &after);
         }
         Ok(stopped)
@@ -212,7 +214,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         before: &Y::State,
         t: f64,
     ) -> Result<Y::State, Error> {
-        let (state, effort) = stepper.between(before, t)?;
+        let (state, effort) = stepper.between(stepper.steps(), before, t)?;
         self.between.add(effort);
         Ok(state)
     }
@@ -224,6 +226,9 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         }
         self.recorded += 1;
         self.next = self.due.time(self.start, self.recorded);
+        if let (Due::Apart(dt), true) = (&self.due, self.next == Some(Y::time(&state))) {
+            return Err(Error::RecordDt { dt: *dt });
+        }
         self.keep(state)
     }
 

@@ -26,7 +26,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// # }
     /// let mut table = Vec::new();
     /// let spring = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0])).scheme(Leapfrog).dt(0.01);
-    /// let run = spring.record_every(10).stream(Csv(&mut table)).run(1_000_000)?;
+    /// let run = spring.record_every(10).stream(Csv::new(&mut table)).run(1_000_000)?;
     /// assert!(run.states().is_empty());
     /// let table = String::from_utf8(table)?;
     /// assert!(table.starts_with("t,q0,v0\n0,1,0\n0.1,"));
@@ -43,12 +43,17 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
 
 /// Where recorded states go.
 pub trait Sink<X> {
-    /// Writes a state; `row` counts them from 0.
+    /// Begins the table; the state is one such as will come.
     ///
     /// # Errors
     /// Those of the writer.
-    fn write(&mut self, row: u64, state: &X) -> io::Result<()>;
-    /// Ends the table, which has so many rows.
+    fn begin(&mut self, like: &X) -> io::Result<()>;
+    /// Writes a state.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    fn write(&mut self, state: &X) -> io::Result<()>;
+    /// Ends the table, which has so many whole rows.
     ///
     /// # Errors
     /// Those of the writer.
@@ -58,64 +63,86 @@ pub trait Sink<X> {
 /// Comma-separated values: a row of names, then a row for each state, in digits that read back as the same numbers. Give it a
 /// [`BufWriter`](std::io::BufWriter) for a file.
 #[derive(Clone, Debug)]
-pub struct Csv<W>(pub W);
+pub struct Csv<W> {
+    out: W,
+}
+
+impl<W: Write> Csv<W> {
+    /// Values to a writer.
+    pub fn new(out: W) -> Self {
+        Csv { out }
+    }
+}
 
 impl<X: Columns, W: Write> Sink<X> for Csv<W> {
-    fn write(&mut self, row: u64, state: &X) -> io::Result<()> {
-        if row == 0 {
-            state.write_names(&mut self.0)?;
-            writeln!(self.0)?;
-        }
-        state.write_values(&mut self.0)?;
-        writeln!(self.0)
+    fn begin(&mut self, like: &X) -> io::Result<()> {
+        like.write_names(&mut self.out)?;
+        writeln!(self.out)
+    }
+
+    fn write(&mut self, state: &X) -> io::Result<()> {
+        state.write_values(&mut self.out)?;
+        writeln!(self.out)
     }
 
     fn end(&mut self, _: u64) -> io::Result<()> {
-        self.0.flush()
+        self.out.flush()
     }
 }
 
 /// A table of NumPy, `numpy.load("motion.npy")`: a row of `f64` for each state, with the columns of [`Csv`]. The number of rows
-/// is put into its head when the run ends.
+/// is put into its head when the run ends, also where it ends early.
 #[derive(Clone, Debug)]
-pub struct Npy<W>(pub W);
+pub struct Npy<W> {
+    out: W,
+    columns: u64,
+    /// Where in the writer the table begins.
+    origin: u64,
+}
 
-impl<W: Write> Npy<W> {
-    /// The head, of 128 bytes whatever the numbers (NumPy, format 1.0).
-    fn head(&mut self, rows: u64, columns: usize) -> io::Result<()> {
-        const HEAD: usize = 128;
+impl<W: Write + Seek> Npy<W> {
+    /// The bytes of the head, whatever the numbers (NumPy, format 1.0).
+    const HEAD: u64 = 128;
+
+    /// A table to a writer, from where that stands.
+    pub fn new(out: W) -> Self {
+        Npy { out, columns: 0, origin: 0 }
+    }
+
+    fn head(&mut self, rows: u64) -> io::Result<()> {
         let magic = b"\x93NUMPY\x01\x00";
-        let shape = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {columns}), }}");
-        let length = HEAD - magic.len() - 2;
-        self.0.write_all(magic)?;
-        self.0.write_all(&(length as u16).to_le_bytes())?;
-        writeln!(self.0, "{shape:<width$}", width = length - 1)
+        let shape = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {}), }}", self.columns);
+        let length = Self::HEAD as usize - magic.len() - 2;
+        self.out.write_all(magic)?;
+        self.out.write_all(&(length as u16).to_le_bytes())?;
+        writeln!(self.out, "{shape:<width$}", width = length - 1)
     }
 }
 
 impl<X: Columns, W: Write + Seek> Sink<X> for Npy<W> {
-    fn write(&mut self, row: u64, state: &X) -> io::Result<()> {
-        if row == 0 {
-            let mut columns = 0;
-            state.numbers(&mut |_| columns += 1);
-            self.head(0, columns)?;
-        }
+    fn begin(&mut self, like: &X) -> io::Result<()> {
+        self.origin = self.out.stream_position()?;
+        self.columns = 0;
+        like.numbers(&mut |_| self.columns += 1);
+        self.head(0)
+    }
+
+    fn write(&mut self, state: &X) -> io::Result<()> {
         let mut written = Ok(());
         state.numbers(&mut |x| {
             if written.is_ok() {
-                written = self.0.write_all(&x.to_le_bytes());
+                written = self.out.write_all(&x.to_le_bytes());
             }
         });
         written
     }
 
     fn end(&mut self, rows: u64) -> io::Result<()> {
-        let end = self.0.stream_position()?;
-        let columns = end.saturating_sub(128).checked_div(8 * rows).unwrap_or(0);
-        self.0.seek(SeekFrom::Start(0))?;
-        self.head(rows, columns as usize)?;
-        self.0.seek(SeekFrom::Start(end.max(128)))?;
-        self.0.flush()
+        self.out.seek(SeekFrom::Start(self.origin))?;
+        self.head(rows)?;
+        // Past the last whole row: a part of one, which a full disk has left, is none.
+        self.out.seek(SeekFrom::Start(self.origin + Self::HEAD + 8 * rows * self.columns))?;
+        self.out.flush()
     }
 }
 
@@ -133,8 +160,12 @@ fn told(error: &io::Error) -> Error {
 impl<X, W: Sink<X>> Attend<X> for Stream<W> {
     const STREAMS: bool = true;
 
+    fn begin(&mut self, start: &X) -> Result<(), Error> {
+        self.sink.begin(start).map_err(|error| told(&error))
+    }
+
     fn take(&mut self, state: &X) -> Result<bool, Error> {
-        self.sink.write(self.rows, state).map_err(|error| told(&error))?;
+        self.sink.write(state).map_err(|error| told(&error))?;
         self.rows += 1;
         Ok(true)
     }

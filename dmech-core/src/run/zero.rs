@@ -16,6 +16,9 @@ pub(super) fn zero<E>(
     let rounding = f64::EPSILON * a.abs().max(b.abs());
     // The first trial is that of a straight line.
     let mut share = fa / (fa - fb);
+    if share.is_nan() {
+        share = 0.5;
+    }
     for _ in 0..MOST {
         let nearest = if fa.abs() < fb.abs() { a } else { b };
         let least = rounding / (b - a).abs();

@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::memory::memory;
-use super::{DiscreteGradient, Effort, Method, Newton, Scheme, WithoutVelocities, remember};
+use super::{DiscreteGradient, Effort, Method, Newton, Scheme, WithoutVelocities, remember, single_step};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Kick, Step, System};
@@ -181,6 +181,16 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for Kanatani {
         system.settle(solver, stride, 1.0, &mut found, [q, z]);
         remember::<Y>(solver, &found, slopes);
         Ok(Y::effort(&found))
+    }
+
+    /// The velocity of a state is that of the formula, whatever the first one started with: so it goes on from there.
+    fn within(
+        &self,
+        system: &Y,
+        dt: Y::Scalar,
+        from: &super::Beginning<'_, Y>,
+    ) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+        single_step(&self.start(Start::Formula), system, dt, from)
     }
 
     #[inline]

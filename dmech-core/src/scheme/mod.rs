@@ -101,12 +101,7 @@ pub trait Scheme<Y: System>: Method {
         dt: Y::Scalar,
         from: &Beginning<'_, Y>,
     ) -> Result<([Y::Vector; 2], Effort), NotConverged> {
-        let stride = system.stride(dt, Self::SHARE);
-        let mut workspace = self.workspace(system, &stride);
-        let mut memory = self.begin(system, &stride, from, &mut workspace)?;
-        let effort = self.step(system, &stride, from.t, &mut memory, &mut workspace)?;
-        let v = self.velocity(system, &stride, from.t + dt, &memory);
-        Ok(([self.position(&memory).clone(), v], effort))
+        single_step(self, system, dt, from)
     }
 
     /// The position now.
@@ -175,6 +170,21 @@ pub trait Scheme<Y: System>: Method {
     fn range(&self, _memory: &Self::Memory) -> Option<[f64; 2]> {
         None
     }
+}
+
+/// Position and velocity after one step from a state, with nothing that was carried to it.
+fn single_step<Y: System, S: Scheme<Y>>(
+    scheme: &S,
+    system: &Y,
+    dt: Y::Scalar,
+    from: &Beginning<'_, Y>,
+) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+    let stride = system.stride(dt, S::SHARE);
+    let mut workspace = scheme.workspace(system, &stride);
+    let mut memory = scheme.begin(system, &stride, from, &mut workspace)?;
+    let effort = scheme.step(system, &stride, from.t, &mut memory, &mut workspace)?;
+    let v = scheme.velocity(system, &stride, from.t + dt, &memory);
+    Ok(([scheme.position(&memory).clone(), v], effort))
 }
 
 /// Makes the slope that was found the newest of three, and forgets the oldest.

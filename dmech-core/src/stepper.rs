@@ -24,6 +24,7 @@ pub struct Stepper<Y: System, S: Scheme<Y>> {
     /// Room for the next memory, where a new one is not free.
     spare: Option<S::Memory>,
     /// The time of the first start: a change on the way is a new one.
+    #[cfg_attr(not(feature = "serde"), expect(dead_code, reason = "only checkpoints ask for it"))]
     pub(crate) first: f64,
     /// Steps since the start, and those before it.
     pub(crate) steps: u64,

@@ -17,11 +17,8 @@ use crate::system::{Particle, System};
 impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// The energy now, Σ m v²/2 + Φ(q), where the system keeps it.
     pub fn energy(&self) -> Option<f64> {
-        let state = self.state();
-        let [q, v] = self.system.vectors(&state);
-        let t = Y::Scalar::from_f64(Y::time(&state));
-        let energy = || self.system.potential(t, &q) + self.system.kinetic_energy(&v);
-        self.system.conserves(Invariant::Energy).then(|| energy().to_f64())
+        let conserved = self.system.conserves(Invariant::Energy);
+        conserved.then(|| self.system.energy(&self.state()).to_f64())
     }
 
     /// Goes on from another state: another place, another velocity, another time.
@@ -41,9 +38,10 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     pub fn set_dt(&mut self, dt: f64) -> Result<(), Error> {
         check_step::<Y::Scalar>(self.scheme.tolerance(), dt)?;
         self.moves_on(self.t(), dt)?;
+        let state = self.state();
         let before = core::mem::replace(&mut self.dt, dt);
         self.pace();
-        let begun = self.begin_from(self.state_at(before));
+        let begun = self.begin_from(state);
         if begun.is_err() {
             self.dt = before;
             self.pace();
@@ -54,12 +52,6 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// Whether steps of equal length change the time.
     fn moves_on(&self, time: f64, dt: f64) -> Result<(), Error> {
         if self.scheme.tolerance().is_some() { Ok(()) } else { moves_on(time, dt) }
-    }
-
-    /// The state now, reached in steps of the length `dt`.
-    fn state_at(&self, dt: f64) -> Y::State {
-        let stride = self.system.stride(Y::Scalar::from_f64(dt), S::SHARE);
-        self.state_of(&stride, self.scheme.time(Y::time(&self.start), self.steps, dt, &self.memory))
     }
 
     fn pace(&mut self) {

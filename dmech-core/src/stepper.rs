@@ -249,16 +249,11 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 
     /// Position and velocity now.
     pub fn state(&self) -> Y::State {
-        self.state_of(&self.stride, self.t())
-    }
-
-    /// The state now, at the time t, as steps of some length have led there.
-    pub(crate) fn state_of(&self, stride: &Y::Stride, t: f64) -> Y::State {
         if self.steps == 0 {
             return self.start.clone();
         }
-        let v = self.scheme.velocity(&self.system, stride, Y::Scalar::from_f64(t), &self.memory);
-        self.system.state(t, self.position(), &v)
+        let t = self.t();
+        self.system.state(t, self.position(), &self.velocity(t))
     }
 
     /// The state at a time in the next step, by a shortened step of the same scheme: the stepper does not move, and what it

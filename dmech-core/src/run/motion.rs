@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::scheme::Scheme;
 use crate::span::UNCOUNTED;
 use crate::stepper::Stepper;
-use crate::system::{Effort, System};
+use crate::system::System;
 
 /// Makes `steps` steps, or fewer if the motion arrives or is stopped before, and records the states that are due.
 pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
@@ -47,19 +47,27 @@ struct Log<Y: System, O> {
     attend: O,
     happened: Vec<Happened<Y::State>>,
     /// What states between steps have cost.
-    between: Effort64,
+    between: Spent,
 }
 
 #[derive(Clone, Copy, Default)]
-struct Effort64 {
+struct Spent {
     evaluations: u64,
     iterations: u64,
 }
 
-impl Effort64 {
-    fn add(&mut self, effort: Effort) {
+impl Spent {
+    /// The state at a time by a shortened step from a state, which is counted.
+    fn state<Y: System, S: Scheme<Y>>(
+        &mut self,
+        stepper: &Stepper<Y, S>,
+        from: &Y::State,
+        t: f64,
+    ) -> Result<Y::State, Error> {
+        let (state, effort) = stepper.between(stepper.steps(), from, t)?;
         self.evaluations += u64::from(effort.evaluations);
         self.iterations += u64::from(effort.iterations);
+        Ok(state)
     }
 }
 
@@ -68,7 +76,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let t = stepper.t();
         let until_record = if let Due::Every(n) = due { n } else { u64::MAX };
         let (next, watch) = (due.time(t, 0), Watch::begin(stepper));
-        let (happened, between) = (Vec::new(), Effort64::default());
+        let (happened, between) = (Vec::new(), Spent::default());
         Log { run, watch, due, start: t, next, recorded: 0, until_record, looked_at: 0, attend, happened, between }
     }
 
@@ -94,7 +102,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| stepper.state());
             self.look_at(&stepper, &last);
         }
-        let Log { mut run, watch, between: Effort64 { evaluations, iterations }, .. } = self;
+        let Log { mut run, watch, between: Spent { evaluations, iterations }, .. } = self;
         let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());
         let (steps, range) = (stepper.steps(), stepper.scheme.range(&stepper.memory));
         let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range };
@@ -111,8 +119,9 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
 
     /// Looks at the first state and records it.
     fn begin<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
-        self.attend.begin(&stepper.state())?;
-        if matches!(self.due, Due::Every(_)) { self.keep(stepper.state()) } else { self.record_due(stepper.state()) }
+        let state = stepper.state();
+        self.attend.begin(&state)?;
+        if matches!(self.due, Due::Every(_)) { self.keep(state) } else { self.record_due(state) }
     }
 
     /// Makes the steps; where the run was stopped, if it was.
@@ -174,11 +183,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let Log { attend, between, happened, .. } = self;
         let after = stepper.state();
         let times = [Y::time(before), Y::time(&after)];
-        let mut at = |t| {
-            let (state, effort) = stepper.between(stepper.steps(), before, t)?;
-            between.add(effort);
-            Ok(state)
-        };
+        let mut at = |t| between.state(stepper, before, t);
         attend.meet(0, &mut Within { end: &after, times, at: &mut at, happened })?;
         happened.sort_by(|a, b| Y::time(a.event.state()).total_cmp(&Y::time(b.event.state())));
         let mut stopped = None;
@@ -193,7 +198,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let end = stopped.as_ref().map_or(times[1], Y::time);
         let mut any = false;
         while let Some(t) = self.next.filter(|&t| t <= end) {
-            let state = if t == times[1] { after.clone() } else { self.state_at(stepper, before, t)? };
+            let state = if t == times[1] { after.clone() } else { self.between.state(stepper, before, t)? };
             self.record_due(state)?;
             any = true;
         }
@@ -206,17 +211,6 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
     fn look_at<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
         self.watch.observe(stepper, state);
         self.looked_at = stepper.steps();
-    }
-
-    fn state_at<S: Scheme<Y>>(
-        &mut self,
-        stepper: &Stepper<Y, S>,
-        before: &Y::State,
-        t: f64,
-    ) -> Result<Y::State, Error> {
-        let (state, effort) = stepper.between(stepper.steps(), before, t)?;
-        self.between.add(effort);
-        Ok(state)
     }
 
     /// A state that is due by its time is recorded, and the next one follows.
@@ -238,7 +232,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let reached = Y::time(&last);
         let rounding = 4.0 * f64::EPSILON * reached.abs().max(self.start.abs());
         while let Some(t) = self.next.filter(|&t| t <= reached + rounding) {
-            let state = self.state_at(stepper, &last, t)?;
+            let state = self.between.state(stepper, &last, t)?;
             self.record_due(state)?;
         }
         Ok(())

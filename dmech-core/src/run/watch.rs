@@ -115,10 +115,7 @@ impl<Y: System> Watch<Y> {
         }
         let t = Y::Scalar::from_f64(Y::time(state));
         match invariant {
-            Invariant::Energy => {
-                let [q, v] = system.vectors(state);
-                Some(system.potential(t, &q) + system.kinetic_energy(&v))
-            }
+            Invariant::Energy => Some(system.energy(state)),
             Invariant::DiscreteEnergy => scheme.discrete_energy(system, t, memory),
             Invariant::WorkEnergy => Some((scheme.kinetic_energy(system, memory) - self.work.hi) - self.work.lo),
             Invariant::LinearMomentum | Invariant::AngularMomentum => None,

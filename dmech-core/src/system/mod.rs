@@ -103,6 +103,11 @@ pub trait System: Sized {
     fn potential(&self, t: Self::Scalar, q: &Self::Vector) -> Self::Scalar;
     /// Σ m v²/2.
     fn kinetic_energy(&self, v: &Self::Vector) -> Self::Scalar;
+    /// Σ m v²/2 + Φ(q) of a state.
+    fn energy(&self, state: &Self::State) -> Self::Scalar {
+        let [q, v] = self.vectors(state);
+        self.potential(Self::Scalar::from_f64(Self::time(state)), &q) + self.kinetic_energy(&v)
+    }
     /// out ← ∇Φ − F.
     fn slope(&self, t: Self::Scalar, q: &Self::Vector, v: &Self::Vector, out: &mut Self::Vector);
 

@@ -462,11 +462,11 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         *found
     }
 
-    /// The forces on all bodies are summed faster than those of each link are looked at.
     fn check(&self, state: &SceneState<D>) -> Result<(), Error> {
         check_state([&state.q, &state.v], state.t, self.masses.len(), &self.pins)
     }
 
+    /// The forces on all bodies are summed faster than those of each link are looked at.
     fn prepare(&self, start: &SceneState<D>, slope: &mut Vectors<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
         System::slope(self, start.t, &q, &v, slope);

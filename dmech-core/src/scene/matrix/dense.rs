@@ -46,10 +46,10 @@ impl<const D: usize> DenseMatrix<D> {
     }
 
     pub(super) fn clear(&mut self) {
-        self.jacobian.fill(0.0);
+        self.jacobian.as_mut_slice().fill(0.0);
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn add_block(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
         let n = self.bodies;
         for k in 0..D {
@@ -71,8 +71,10 @@ impl<const D: usize> DenseMatrix<D> {
         let n = self.jacobian.nrows();
         self.small = n >= MANY && self.series.ends(g, limit(n), |rows| add_row_sums(&self.jacobian, rows));
         let sign = if self.small { -1.0 } else { 1.0 };
-        for ((i, mut column), known) in self.factors.column_iter_mut().enumerate().zip(self.jacobian.column_iter()) {
-            for ((x, j), g) in column.iter_mut().zip(&known).zip(g.flat()) {
+        // Slices: the iterators of a matrix's columns keep count of strides.
+        let columns = self.factors.as_mut_slice().chunks_exact_mut(n.max(1));
+        for ((i, column), known) in columns.enumerate().zip(self.jacobian.as_slice().chunks_exact(n.max(1))) {
+            for ((x, j), g) in column.iter_mut().zip(known).zip(g.flat()) {
                 *x = sign * g * j;
             }
             if !self.small {

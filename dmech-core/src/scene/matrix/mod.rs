@@ -63,7 +63,7 @@ impl<const D: usize> Matrix<D> {
     }
 
     /// J_ab += block.
-    #[inline]
+    #[inline(always)]
     pub fn add_block(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
         match self {
             Matrix::Chain(matrix) => matrix.add_block(a, b, block),
@@ -75,7 +75,7 @@ impl<const D: usize> Matrix<D> {
     }
 
     /// What a link with ∂G_d/∂d = block adds: G_a = G_d and G_b = −G_d.
-    #[inline]
+    #[inline(always)]
     pub fn add_link(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
         match self {
             Matrix::Chain(matrix) => return matrix.add_link(a, b, block),

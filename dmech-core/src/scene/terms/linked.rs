@@ -170,12 +170,14 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
         sum
     }
 
+    #[inline]
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.sweep::<false, _, D, 1>(&self.slope(t), [q], out);
         }
     }
 
+    #[inline]
     fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.sweep::<true, _, D, 1>(&self.slope(t), [q], out);
@@ -214,12 +216,14 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
         });
     }
 
+    #[inline]
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.sweep::<false, _, D, 2>(&Secant(self.slope(t)), [a, b], out);
         }
     }
 
+    #[inline]
     fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
             self.sweep::<true, _, D, 2>(&Secant(self.slope(t)), [a, b], out);

@@ -19,7 +19,9 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
         if self.acting.all() {
             return self.links.each(&self.space, q, visit);
         }
-        self.links.each_acting(&self.space, q, |i| self.acting.acts(i), &mut visit);
+        // Unknown to this loop, so that the visit stands in one loop only, the one above.
+        let visit: &mut dyn FnMut(usize, usize) = &mut visit;
+        self.links.each_acting(&self.space, q, |i| self.acting.acts(i), visit);
     }
 
     /// Adds the gradient of every link to the bodies that feel it; if `SET`, in place of what is there.
@@ -36,6 +38,20 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
         if self.acting.all() {
             return self.links.sweep::<SET, D, S, _>(&self.space, kernel, q, &self.numbers, out);
         }
+        self.sweep_felt::<SET, K, D, S>(kernel, q, out);
+    }
+
+    /// Apart, so that a scene without test bodies has nothing of it in its loop.
+    #[inline(never)]
+    fn sweep_felt<const SET: bool, K: Kernels<D, S, X::Numbers>, const D: usize, const S: usize>(
+        &self,
+        kernel: &K,
+        q: [&Vectors<D>; S],
+        out: &mut Vectors<D>,
+    ) where
+        X: LinkLaw<D, P>,
+        B: Space<D>,
+    {
         if SET {
             out.clear();
         }
@@ -70,6 +86,7 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
     }
 
     /// The kick of a pass that stores no gradient.
+    #[inline(never)]
     pub(super) fn kick_felt<const D: usize>(
         &self,
         kernel: &impl Kernel<D, 1, X::Numbers, f64>,
@@ -91,14 +108,19 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
     }
 
     /// Adds the block of a link to the rows of those of its bodies on which the other acts.
-    #[inline]
+    #[inline(always)]
     pub(super) fn add_link<const D: usize>(&self, a: usize, b: usize, block: Block<D>, out: &mut Matrix<D>) {
-        let [acts_a, acts_b] = [a, b].map(|i| self.acting.acts(i));
-        if acts_a && acts_b {
-            return out.add_link(a, b, block);
+        match [a, b].map(|i| self.acting.acts(i)) {
+            [true, true] => out.add_link(a, b, block),
+            [false, _] => add_felt(b, a, block, out),
+            [_, false] => add_felt(a, b, block, out),
         }
-        let (felt, by) = if acts_b { (a, b) } else { (b, a) };
-        out.add_block(felt, felt, block);
-        out.add_block(felt, by, block.map(|row| row.map(|x| -x)));
     }
+}
+
+/// Adds the block of a link to the row of the body that feels it.
+#[inline(never)]
+fn add_felt<const D: usize>(felt: usize, by: usize, block: Block<D>, out: &mut Matrix<D>) {
+    out.add_block(felt, felt, block);
+    out.add_block(felt, by, block.map(|row| row.map(|x| -x)));
 }

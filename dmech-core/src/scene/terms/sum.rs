@@ -102,6 +102,7 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
         self.0.add_gradient(q, t, out);
         self.1.add_gradient(q, t, out);
     }
+    #[inline]
     fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if A::NOTHING {
             self.1.set_gradient(q, t, out);
@@ -125,6 +126,7 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
         self.0.add_discrete_gradient(a, b, t, out);
         self.1.add_discrete_gradient(a, b, t, out);
     }
+    #[inline]
     fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if A::NOTHING {
             self.1.set_discrete_gradient(a, b, t, out);

@@ -3,6 +3,7 @@
 mod bonds;
 mod chains;
 mod closed;
+mod driven;
 mod memory;
 mod pair_models;
 mod periodic;

@@ -105,7 +105,7 @@ where
     X: dmech_core::Setup<(), System = SceneSystem<D, A>, State = SceneState<D>>,
 {
     let mut stepper = simulation.scheme(Explicit).dt(1.0).stepper().unwrap();
-    let energy = dmech_core::System::potential(stepper.system(), 0.0, stepper.q());
+    let energy = dmech_core::System::potential(stepper.system(), 0.0, &stepper.q());
     stepper.step().unwrap();
     (stepper.state().v, energy)
 }

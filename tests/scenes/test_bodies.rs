@@ -35,6 +35,30 @@ fn the_limit_of_a_vanishing_mass() {
     every!(Explicit, Leapfrog, ForceGradient::order4(), Implicit, DiscreteGradient, Composed::order4(DiscreteGradient));
 }
 
+/// The Jacobian has the row of a test body, and in the rows of the others nothing of it: Newton's method takes as many
+/// corrections as with a mass that is almost nothing, whatever the order of the bodies.
+#[test]
+fn corrections_are_those_of_a_vanishing_mass() {
+    let (q, v) = ([0.45, 0.1], [0.0, 1.3]);
+    let sun = |scene: Scene<2>| scene.body(1.0, [0.0, 0.0], [0.0, 0.0]);
+    macro_rules! alike {
+        ($($scheme:expr),*) => {$({
+            let took = |scene: Scene<2>| {
+                let run = Simulation::scene(scene.pairs(G)).scheme($scheme).dt(0.05).run(100).unwrap();
+                run.report().iterations()
+            };
+            for (test, light) in [
+                (sun(Scene::new()).test_body(3.0, q, v), sun(Scene::new()).body(1e-15, q, v)),
+                (sun(Scene::new().test_body(3.0, q, v)), sun(Scene::new().body(1e-15, q, v))),
+            ] {
+                let (test, light) = (took(test), took(light));
+                assert!(test.abs_diff(light) <= 2 && light > 100, "{}: {test} and {light}", stringify!($scheme));
+            }
+        })*};
+    }
+    alike!(Implicit, DiscreteGradient);
+}
+
 /// What is watched are the bodies that act: they are a closed system.
 #[test]
 fn invariants_are_those_of_the_bodies_that_act() {

@@ -59,6 +59,12 @@ pub enum SceneError {
         /// A component of its velocity.
         speed: f64,
     },
+    /// A change of a body that moves along a given path.
+    #[error("body {body} moves along a given path: it cannot be put elsewhere")]
+    Driven {
+        /// The body.
+        body: usize,
+    },
     /// A bond with a body that is not there.
     #[error("no bond between {a} and {b}: the bodies are 0 to {}", bodies - 1)]
     Bond {

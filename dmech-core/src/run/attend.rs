@@ -104,6 +104,11 @@ pub(super) struct Happened<X> {
     pub(super) event: Event<X>,
 }
 
+/// Puts what happened in a step in the order of its times; compiled once for all schemes.
+pub(super) fn in_order<X>(happened: &mut [Happened<X>], time: fn(&X) -> f64) {
+    happened.sort_by(|a, b| time(a.event.state()).total_cmp(&time(b.event.state())));
+}
+
 impl<X: Clone> Within<'_, X> {
     /// The state where a function is zero that has these values, of different signs, at the ends of the step.
     ///

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::attend::{Attend, Happened, Within};
+use super::attend::{Attend, Happened, Within, in_order};
 use super::due::Due;
 use super::progress::{Follow, Shown};
 use super::report::Work;
@@ -184,8 +184,10 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let after = stepper.state();
         let times = [Y::time(before), Y::time(&after)];
         let mut at = |t| between.state(stepper, before, t);
-        attend.meet(0, &mut Within { end: &after, times, at: &mut at, happened })?;
-        happened.sort_by(|a, b| Y::time(a.event.state()).total_cmp(&Y::time(b.event.state())));
+        if O::EVENTS > 0 {
+            attend.meet(0, &mut Within { end: &after, times, at: &mut at, happened })?;
+            in_order(happened, Y::time);
+        }
         let mut stopped = None;
         for Happened { stops, event } in happened.drain(..) {
             let state = stops.then(|| event.state().clone());

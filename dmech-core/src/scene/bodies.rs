@@ -1,6 +1,7 @@
 //! The bodies of a scene.
 
 use super::acting::Acting;
+use super::drives::Drives;
 use crate::error::{Error, SceneError};
 
 /// The bodies of a scene.
@@ -10,7 +11,9 @@ pub struct Bodies<const D: usize, P> {
     pub(super) q: Vec<[f64; D]>,
     pub(super) v: Vec<[f64; D]>,
     pub(super) data: Vec<P>,
+    /// Those that no force moves; the driven are among them.
     pub(super) pins: Vec<usize>,
+    pub(super) drives: Drives<D>,
     /// Those that do not act on others, ascending.
     pub(super) tests: Vec<usize>,
     pub(super) t: f64,
@@ -40,7 +43,7 @@ impl<const D: usize, P> Bodies<D, P> {
                 return Err(SceneError::Mass { body, mass }.into());
             }
         }
-        check_state([&self.q, &self.v], self.t, n, &self.pins)
+        check_state([&self.q, &self.v], self.t, n, &self.pins, &self.drives)
     }
 }
 
@@ -50,6 +53,7 @@ pub(super) fn check_state<const D: usize>(
     t: f64,
     n: usize,
     pins: &[usize],
+    drives: &Drives<D>,
 ) -> Result<(), Error> {
     if let Some(given) = [q.len(), v.len()].into_iter().find(|&given| given != n) {
         return Err(SceneError::Bodies { given, bodies: n }.into());
@@ -68,7 +72,8 @@ pub(super) fn check_state<const D: usize>(
         if body >= n {
             return Err(SceneError::Pin { body, bodies: n }.into());
         }
-        if let Some(&speed) = v[body].iter().find(|&&v| v != 0.0) {
+        let driven = drives.bodies().any(|i| i == body);
+        if let Some(&speed) = v[body].iter().find(|&&v| v != 0.0 && !driven) {
             return Err(SceneError::PinnedMoves { body, speed }.into());
         }
     }

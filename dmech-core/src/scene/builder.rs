@@ -2,6 +2,7 @@
 
 use super::OnNear;
 use super::bodies::Bodies;
+use super::drives::Drives;
 use super::space::{Open, Periodic};
 use super::state::SceneState;
 use super::terms::{Bonds, Chain, Each, Linked, Near, Pairs};
@@ -51,6 +52,7 @@ impl<const D: usize, P> Scene<D, P> {
             v: Vec::new(),
             data: Vec::new(),
             pins: Vec::new(),
+            drives: Drives::none(),
             tests: Vec::new(),
             t: 0.0,
         };
@@ -109,6 +111,29 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
     pub fn pin(mut self, i: usize) -> Self {
         self.bodies.pins.push(i);
         self
+    }
+
+    /// Moves body i along a given path, t ↦ (q, v) with v = dq/dt: a pin that is carried along. It acts on the others from
+    /// where it is, and no force moves it; where the scene has put it does not count.
+    ///
+    /// What acts on the others depends on the time then, which every scheme takes as it takes a law that names the time, with
+    /// its order; the energy is no invariant. v is what laws of the velocity feel. A path that bends, as one that stops, is
+    /// best made to bend between two steps. A path that depends on the motion, as of a hand in a game, is
+    /// [`set_body`](crate::Stepper::set_body) between steps.
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::Scene;
+    /// // Hung up at 0.1 sin 3t.
+    /// let scene = Scene::new()
+    ///     .body(1.0, [0.0], [0.0])
+    ///     .body(1.0, [-1.0], [0.0])
+    ///     .drive(0, |t: f64| ([0.1 * (3.0 * t).sin()], [0.3 * (3.0 * t).cos()]));
+    /// # let _ = scene;
+    /// ```
+    pub fn drive(mut self, i: usize, path: impl Fn(f64) -> ([f64; D], [f64; D]) + Send + Sync + 'static) -> Self {
+        self.bodies.drives.push(i, path);
+        self.pin(i)
     }
 
     /// The time of the start (default 0).

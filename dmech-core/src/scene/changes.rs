@@ -20,14 +20,17 @@ impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSyst
     /// What the scheme carries of all bodies is begun anew, which costs an evaluation of the forces.
     ///
     /// # Errors
-    /// [`Error::Scene`] for a body that is not there, a state that is not finite, a pinned body with a velocity; the stepper
-    /// then stays as it was.
+    /// [`Error::Scene`] for a body that is not there or that moves along a given path, a state that is not finite, a pinned
+    /// body with a velocity; the stepper then stays as it was.
     pub fn set_body(&mut self, i: usize, q: [f64; D], v: [f64; D]) -> Result<(), Error> {
         let mut state = self.state();
         let bodies = state.q.len();
         let (Some(place), Some(velocity)) = (state.q.get_mut(i), state.v.get_mut(i)) else {
             return Err(SceneError::NoBody { body: i, bodies }.into());
         };
+        if self.system.acts.drives.bodies().any(|driven| driven == i) {
+            return Err(SceneError::Driven { body: i }.into());
+        }
         (*place, *velocity) = (q, v);
         self.set_state(state)
     }

@@ -10,6 +10,7 @@ mod bodies;
 mod builder;
 mod changes;
 mod compensated;
+mod drives;
 mod encounter;
 mod matrix;
 mod newton;
@@ -23,12 +24,13 @@ mod vectors;
 pub use bodies::Bodies;
 pub use builder::{FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
+pub use drives::Seen;
 pub use encounter::Encounter;
 pub use matrix::Matrix;
 pub use space::{Open, Periodic, Space};
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
-pub use terms::{Acts, Bonds, Chain, Each, Fault, Kicked, Laws, Linked, Moving, Near, Pairs, Term};
+pub use terms::{Acts, Bonds, Chain, Driven, Each, Fault, Kicked, Laws, Linked, Moving, Near, Pairs, Term};
 pub use topology::Topology;
 pub use vectors::Vectors;
 
@@ -85,7 +87,7 @@ impl<const D: usize, P, L, B> Simulation<(), Scene<D, P, L, B>> {
 
 impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSystem<D, A>, S> {
     /// Positions now.
-    pub fn q(&self) -> &Vectors<D> {
-        self.position()
+    pub fn q(&self) -> Seen<'_, D> {
+        self.system.seen(self.t(), self.position())
     }
 }

@@ -93,6 +93,8 @@ pub(super) trait Unknown<const D: usize> {
     const LINEAR: bool;
     /// G may bend or jump between two iterates.
     const PIECEWISE: bool;
+    /// No others than consecutive bodies are linked.
+    const CHAIN: bool;
     /// G depends on the velocity at the end of the step.
     const FORCED: bool;
     /// The step conserves the energy: what rounding keeps from G, always of one sign where corrections are, is asked for.
@@ -152,7 +154,7 @@ impl<const D: usize> Solver<D> {
         unknown: &U,
     ) -> Result<Effort, NotConverged> {
         let settled = match self.chain.take() {
-            Some(mut chain) if !U::FORCED => {
+            Some(mut chain) if U::CHAIN && !U::FORCED => {
                 let settled = self.settle_chain(&mut chain, equation, unknown);
                 if U::EXACT {
                     core::mem::swap(&mut self.rest, chain.rest());

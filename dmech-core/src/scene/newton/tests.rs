@@ -14,6 +14,7 @@ use crate::scheme::Newton;
 struct Spring;
 
 impl Unknown<1> for Spring {
+    const CHAIN: bool = true;
     const LINEAR: bool = false;
     const PIECEWISE: bool = false;
     const FORCED: bool = false;

@@ -10,9 +10,10 @@ pub use solve::SceneSolver;
 use super::bodies::{Bodies, check_state};
 use super::builder::Scene;
 use super::compensated::CompensatedVectors;
+use super::drives::{Drives, Seen};
 use super::space::Space;
 use super::state::SceneState;
-use super::terms::{Acts, Fault, Kicked, Moving, Term};
+use super::terms::{Acts, Driven, Fault, Kicked, Moving, Term};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
@@ -27,7 +28,7 @@ use crate::system::{
 /// The bodies of a scene and the terms `A` that act on them.
 #[derive(Clone, Debug)]
 pub struct SceneSystem<const D: usize, A> {
-    pub(super) acts: A,
+    pub(super) acts: Driven<D, A>,
     pub(super) masses: Vec<f64>,
     pub(super) pins: Vec<usize>,
     /// 1/m, and 0 for pinned bodies.
@@ -83,8 +84,10 @@ impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P,
     type System = SceneSystem<D, L::Ready>;
 
     fn start(&self) -> SceneState<D> {
-        let Bodies { t, q, v, .. } = &self.bodies;
-        SceneState { t: *t, q: q.clone(), v: v.clone() }
+        let Bodies { t, q, v, drives, .. } = &self.bodies;
+        let mut start = SceneState { t: *t, q: q.clone(), v: v.clone() };
+        place(drives, &mut start);
+        start
     }
 
     fn starting_from(self, state: &SceneState<D>) -> Self {
@@ -104,8 +107,17 @@ impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P,
         let mut per_mass: Vec<_> = bodies.masses.iter().map(|mass| mass.recip()).collect();
         bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);
         let weights = bodies.weights();
-        let Bodies { masses, pins, tests, .. } = bodies;
-        Ok(SceneSystem { acts, masses, pins, per_mass, tests, weights })
+        let Bodies { masses, pins, tests, drives, .. } = bodies;
+        Ok(SceneSystem { acts: Driven { acts, drives }, masses, pins, per_mass, tests, weights })
+    }
+}
+
+/// Puts driven bodies where they are.
+fn place<const D: usize>(drives: &Drives<D>, state: &mut SceneState<D>) {
+    for (body, [q, v]) in drives.at(state.t) {
+        if let (Some(place), Some(velocity)) = (state.q.get_mut(body), state.v.get_mut(body)) {
+            (*place, *velocity) = (q, v);
+        }
     }
 }
 
@@ -164,11 +176,16 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn vectors(&self, state: &SceneState<D>) -> [Vectors<D>; 2] {
-        [Vectors::from_list(&state.q), Vectors::from_list(&state.v)]
+        let [q, mut v] = [&state.q, &state.v].map(|list| Vectors::from_list(list));
+        // No scheme moves them.
+        self.acts.drives.bodies().for_each(|i| v.set(i, [0.0; D]));
+        [q, v]
     }
 
     fn state(&self, t: f64, q: &Vectors<D>, v: &Vectors<D>) -> SceneState<D> {
-        SceneState { t, q: q.to_list(), v: v.to_list() }
+        let mut state = SceneState { t, q: q.to_list(), v: v.to_list() };
+        place(&self.acts.drives, &mut state);
+        state
     }
 
     fn time(state: &SceneState<D>) -> f64 {
@@ -463,7 +480,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn check(&self, state: &SceneState<D>) -> Result<(), Error> {
-        check_state([&state.q, &state.v], state.t, self.masses.len(), &self.pins)
+        check_state([&state.q, &state.v], state.t, self.masses.len(), &self.pins, &self.acts.drives)
     }
 
     /// The forces on all bodies are summed faster than those of each link are looked at.
@@ -512,7 +529,9 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     fn conserves(&self, invariant: Invariant) -> bool {
         let free = self.pins.is_empty();
         match invariant {
-            Invariant::Energy | Invariant::DiscreteEnergy => A::AUTONOMOUS && A::CONSERVES_ENERGY,
+            Invariant::Energy | Invariant::DiscreteEnergy => {
+                A::AUTONOMOUS && A::CONSERVES_ENERGY && self.acts.drives.is_empty()
+            }
             Invariant::WorkEnergy => true,
             Invariant::LinearMomentum => free && A::LINEAR_MOMENTUM,
             Invariant::AngularMomentum => free && A::ANGULAR_MOMENTUM && D > 1,
@@ -533,6 +552,11 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 }
 
 impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
+    /// Positions, with driven bodies where they are at t.
+    pub(super) fn seen<'a>(&'a self, t: f64, q: &'a Vectors<D>) -> Seen<'a, D> {
+        self.acts.drives.positions(q, t)
+    }
+
     /// Whether coordinate i is that of a body that acts on others.
     fn counts(&self, i: usize) -> bool {
         self.weights[i % self.weights.len()] != 0.0

@@ -5,7 +5,7 @@ use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
 use crate::scene::newton::{Equation, Solver, Unknown};
 use crate::scene::system::{SceneStride, SceneSystem};
-use crate::scene::terms::Acts;
+use crate::scene::terms::{Acts, Driven};
 use crate::scene::terms::stencil::Stencil;
 use crate::scene::vectors::Vectors;
 use crate::scheme::Effort;
@@ -28,6 +28,7 @@ struct AtEnd<'a, A> {
 impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
     const PIECEWISE: bool = A::PIECEWISE;
+    const CHAIN: bool = A::CHAIN;
     const FORCED: bool = A::FORCED;
     const EXACT: bool = false;
 
@@ -58,6 +59,7 @@ struct Exact<'a, const D: usize, A> {
 impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
     const PIECEWISE: bool = A::PIECEWISE;
+    const CHAIN: bool = A::CHAIN;
     const FORCED: bool = A::FORCED;
     const EXACT: bool = true;
 
@@ -99,6 +101,7 @@ impl<const D: usize, A> Across<'_, D, A> {
 impl<const D: usize, A: Acts<D>> Unknown<D> for Across<'_, D, A> {
     const LINEAR: bool = A::LINEAR;
     const PIECEWISE: bool = A::PIECEWISE;
+    const CHAIN: bool = A::CHAIN;
     const FORCED: bool = false;
     const EXACT: bool = true;
 
@@ -158,7 +161,7 @@ impl<const D: usize> SceneSolver<D> {
 
     pub(super) fn mean<A: Acts<D>>(
         &mut self,
-        acts: &A,
+        acts: &Driven<D, A>,
         step: &Step<'_, SceneSystem<D, A>>,
         known: &Vectors<D>,
     ) -> Result<Effort, NotConverged> {
@@ -168,7 +171,7 @@ impl<const D: usize> SceneSolver<D> {
 
     pub(super) fn exact<A: Acts<D>>(
         &mut self,
-        acts: &A,
+        acts: &Driven<D, A>,
         step: &Step<'_, SceneSystem<D, A>>,
     ) -> Result<Effort, NotConverged> {
         let SceneSolver { newton, known } = self;
@@ -183,7 +186,7 @@ impl<const D: usize> SceneSolver<D> {
 
     pub(super) fn across<A: Acts<D>>(
         &mut self,
-        acts: &A,
+        acts: &Driven<D, A>,
         step: &Step<'_, SceneSystem<D, A>>,
         before: &Vectors<D>,
     ) -> Result<Effort, NotConverged> {
@@ -244,7 +247,7 @@ impl<const D: usize> SceneSolver<D> {
 
 /// known ← −c F at the start of the step.
 fn known_force<const D: usize, A: Acts<D>>(
-    acts: &A,
+    acts: &Driven<D, A>,
     c: f64,
     step: &Step<'_, SceneSystem<D, A>>,
     known: &mut Vectors<D>,

@@ -157,6 +157,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     const LINEAR: bool = !B::PERIODIC && <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
     const PIECEWISE: bool = B::PERIODIC || <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
 
+    const CHAIN: bool = T::CHAIN;
     const AT_ONCE: bool = T::AT_ONCE && <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {

@@ -14,6 +14,8 @@ use crate::scene::vectors::Vectors;
 pub trait Links {
     /// The gradient at a body is known in one pass over them.
     const AT_ONCE: bool = false;
+    /// No others than consecutive bodies are linked.
+    const CHAIN: bool = false;
     /// Which bodies are linked depends on their distance, and so must the law.
     const OF_DISTANCE: bool = false;
 
@@ -117,6 +119,7 @@ pub struct Chain;
 
 impl Links for Chain {
     const AT_ONCE: bool = true;
+    const CHAIN: bool = true;
 
     #[inline]
     fn each<const D: usize, const S: usize>(

@@ -1,5 +1,6 @@
 //! What acts in a scene: on each body, and along links between bodies.
 
+mod driven;
 mod each;
 mod kernels;
 mod linked;
@@ -18,6 +19,7 @@ mod way;
 #[cfg(test)]
 mod tests;
 
+pub use driven::Driven;
 pub use each::Each;
 pub use linked::Linked;
 pub use links::{Bonds, Chain};
@@ -73,6 +75,8 @@ pub trait Acts<const D: usize> {
     const NOTHING: bool = false;
     /// A kick needs no gradient that is stored before.
     const AT_ONCE: bool = false;
+    /// No term links others than consecutive bodies: [`add_stencil`](Acts::add_stencil) may be asked for.
+    const CHAIN: bool;
 
     /// Φ(q).
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64;

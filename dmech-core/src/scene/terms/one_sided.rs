@@ -112,8 +112,8 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
     pub(super) fn add_link<const D: usize>(&self, a: usize, b: usize, block: Block<D>, out: &mut Matrix<D>) {
         match [a, b].map(|i| self.acting.acts(i)) {
             [true, true] => out.add_link(a, b, block),
-            [false, _] => add_felt(b, a, block, out),
-            [_, false] => add_felt(a, b, block, out),
+            [false, _] => add_felt(a, b, block, out),
+            [_, false] => add_felt(b, a, block, out),
         }
     }
 }

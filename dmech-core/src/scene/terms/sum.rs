@@ -38,6 +38,7 @@ impl<A: Laws, B: Laws> Laws for (A, B) {
 
 impl<const D: usize> Acts<D> for () {
     const NOTHING: bool = true;
+    const CHAIN: bool = true;
     const FORCED: bool = false;
     const CONSERVES_ENERGY: bool = true;
     const AUTONOMOUS: bool = true;
@@ -87,6 +88,7 @@ impl LinearVelocities for () {}
 impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     const NOTHING: bool = A::NOTHING && B::NOTHING;
     const AT_ONCE: bool = A::NOTHING && B::AT_ONCE;
+    const CHAIN: bool = A::CHAIN && B::CHAIN;
     const FORCED: bool = A::FORCED || B::FORCED;
     const CONSERVES_ENERGY: bool = A::CONSERVES_ENERGY && B::CONSERVES_ENERGY;
     const AUTONOMOUS: bool = A::AUTONOMOUS && B::AUTONOMOUS;

@@ -1,0 +1,204 @@
+//! Bodies that move along given paths.
+
+use dmech::models::pairs::Spring;
+use dmech::prelude::*;
+
+const SPRING: Spring = Spring { k: 7.0, length: 0.8 };
+const AMPLITUDE: [f64; 2] = [0.3, -0.2];
+const RATES: [f64; 2] = [2.3, 3.1];
+
+/// Where the hand is, and how fast it moves.
+fn hand(t: f64) -> ([f64; 2], [f64; 2]) {
+    let [x, y] = [0, 1].map(|k| RATES[k] * t);
+    let ([a, b], [u, w]) = (AMPLITUDE, RATES);
+    ([a * x.sin(), 1.0 + b * y.cos()], [a * u * x.cos(), -b * w * y.sin()])
+}
+
+/// The same spring, as a law of one body that names the time.
+#[derive(Clone, Copy, Debug)]
+struct Hung {
+    k: f64,
+    length: f64,
+    a: [f64; 2],
+    w: [f64; 2],
+}
+
+#[dmech::law]
+impl Hung {
+    #[potential]
+    fn energy(&self, q: [f64; 2], t: f64) -> f64 {
+        let x = q[0] - self.a[0] * (self.w[0] * t).sin();
+        let y = q[1] - (1.0 + self.a[1] * (self.w[1] * t).cos());
+        let stretch = (x * x + y * y).sqrt() - self.length;
+        0.5 * self.k * stretch * stretch
+    }
+}
+
+const HUNG: Hung = Hung { k: 7.0, length: 0.8, a: AMPLITUDE, w: RATES };
+const MASS: f64 = 1.3;
+const START: ([f64; 2], [f64; 2]) = ([0.4, -0.1], [-0.3, 0.2]);
+
+/// A body that is linked to a driven one, which is given in a wrong place.
+fn bodies() -> Scene<2> {
+    Scene::new().body(5.0, [9.0, 9.0], [4.0, 4.0]).body(MASS, START.0, START.1).drive(0, hand)
+}
+
+fn apart(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+macro_rules! hung {
+    ($scheme:expr, $dt:expr) => {
+        Simulation::new(HUNG, State::new(START.0, START.1)).mass(MASS).scheme($scheme).dt($dt)
+    };
+}
+
+/// Under every scheme, by pairs, along a chain and on bonds: the motion under the law that names the time.
+#[test]
+fn a_driven_body_is_a_law_that_names_the_time() {
+    let mut cells = 0;
+    macro_rules! every {
+        ($($scheme:expr),* $(,)?) => {$({
+            let (name, dt, steps) = (stringify!($scheme), 0.02, 300);
+            let alone = hung!($scheme, dt).run(steps).unwrap();
+            let scenes = [
+                Simulation::scene(bodies().pairs(SPRING)).scheme($scheme).dt(dt).run(steps).unwrap(),
+                Simulation::scene(bodies().chain(SPRING)).scheme($scheme).dt(dt).run(steps).unwrap(),
+                Simulation::scene(bodies().bonds(SPRING, [(0, 1)])).scheme($scheme).dt(dt).run(steps).unwrap(),
+            ];
+            for run in &scenes {
+                let (there, here) = (run.last(), alone.last());
+                let error = apart(&there.q[1], &here.q).max(apart(&there.v[1], &here.v));
+                assert!(error < 2e-12, "{name}: {error:e}");
+                let (q, v) = hand(there.t);
+                assert_eq!((there.q[0], there.v[0]), (q, v), "{name}");
+                assert!(run.drift(Invariant::Energy).is_none() && run.drift(Invariant::LinearMomentum).is_none());
+                let work = run.drift(Invariant::WorkEnergy).unwrap().max_abs();
+                let alone = alone.drift(Invariant::WorkEnergy).unwrap().max_abs();
+                assert!((work - alone).abs() < 1e-12, "{name}: {work:e} {alone:e}");
+                cells += 1;
+            }
+        })*};
+    }
+    every!(
+        Explicit,
+        Leapfrog,
+        CompensatedLeapfrog,
+        Boris,
+        Kanatani,
+        Implicit,
+        DiscreteGradient,
+        Nystrom::order6(),
+        ForceGradient::order4(),
+        Composed::order6(Leapfrog),
+        Composed::order4(Implicit),
+        Composed::order4(DiscreteGradient),
+    );
+    assert_eq!(cells, 36);
+}
+
+/// Steps that follow the motion see it come, outputs between steps have it where it is, and events are found.
+#[test]
+fn everything_that_runs_sees_it_where_it_is() {
+    // A look at the time scale sees a law that names the time change, and a link of which one end moves: not the same number.
+    let run = Simulation::scene(bodies().pairs(SPRING)).scheme(Nystrom::order6()).dt(0.5).adaptive(1e-6).run_until(6.0).unwrap();
+    let fine = hung!(Leapfrog, 1e-4).run(60_000).unwrap();
+    let error = apart(&run.last().q[1], &fine.last().q);
+    assert!(error < 1e-5 && run.steps() > 15, "{error:e} in {} steps", run.steps());
+
+    let times = [0.005, 0.31, 0.777];
+    let crossing = |state: &SceneState<2>| state.q[0][0] - 0.1;
+    let run = Simulation::scene(bodies().chain(SPRING))
+        .scheme(DiscreteGradient)
+        .dt(0.02)
+        .record_at(times)
+        .event(crossing, Crossing::Rising)
+        .run_until(6.0)
+        .unwrap();
+    for (state, t) in run.states().iter().zip(times) {
+        assert_eq!((state.q[0], state.v[0]), hand(t));
+    }
+    assert_eq!(run.states().len(), 3);
+    // 0.3 sin 2.3 t rises through 0.1 three times until 6.
+    let rises: Vec<f64> = (0..3).map(|k| ((1.0_f64 / 3.0).asin() + f64::from(k) * core::f64::consts::TAU) / 2.3).collect();
+    let found: Vec<f64> = run.events().iter().map(|event| event.state().t).collect();
+    assert!(found.len() == 3 && apart(&found, &rises) < 1e-13, "{found:?} {rises:?}");
+}
+
+/// A force between two bodies that knows both velocities.
+#[derive(Clone, Copy, Debug)]
+struct Damper {
+    c: f64,
+}
+
+#[dmech::law]
+impl Damper {
+    #[pair_force]
+    fn force(&self, va: [f64; 2], vb: [f64; 2]) -> [f64; 2] {
+        [-self.c * (va[0] - vb[0]), -self.c * (va[1] - vb[1])]
+    }
+}
+
+/// m dv/dt = −c (v − u(t)) with u = dp/dt, solved by hand: a damper feels how fast the hand moves.
+#[test]
+fn a_damper_feels_the_velocity() {
+    let c = 0.9;
+    let exact = |t: f64| {
+        let rate = c / MASS;
+        // The response to cos(w t − φ) is (rate / (rate² + w²)) (rate cos + w sin), and what dies out.
+        let part = |w: f64, phase: f64, t: f64| {
+            rate * (rate * (w * t - phase).cos() + w * (w * t - phase).sin()) / (rate * rate + w * w)
+        };
+        let along = |k: usize, amplitude: f64, phase: f64| {
+            let forced = |t| amplitude * part(RATES[k], phase, t);
+            forced(t) + (START.1[k] - forced(0.0)) * (-rate * t).exp()
+        };
+        let quarter = core::f64::consts::FRAC_PI_2;
+        [along(0, AMPLITUDE[0] * RATES[0], 0.0), along(1, -AMPLITUDE[1] * RATES[1], quarter)]
+    };
+    macro_rules! order {
+        ($($scheme:expr, $order:expr);*) => {$({
+            let error = |steps: u64| {
+                let scene = bodies().bonds(Damper { c }, [(0, 1)]);
+                let run = Simulation::scene(scene).scheme($scheme).dt(3.0 / steps as f64).run(steps).unwrap();
+                apart(&run.last().v[1], &exact(3.0))
+            };
+            let (coarse, fine) = (error(60), error(120));
+            let order = (coarse / fine).log2();
+            assert!((order - $order).abs() < 0.15 && fine > 1e-10, "{}: {order} {coarse:e}", stringify!($scheme));
+        })*};
+    }
+    order!(Explicit, 1.0; Implicit, 2.0; DiscreteGradient, 2.0);
+}
+
+/// Saved and resumed, and changed between steps.
+#[test]
+fn it_is_carried_on() {
+    let simulation = || Simulation::scene(bodies().chain(SPRING)).scheme(Leapfrog).dt(0.01);
+    let (mut whole, mut first) = (simulation().stepper().unwrap(), simulation().stepper().unwrap());
+    whole.advance(300).unwrap();
+    first.advance(120).unwrap();
+    let mut second = simulation().resume(&first.checkpoint()).unwrap();
+    second.advance(180).unwrap();
+    assert_eq!(whole.state(), second.state());
+    assert_eq!(whole.q().get(0), hand(3.0).0);
+
+    // A pin where it was driven is another scene.
+    let pinned = Scene::new().body(5.0, [9.0, 9.0], [0.0; 2]).body(MASS, START.0, START.1).pin(0).chain(SPRING);
+    assert!(Simulation::scene(pinned).scheme(Leapfrog).dt(0.01).resume(&first.checkpoint()).is_err());
+
+    let error = second.set_body(0, [0.0; 2], [0.0; 2]).unwrap_err();
+    assert_eq!(error.to_string(), "body 0 moves along a given path: it cannot be put elsewhere");
+    let now = second.state();
+    second.set_body(1, [0.5, 0.5], now.v[1]).unwrap();
+    assert_eq!(second.state().q, [hand(3.0).0, [0.5, 0.5]]);
+    second.set_state(now.clone()).unwrap();
+    assert_eq!(second.state(), now);
+
+    let error = Simulation::scene(bodies().drive(7, hand).chain(SPRING)).scheme(Leapfrog).dt(0.01).run(1).unwrap_err();
+    assert_eq!(error.to_string(), "body 7 cannot be pinned: the bodies are 0 to 1");
+    // A path that leads nowhere is said to.
+    let lost = bodies().drive(0, |t| ([if t > 0.5 { f64::NAN } else { 0.0 }, 0.0], [0.0; 2])).chain(SPRING);
+    let error = Simulation::scene(lost).scheme(Leapfrog).dt(0.01).run(100).unwrap_err();
+    assert!(error.to_string().contains("bodies 0 and 1"), "{error}");
+}

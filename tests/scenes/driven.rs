@@ -101,7 +101,12 @@ fn a_driven_body_is_a_law_that_names_the_time() {
 #[test]
 fn everything_that_runs_sees_it_where_it_is() {
     // A look at the time scale sees a law that names the time change, and a link of which one end moves: not the same number.
-    let run = Simulation::scene(bodies().pairs(SPRING)).scheme(Nystrom::order6()).dt(0.5).adaptive(1e-6).run_until(6.0).unwrap();
+    let run = Simulation::scene(bodies().pairs(SPRING))
+        .scheme(Nystrom::order6())
+        .dt(0.5)
+        .adaptive(1e-6)
+        .run_until(6.0)
+        .unwrap();
     let fine = hung!(Leapfrog, 1e-4).run(60_000).unwrap();
     let error = apart(&run.last().q[1], &fine.last().q);
     assert!(error < 1e-5 && run.steps() > 15, "{error:e} in {} steps", run.steps());
@@ -120,7 +125,8 @@ fn everything_that_runs_sees_it_where_it_is() {
     }
     assert_eq!(run.states().len(), 3);
     // 0.3 sin 2.3 t rises through 0.1 three times until 6.
-    let rises: Vec<f64> = (0..3).map(|k| ((1.0_f64 / 3.0).asin() + f64::from(k) * core::f64::consts::TAU) / 2.3).collect();
+    let rises: Vec<f64> =
+        (0..3).map(|k| ((1.0_f64 / 3.0).asin() + f64::from(k) * core::f64::consts::TAU) / 2.3).collect();
     let found: Vec<f64> = run.events().iter().map(|event| event.state().t).collect();
     assert!(found.len() == 3 && apart(&found, &rises) < 1e-13, "{found:?} {rises:?}");
 }

@@ -7,6 +7,7 @@ use std::path::Path;
 use dmech_scalar::Real;
 
 use super::Run;
+use super::stream::{Csv, Sink};
 use crate::state::State;
 
 /// A state that can be written as a row of numbers.
@@ -50,20 +51,27 @@ impl<const D: usize, R: Real> Columns for State<D, R> {
     }
 }
 
+impl<X> Run<X> {
+    /// Writes the recorded states to what [`stream`](crate::Simulation::stream) would have written them to: `Csv::new(file)`,
+    /// `Csv::long(file)` for scenes, `Npy::new(file)`.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(&self, mut sink: impl Sink<X>) -> io::Result<()> {
+        sink.begin(self.last())?;
+        self.states().iter().try_for_each(|state| sink.write(state))?;
+        sink.end(self.states().len() as u64)
+    }
+}
+
 impl<X: Columns> Run<X> {
     /// Writes the recorded states: a row of names (`t,q0,q1,v0,v1`), then a row for each state, in digits that read
     /// back as the same numbers.
     ///
     /// # Errors
     /// Those of the writer.
-    pub fn write_csv(&self, mut out: impl Write) -> io::Result<()> {
-        self.last().write_names(&mut out)?;
-        writeln!(out)?;
-        for state in self.states() {
-            state.write_values(&mut out)?;
-            writeln!(out)?;
-        }
-        Ok(())
+    pub fn write_csv(&self, out: impl Write) -> io::Result<()> {
+        self.write(Csv::new(out))
     }
 
     /// As [`write_csv`](Run::write_csv), into a file that is created or replaced.
@@ -71,8 +79,6 @@ impl<X: Columns> Run<X> {
     /// # Errors
     /// Those of the file.
     pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
-        let mut out = BufWriter::new(File::create(path)?);
-        self.write_csv(&mut out)?;
-        out.flush()
+        self.write_csv(BufWriter::new(File::create(path)?))
     }
 }

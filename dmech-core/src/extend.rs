@@ -134,7 +134,9 @@ pub use crate::law::{
 };
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
-pub use crate::run::{Attend, Attended, Blend, Columns, Observer, Passage, Sink, Stream, Watch, Weights, Within};
+pub use crate::run::{
+    Attend, Attended, Blend, Columns, Observer, Passage, Quantity, Sink, Stream, Watch, Weights, Within,
+};
 #[cfg(feature = "scene")]
 pub use crate::scene::Encounter;
 pub use crate::scheme::NoScheme;

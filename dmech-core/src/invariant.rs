@@ -64,20 +64,29 @@ impl core::fmt::Display for Kept {
 /// The drift of each invariant, by `Invariant as usize`.
 pub type Drifts = [Option<Drift>; Invariant::ALL.len()];
 
-/// How many invariants of its own a law can have watched.
+/// How many invariants of its own a law can have watched, and how many quantities a run.
 pub const MAX_OWN: usize = 8;
 
-/// The drifts of the invariants that a law declares itself, by name.
+/// The drifts of the invariants that a law declares itself, and of the quantities that a run watches, by name.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OwnDrifts {
     pub(crate) names: &'static [&'static str],
     pub(crate) drifts: [Option<Drift>; MAX_OWN],
+    pub(crate) quantities: [Option<(&'static str, Drift)>; MAX_OWN],
 }
 
 impl OwnDrifts {
     /// Each with its name, in the order in which they are declared.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, Drift)> + '_ {
-        self.names.iter().zip(&self.drifts).filter_map(|(&name, drift)| Some((name, (*drift)?)))
+        let declared = self.names.iter().zip(&self.drifts).filter_map(|(&name, drift)| Some((name, (*drift)?)));
+        declared.chain(self.quantities.iter().flatten().copied())
+    }
+
+    /// Adds that of a quantity, while there is room.
+    pub(crate) fn add(&mut self, name: &'static str, drift: Drift) {
+        if let Some(free) = self.quantities.iter_mut().find(|known| known.is_none()) {
+            *free = Some((name, drift));
+        }
     }
 
     /// That of one name.

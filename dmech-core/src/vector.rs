@@ -1,31 +1,56 @@
 //! Arithmetic of arrays, for schemes and for laws by hand.
 
-use core::array::from_fn;
-
 use dmech_scalar::{FUSED, Mask, Real};
+
+/// An array of `R` by its D components, `by_component!(|i| x[i] + y[i])`: a loop in place of `from_fn`, whose closures are not
+/// inlined where a crate is compiled in parts or with few optimisations, and take as long to compile as what they compute.
+macro_rules! by_component {
+    (|$i:ident| $x:expr) => {{
+        let mut all = [R::ZERO; D];
+        for $i in 0..D {
+            all[$i] = $x;
+        }
+        all
+    }};
+}
+pub(crate) use by_component;
+
+/// A matrix likewise, `by_entry!(|i, j| x[i] * y[j])`.
+macro_rules! by_entry {
+    (|$i:ident, $j:ident| $x:expr) => {{
+        let mut all = [[R::ZERO; D]; D];
+        for $i in 0..D {
+            for $j in 0..D {
+                all[$i][$j] = $x;
+            }
+        }
+        all
+    }};
+}
+pub(crate) use by_entry;
 
 /// x + c y.
 #[inline(always)]
 pub fn add_scaled<const D: usize, R: Real>(x: [R; D], c: R, y: [R; D]) -> [R; D] {
-    from_fn(|i| c.mul_add(y[i], x[i]))
+    by_component!(|i| c.mul_add(y[i], x[i]))
 }
 
 /// c x.
 #[inline(always)]
 pub fn scaled<const D: usize, R: Real>(c: R, x: [R; D]) -> [R; D] {
-    x.map(|x| c * x)
+    by_component!(|i| c * x[i])
 }
 
 /// x + y.
 #[inline(always)]
 pub fn sum<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
-    from_fn(|i| x[i] + y[i])
+    by_component!(|i| x[i] + y[i])
 }
 
 /// x − y.
 #[inline(always)]
 pub fn difference<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
-    from_fn(|i| x[i] - y[i])
+    by_component!(|i| x[i] - y[i])
 }
 
 /// x·y.
@@ -44,7 +69,7 @@ pub fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {
 /// Σ wᵢ xᵢ yᵢ; [`dot`] to the bit where the weights are 1.
 #[inline(always)]
 pub fn weighted<const D: usize, R: Real>(weights: [f64; D], x: [R; D], y: [R; D]) -> R {
-    dot(from_fn(|i| R::from_f64(weights[i]) * x[i]), y)
+    dot(by_component!(|i| R::from_f64(weights[i]) * x[i]), y)
 }
 
 /// Every component is finite in every lane.

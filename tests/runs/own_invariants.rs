@@ -142,3 +142,48 @@ fn they_may_name_the_time_in_any_scalar() -> Result<(), Box<dyn std::error::Erro
     assert!(heavy.drift_of("area").unwrap().max_relative() < 1e-14);
     Ok(())
 }
+
+/// Quantities that a run watches, beside those that a law declares, on a scene, in a stream and where the run is stopped.
+#[test]
+fn quantities_are_watched() -> Result<(), Box<dyn std::error::Error>> {
+    let law = Planet { gm: 1.0, c: 0.0 };
+    let sum = |state: &State<2>| state.q[0] + state.q[1];
+    let mut looks = 0;
+    let run = Simulation::new(law, START)
+        .scheme(Leapfrog)
+        .dt(0.01)
+        .record_every(10)
+        .watch("sum", sum)
+        .watch("looks", |_| {
+            looks += 1;
+            f64::from(looks)
+        })
+        .run(105)?;
+    let drift = run.drift_of("sum").unwrap();
+    assert_eq!((drift.start(), drift.last(), drift.samples()), (sum(&START), sum(run.last()), 12));
+    let farthest = run.states().iter().chain([run.last()]).map(|state| (sum(state) - sum(&START)).abs());
+    assert_eq!(drift.max_abs(), farthest.fold(0.0, f64::max));
+    assert_eq!(run.drift_of("looks").unwrap().last(), 12.0);
+    let names: Vec<_> = run.report().own_drifts().map(|(name, _)| name).collect();
+    assert_eq!(names, ["laplace_runge_lenz", "area", "sum", "looks"]);
+    assert!(run.to_string().contains("\n  sum "), "{run}");
+
+    // A scene: the distance of two bodies on a circle, which a stop leaves at the state of the stop.
+    let scene = Scene::new().body(1.0, [0.5, 0.0], [0.0, 0.5]).body(1.0, [-0.5, 0.0], [0.0, -0.5]);
+    let scene = scene.pairs(dmech::models::pairs::Gravity { g: 0.5 });
+    let distance = |state: &SceneState<2>| (state.q[0][0] - state.q[1][0]).hypot(state.q[0][1] - state.q[1][1]);
+    let mut table = Vec::new();
+    let run = Simulation::scene(scene)
+        .scheme(Nystrom::order6())
+        .dt(0.05)
+        .watch("distance", distance)
+        .stop_when(|state| state.t - 3.21, Crossing::Rising)
+        .watch("time", |state| state.t)
+        .stream(Csv::new(&mut table))
+        .run(1000)?;
+    let [distance, time] = ["distance", "time"].map(|name| run.drift_of(name).unwrap());
+    assert!(distance.max_abs() < 1e-9 && distance.samples() > 60, "{distance:?}");
+    assert!((time.last() - 3.21).abs() < 1e-13 && run.stopped());
+    assert!(run.states().is_empty());
+    Ok(())
+}

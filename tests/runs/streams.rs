@@ -33,6 +33,36 @@ fn a_stream_has_what_a_table_has() {
     assert!(String::from_utf8(table).unwrap().starts_with("t,q0_0,q1_0,v0_0,v1_0\n0,0,1,0,0\n0.07"));
 }
 
+/// A row for each state of each body, named or numbered, from a stream and from a run.
+#[test]
+fn a_long_table_has_a_row_for_each_body() {
+    let scene =
+        Scene::new().body(1.0, [0.0, 0.5], [0.0; 2]).body(0.3, [1.0, 0.0], [0.0, 1.0]).body(2.0, [9.0; 2], [0.0; 2]);
+    let simulation =
+        || Simulation::scene(scene.clone().pairs(Gravity { g: 0.1 })).scheme(Leapfrog).dt(0.1).record_every(2);
+    let (mut streamed, mut written) = (Vec::new(), Vec::new());
+    let names = ["sun", "a \"moon\", far"];
+    simulation().stream(Csv::long(&mut streamed).names(names)).run(7).unwrap();
+    let kept = simulation().run(7).unwrap();
+    kept.write(Csv::long(&mut written).names(names)).unwrap();
+    assert_eq!(streamed, written);
+    let table = String::from_utf8(written).unwrap();
+    let lines: Vec<_> = table.lines().collect();
+    assert_eq!(lines[..2], ["t,body,q0,q1,v0,v1", "0,sun,0,0.5,0,0"]);
+    assert!(lines[2].starts_with("0,\"a \"\"moon\"\", far\",1,0,0,1") && lines[3].starts_with("0,2,9,9,"));
+    assert_eq!(lines.len(), 1 + 3 * kept.states().len());
+    let last: Vec<f64> = lines.last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    let state = kept.states().last().unwrap();
+    assert_eq!(last, [state.t, 2.0, state.q[2][0], state.q[2][1], state.v[2][0], state.v[2][1]]);
+    let mut plain = Vec::new();
+    kept.write(Csv::long(&mut plain)).unwrap();
+    assert!(String::from_utf8(plain).unwrap().contains("\n0,0,0,0.5,0,0\n0,1,1,0,0,1\n"));
+    // A run is written as NumPy as well.
+    let mut file = Cursor::new(Vec::new());
+    kept.write(Npy::new(&mut file)).unwrap();
+    assert_eq!(file.into_inner().len(), 128 + 8 * 13 * kept.states().len());
+}
+
 /// The head and the numbers of NumPy's format 1.0, read back byte by byte.
 #[test]
 fn a_table_of_numpy_reads_back() {

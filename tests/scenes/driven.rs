@@ -208,3 +208,77 @@ fn it_is_carried_on() {
     let error = Simulation::scene(lost).scheme(Leapfrog).dt(0.01).run(100).unwrap_err();
     assert!(error.to_string().contains("bodies 0 and 1"), "{error}");
 }
+
+/// A rope of which both ends are moved, as a chain, on bonds and, explicitly, in small steps: the same motion.
+#[test]
+fn a_rope_is_shaken() {
+    let rope = || {
+        let bead = |scene: Scene<2>, i: u32| scene.body(0.2 + 0.01 * f64::from(i), [0.3 * f64::from(i), 1.0], [0.0; 2]);
+        let other = |t: f64| ([3.9, 1.0 + 0.1 * (1.9 * t).sin()], [0.0, 0.19 * (1.9 * t).cos()]);
+        (0..14).fold(Scene::new(), bead).drive(0, hand).drive(13, other)
+    };
+    let bonds = || (0..13).map(|i| (i, i + 1));
+    let spring = Spring { k: 40.0, length: 0.3 };
+    let reference = Simulation::scene(rope().chain(spring)).scheme(Nystrom::order8()).dt(0.005).run(400).unwrap();
+    macro_rules! shaken {
+        ($($scheme:expr, $dt:expr, $error:expr);*) => {$({
+            let steps = (2.0_f64 / $dt).round() as u64;
+            let chain = Simulation::scene(rope().chain(spring)).scheme($scheme).dt($dt).run(steps).unwrap();
+            let list = Simulation::scene(rope().bonds(spring, bonds())).scheme($scheme).dt($dt).run(steps).unwrap();
+            let flat = |run: &Run<SceneState<2>>| run.last().q.iter().flatten().copied().collect::<Vec<_>>();
+            let (same, error) = (apart(&flat(&chain), &flat(&list)), apart(&flat(&chain), &flat(&reference)));
+            assert!(same < 1e-11 && error < $error, "{}: {same:e} {error:e}", stringify!($scheme));
+            assert!(error > 1e-3 * $error, "{}: {error:e} of {:e}", stringify!($scheme), $error);
+        })*};
+    }
+    shaken!(
+        Leapfrog, 0.005, 1e-3;
+        Implicit, 0.005, 1e-3;
+        DiscreteGradient, 0.005, 1e-3;
+        Kanatani, 0.005, 2e-3;
+        Composed::order4(DiscreteGradient), 0.01, 1e-4;
+        Nystrom::order4(), 0.01, 1e-5
+    );
+}
+
+/// A ball on a path goes through a gas in a box, across its edges: lists of neighbours follow it, and it is felt as by all pairs.
+#[test]
+fn a_ball_goes_through_a_box() {
+    // Soft, and smooth where it ends.
+    let law = Spring { k: 5.0, length: 1.6 };
+    let gas = || {
+        let atom = |scene: Scene<2>, i: u32| {
+            let place = [i % 5, i / 5].map(|x| 0.7 * f64::from(x) + 0.05 * f64::from(i * i % 7));
+            scene.body(1.0, place, [0.1 * f64::from(i % 3) - 0.1, 0.05 * f64::from(i % 4)])
+        };
+        // Slowly at first, and then through the edge to the left and below.
+        let path = |t: f64| ([1.7 - t * t, 1.6 - 0.8 * t], [-2.0 * t, -0.8]);
+        (0..25).fold(Scene::new(), atom).drive(12, path)
+    };
+    let end = |steps: u64| {
+        let run = Simulation::scene(gas().pairs(law).cutoff(1.6).periodic([3.5, 3.5]))
+            .scheme(Leapfrog)
+            .dt(3.0 / steps as f64)
+            .run(steps)
+            .unwrap();
+        run.last().clone()
+    };
+    let (coarse, fine, finer) = (end(1500), end(3000), end(6000));
+    let flat = |state: &SceneState<2>| state.q.iter().flatten().copied().collect::<Vec<_>>();
+    let [first, second] = [(&coarse, &fine), (&fine, &finer)].map(|(a, b)| apart(&flat(a), &flat(b)));
+    assert!(second < 0.5 * first && first < 0.05, "{first:e} {second:e}");
+    assert_eq!(finer.q[12], [1.7 - 9.0, 1.6 - 0.8 * 3.0]);
+    // A stepper whose lists are made anew at every step.
+    let mut whole = Simulation::scene(gas().pairs(law).cutoff(1.6).periodic([3.5, 3.5]))
+        .scheme(Leapfrog)
+        .dt(0.002)
+        .stepper()
+        .unwrap();
+    let mut other = whole.clone();
+    whole.advance(1500).unwrap();
+    for _ in 0..1500 {
+        other = other.clone();
+        other.advance(1).unwrap();
+    }
+    assert_eq!(whole.state(), other.state());
+}

@@ -265,6 +265,42 @@ fn nothing_depends_on_when_lists_were_made() {
 }
 
 /// Bodies pass the cut-off and the edges of the box all the time; the law and its force vanish at the cut-off.
+/// Saved and read back, by explicit and implicit steps and by steps that follow the motion; another box, another cut-off or none
+/// is another scene.
+#[test]
+fn a_box_is_saved_and_resumed() {
+    let (scene, length) = crystal(5, 2.0, &mut Dice(6));
+    let boxed = |cutoff: f64, lengths: [f64; 3]| scene.clone().pairs(UNIT).cutoff(cutoff).periodic(lengths);
+    macro_rules! resumed {
+        ($($simulation:expr),*) => {$({
+            let simulation = $simulation;
+            let mut whole = simulation(boxed(2.5, [length; 3])).stepper().unwrap();
+            whole.advance(13).unwrap();
+            let saved = serde_json::to_string(&whole.checkpoint()).unwrap();
+            let saved: dmech::Checkpoint = serde_json::from_str(&saved).unwrap();
+            let mut other = simulation(boxed(2.5, [length; 3])).resume(&saved).unwrap();
+            assert_eq!(whole.state(), other.state());
+            whole.advance(20).unwrap();
+            other.advance(20).unwrap();
+            assert_eq!(whole.state(), other.state());
+            for (cutoff, lengths) in [(2.4, [length; 3]), (2.5, [length, length, 1.01 * length])] {
+                let error = simulation(boxed(cutoff, lengths)).resume(&saved).unwrap_err();
+                assert!(matches!(error, Error::Checkpoint(_)), "{error}");
+            }
+        })*};
+    }
+    resumed!(
+        |scene| Simulation::scene(scene).scheme(Leapfrog).dt(0.004),
+        |scene| Simulation::scene(scene).scheme(DiscreteGradient).dt(0.01),
+        |scene| Simulation::scene(scene).scheme(Nystrom::order4()).dt(0.01).adaptive(1e-3)
+    );
+    let mut stepper = Simulation::scene(boxed(2.5, [length; 3])).scheme(Leapfrog).dt(0.004).stepper().unwrap();
+    stepper.advance(3).unwrap();
+    let open = scene.clone().pairs(UNIT).cutoff(2.5);
+    let error = Simulation::scene(open).scheme(Leapfrog).dt(0.004).resume(&stepper.checkpoint()).unwrap_err();
+    assert!(matches!(error, Error::Checkpoint(_)), "{error}");
+}
+
 #[test]
 fn order_two_where_the_law_ends_smoothly() {
     let mut dice = Dice(11);

@@ -103,7 +103,7 @@ fn no_step_of_a_scene_allocates() {
             (0..100).for_each(|_| stepper.step().unwrap());
             stepper.advance(100).unwrap();
         });
-        assert_ne!(stepper.q(), &before, "{what}: nothing moved");
+        assert_ne!(*stepper.q(), before, "{what}: nothing moved");
         assert_eq!(counted, 0, "{what}, dt = {dt}");
     }
 

@@ -8,6 +8,7 @@ use approx::{abs_diff_eq, relative_eq};
 use dmech::extend::{Adaptable, Adaptive, Carried, VelocityIndependent};
 use dmech::prelude::*;
 use dmech::{Kept, Potential};
+use dmech_tests::erased::Erased;
 
 use crate::laws::*;
 use crate::measured::*;
@@ -181,7 +182,7 @@ macro_rules! every_scheme {
     ($($test:ident: $law:expr, $d:literal, $power:literal, |$q:ident| $side:expr;)*) => {$(
         #[test]
         fn $test() {
-            let seam = Seam { law: $law, power: $power, side: |$q: [f64; $d]| $side };
+            let seam = Seam { law: Erased::<$d, false, true>::new($law), power: $power, side: |$q: [f64; $d]| $side };
             for_each_adaptable!(on_this_law, seam);
         }
     )*};

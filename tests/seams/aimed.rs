@@ -6,6 +6,7 @@
 
 use dmech::extend::VelocityIndependent;
 use dmech::prelude::*;
+use dmech_tests::erased::Erased;
 
 use crate::laws::*;
 use crate::measured::*;
@@ -100,7 +101,7 @@ macro_rules! every_law {
     ($($test:ident: $law:expr, $d:literal, $power:literal, |$q:ident| $side:expr;)*) => {$(
         #[test]
         fn $test() {
-            let seam = Seam { law: $law, power: $power, side: |$q: [f64; $d]| $side };
+            let seam = Seam { law: Erased::<$d, false, true>::new($law), power: $power, side: |$q: [f64; $d]| $side };
             seam.beside(DiscreteGradient);
             seam.beside(Kanatani);
             // Where the force rises from the seam as a root, its slope there is infinite: corrections of the trapezoid may

@@ -9,6 +9,7 @@ use dmech::extend::VelocityIndependent;
 use dmech::prelude::*;
 use dmech::scheme::KanataniMemory;
 use dmech::{Kept, Potential};
+use dmech_tests::erased::Erased;
 
 use crate::laws::*;
 use crate::measured::*;
@@ -119,7 +120,7 @@ macro_rules! every_scheme {
     ($($test:ident: $law:expr, $d:literal, $power:literal, |$q:ident| $side:expr;)*) => {$(
         #[test]
         fn $test() {
-            let seam = Seam { law: $law, power: $power, side: |$q: [f64; $d]| $side };
+            let seam = Seam { law: Erased::<$d, false, true>::new($law), power: $power, side: |$q: [f64; $d]| $side };
             for_each_scheme!(on_this_law, seam);
         }
     )*};

@@ -12,6 +12,7 @@
 //! | `messages` | a package of its own: laws that are refused, with every word |
 #![allow(missing_docs, clippy::new_without_default)]
 
+pub mod erased;
 pub mod laws;
 pub mod measured;
 pub mod memory;

@@ -1,12 +1,10 @@
 //! What schemes ask of what acts.
 
-use core::array::from_fn;
-
 use dmech_scalar::Real;
 
 use super::{Conservative, Potential, rotation};
 use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::vector::dot;
+use crate::vector::{by_component, by_entry, dot};
 
 /// What acts on a particle at one moment: a potential, and with it perhaps a force.
 ///
@@ -58,7 +56,7 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     /// v − c (∇Φ − F), with the one coefficient c = h/m folded into the force.
     fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
         let slope = self.slope(q, v);
-        from_fn(|i| v[i] - c * slope[i])
+        by_component!(|i| v[i] - c * slope[i])
     }
 
     /// v′ = v − c (∇Φ − F(q, (v + v′)/2)), where the force is linear in the velocity: with f = F(q, 0) and S = ∂F/∂v
@@ -70,7 +68,8 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         if !Self::FORCED {
             return self.kick(c, q, v);
         }
-        rotation::kick_by_mean(c, self.slope(q, [R::ZERO; D]).map(|x| -x), self.force_dv(q, v, self.time()), v)
+        let slope = self.slope(q, [R::ZERO; D]);
+        rotation::kick_by_mean(c, by_component!(|i| -slope[i]), self.force_dv(q, v, self.time()), v)
     }
 
     /// v − c ∇Φ(q) + e H ∇Φ(q), with H ∇Φ = ∇(|∇Φ|²)/2: the kick of force-gradient schemes, e in units of h³/m².
@@ -81,9 +80,9 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         let mut jacobian = self.hessian(q);
         if Self::FORCED {
             let force = self.force_dq(q, v, self.time());
-            jacobian = from_fn(|i| from_fn(|j| jacobian[i][j] - force[i][j]));
+            jacobian = by_entry!(|i, j| jacobian[i][j] - force[i][j]);
         }
-        from_fn(|i| e.mul_add(dot(jacobian[i], slope), v[i] - c * slope[i]))
+        by_component!(|i| e.mul_add(dot(jacobian[i], slope), v[i] - c * slope[i]))
     }
 
     /// Solves Δ + g ∇Φ(q + Δ) = c for the increment Δ: the trapezoidal step (Greenspan (2.1)–(2.5)).
@@ -142,8 +141,8 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     #[doc(hidden)]
     fn middle_slope(&self, [a, b]: [[R; D]; 2], mean: [R; D], t: R) -> Linearised<D, R> {
         let half = R::from_f64(0.5);
-        let (f, f_dq, f_dv) = force(self, from_fn(|i| half * (a[i] + b[i])), mean, t);
-        let halved = |x: [[R; D]; D]| x.map(|row| row.map(|x| half * x));
+        let (f, f_dq, f_dv) = force(self, by_component!(|i| half * (a[i] + b[i])), mean, t);
+        let halved = |x: [[R; D]; D]| by_entry!(|i, j| half * x[i][j]);
         less(secant(self, a, b), R::ONE, (f, halved(f_dq), halved(f_dv)))
     }
 }
@@ -170,8 +169,8 @@ fn less<const D: usize, R: Real>(
     c: R,
     (f, f_dq, f_dv): Linearised<D, R>,
 ) -> Linearised<D, R> {
-    let by_position = from_fn(|i| from_fn(|j| (-c).mul_add(f_dq[i][j], g_dq[i][j])));
-    (from_fn(|i| (-c).mul_add(f[i], g[i])), by_position, f_dv.map(|row| row.map(|x| -c * x)))
+    let by_position = by_entry!(|i, j| (-c).mul_add(f_dq[i][j], g_dq[i][j]));
+    (by_component!(|i| (-c).mul_add(f[i], g[i])), by_position, by_entry!(|i, j| -c * f_dv[i][j]))
 }
 
 impl<const D: usize, R: Real, P: Potential<D, R> + Conservative> Field<D, R> for &P {}

@@ -1,5 +1,6 @@
 //! Where the guess is not good enough: lengthen the step gradually.
 
+use crate::vector::by_component;
 use dmech_scalar::Real;
 
 use super::damped;
@@ -35,14 +36,14 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         // At the end the equation itself: a is then exact.
         let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { equation };
         let ahead = R::from_f64(next - theta);
-        part.guess = part.increment(core::array::from_fn(|i| ahead.mul_add(slope[i], gradient[i])));
+        part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
             Ok(found) => {
                 evaluations += found.evaluations;
                 if next >= 1.0 {
                     return Ok(Increment { evaluations, iterations: evaluations, ..found });
                 }
-                slope = core::array::from_fn(|i| (found.gradient[i] - gradient[i]) / ahead);
+                slope = by_component!(|i| (found.gradient[i] - gradient[i]) / ahead);
                 gradient = found.gradient;
                 theta = next;
                 advance *= 2.0;

@@ -1,5 +1,6 @@
 //! Where the force bends so sharply that no whole correction leads to the root: corrections shortened until they pay.
 
+use crate::vector::by_component;
 use dmech_scalar::Real;
 
 use super::settle::{largest, length, settle};
@@ -27,7 +28,7 @@ pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     // |drift − frozen − g G − Δ|, G where the correction was made; of a trapezoid, whose G comes with J δ added, |δ|.
     let rest = |delta: [R; D], made: &Correction<D, R>| {
         let wanted = equation.increment(made.parts[0]);
-        length(&core::array::from_fn::<_, D, _>(|i| wanted[i] - delta[i])).to_f64()
+        length(&by_component!(|i| wanted[i] - delta[i])).to_f64()
     };
     let mut delta = equation.guess;
     let mut made = correct(&equation, delta, equation.end(delta));
@@ -36,7 +37,7 @@ pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let mut part = 1.0;
     while evaluations < equation.max_iterations && part >= SHORTEST && left.is_finite() {
         let share = R::from_f64(part);
-        let shorter: [R; D] = core::array::from_fn(|i| share.mul_add(made.delta[i], delta[i]));
+        let shorter: [R; D] = by_component!(|i| share.mul_add(made.delta[i], delta[i]));
         let next = correct(&equation, shorter, equation.end(shorter));
         evaluations += 1;
         let remains = rest(shorter, &next);

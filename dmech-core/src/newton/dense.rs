@@ -1,6 +1,6 @@
 //! Newton for laws written by hand: the force and its Jacobian are values, the linear solve is done here.
 
-use core::array::from_fn;
+use crate::vector::{by_component, by_entry};
 
 use dmech_scalar::Real;
 
@@ -46,8 +46,8 @@ pub fn dense_forced<const D: usize, R: Real>(
     drive(equation, |equation, delta, b| {
         let Equation { v, drift, rate, .. } = equation;
         let (gradient, by_position, by_velocity) =
-            force(equation, delta, b, from_fn(|i| rate.mul_add(delta[i] - drift[i], v[i])));
-        let jacobian = from_fn(|i| from_fn(|j| rate.mul_add(by_velocity[i][j], by_position[i][j])));
+            force(equation, delta, b, by_component!(|i| rate.mul_add(delta[i] - drift[i], v[i])));
+        let jacobian = by_entry!(|i, j| rate.mul_add(by_velocity[i][j], by_position[i][j]));
         correction(equation, delta, gradient, &jacobian)
     })
 }
@@ -64,8 +64,7 @@ pub fn dense_middle<const D: usize, R: Real>(
     let mut rest = [R::ZERO; D];
     let found = drive_middle(equation, |equation, _, delta, b| {
         let (slope, by_position, by_velocity) = force(equation, delta, b);
-        let jacobian: [[R; D]; D] =
-            from_fn(|i| from_fn(|j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j])));
+        let jacobian: [[R; D]; D] = by_entry!(|i, j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j]));
         let change = elimination::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
         let (correction, lost) = Correction::sum(change, slope, turned(&jacobian, change));
         rest = lost;
@@ -95,17 +94,17 @@ fn correction<const D: usize, R: Real>(
     jacobian: &[[R; D]; D],
 ) -> Correction<D, R> {
     let wanted = equation.increment(gradient);
-    let residual = from_fn(|i| wanted[i] - delta[i]);
+    let residual = by_component!(|i| wanted[i] - delta[i]);
     let delta = elimination::solve(newton_matrix(equation.g, jacobian), residual);
     Correction::in_parts(delta, gradient, turned(jacobian, delta))
 }
 
 /// J δ.
 fn turned<const D: usize, R: Real>(jacobian: &[[R; D]; D], change: [R; D]) -> [R; D] {
-    from_fn(|i| (0..D).fold(R::ZERO, |sum, j| jacobian[i][j].mul_add(change[j], sum)))
+    by_component!(|i| (0..D).fold(R::ZERO, |sum, j| jacobian[i][j].mul_add(change[j], sum)))
 }
 
 /// 1 + g J.
 fn newton_matrix<const D: usize, R: Real>(g: R, jacobian: &[[R; D]; D]) -> [[R; D]; D] {
-    from_fn(|i| from_fn(|j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO })))
+    by_entry!(|i, j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO }))
 }

@@ -2,8 +2,7 @@
 
 use dmech_scalar::{Real, two_sum};
 
-use crate::vector::difference;
-use crate::vector::exact_product;
+use crate::vector::{by_component, difference, exact_product};
 
 /// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  where G(b) is ∇Φ(b) (trapezoid) or ∇̄Φ(a, b) (energy-exact steps).
 ///
@@ -66,7 +65,7 @@ impl<const D: usize, R: Real> Equation<D, R> {
     /// The known side, drift − frozen.
     #[inline]
     pub fn known(&self) -> [R; D] {
-        core::array::from_fn(|i| self.drift[i] - self.frozen[i])
+        by_component!(|i| self.drift[i] - self.frozen[i])
     }
 
     /// drift − frozen − g G: the increment that belongs to a force G.
@@ -75,7 +74,7 @@ impl<const D: usize, R: Real> Equation<D, R> {
     /// velocity that is updated with the same G agrees with it.
     #[inline]
     pub fn increment(&self, gradient: [R; D]) -> [R; D] {
-        core::array::from_fn(|i| (-self.g).mul_add(gradient[i], self.drift[i] - self.frozen[i]))
+        by_component!(|i| (-self.g).mul_add(gradient[i], self.drift[i] - self.frozen[i]))
     }
 
     /// As [`Equation::increment`], rounded once, as fused multiply-adds do it, on targets without them too; and what that
@@ -98,22 +97,22 @@ impl<const D: usize, R: Real> Equation<D, R> {
     #[inline(always)]
     pub fn residual(&self, delta: [R; D], gradient: [R; D]) -> [R; D] {
         let (wanted, left) = self.increment_and_rest(gradient);
-        core::array::from_fn(|i| (wanted[i] - delta[i]) + left[i])
+        by_component!(|i| (wanted[i] - delta[i]) + left[i])
     }
 
     /// q + Δ.
     #[inline]
     pub fn end(&self, delta: [R; D]) -> [R; D] {
-        core::array::from_fn(|i| self.q[i] + delta[i])
+        by_component!(|i| self.q[i] + delta[i])
     }
 
     /// The same equation for a step of θh.
     pub(super) fn shortened(&self, theta: R) -> Self {
         let theta2 = theta * theta;
         Equation {
-            a: core::array::from_fn(|i| self.q[i] + theta * (self.a[i] - self.q[i])),
-            drift: self.drift.map(|x| theta * x),
-            frozen: self.frozen.map(|x| theta2 * x),
+            a: by_component!(|i| self.q[i] + theta * (self.a[i] - self.q[i])),
+            drift: by_component!(|i| theta * self.drift[i]),
+            frozen: by_component!(|i| theta2 * self.frozen[i]),
             g: theta2 * self.g,
             // With no step at all the velocity is that of the start.
             rate: R::select(theta.equal(R::ZERO), || R::ZERO, || self.rate / theta),
@@ -177,7 +176,7 @@ impl<const D: usize, R: Real> Correction<D, R> {
     /// The correction δ = `change` with G and J δ, for steps that conserve the energy.
     #[inline(always)]
     pub fn in_parts(change: [R; D], slope: [R; D], turned: [R; D]) -> Self {
-        let gradient = core::array::from_fn(|i| slope[i] + turned[i]);
+        let gradient = by_component!(|i| slope[i] + turned[i]);
         Correction { delta: change, gradient, parts: [slope, turned] }
     }
 

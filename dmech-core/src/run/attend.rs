@@ -5,8 +5,9 @@ use core::ops::ControlFlow;
 use super::event::Event;
 use super::zero::zero;
 use crate::error::Error;
+use crate::invariant::Drift;
 
-/// What accompanies a run beside its record: events, observers, streams. They stand in a list in the type of the simulation, so
+/// What accompanies a run beside its record: events, observers, streams, watched quantities. They stand in a list in the type of the simulation, so
 /// that nothing is left of them in a run that has none.
 pub trait Attend<X> {
     /// How many events it looks for.
@@ -15,6 +16,9 @@ pub trait Attend<X> {
     const OBSERVES: bool = false;
     /// Whether it takes the recorded states.
     const STREAMS: bool = false;
+
+    /// How many quantities it watches.
+    const QUANTITIES: usize = 0;
 
     /// Looks at the first state.
     ///
@@ -36,6 +40,12 @@ pub trait Attend<X> {
     fn observe(&mut self, _steps: u64, _now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }
+
+    /// Looks at a state as the invariants are looked at: the first, the recorded and the last.
+    fn look(&mut self, _t: f64, _state: &X) {}
+
+    /// How the watched quantities moved.
+    fn drifts(&self, _see: &mut dyn FnMut(&'static str, Drift)) {}
 
     /// Takes a recorded state, which the run then does not keep.
     ///
@@ -60,6 +70,7 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     const EVENTS: usize = A::EVENTS + B::EVENTS;
     const OBSERVES: bool = A::OBSERVES || B::OBSERVES;
     const STREAMS: bool = A::STREAMS || B::STREAMS;
+    const QUANTITIES: usize = A::QUANTITIES + B::QUANTITIES;
 
     fn begin(&mut self, start: &X) -> Result<(), Error> {
         self.0.begin(start)?;
@@ -77,6 +88,16 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
             [ControlFlow::Continue(()), ControlFlow::Continue(())] => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         }
+    }
+
+    fn look(&mut self, t: f64, state: &X) {
+        self.0.look(t, state);
+        self.1.look(t, state);
+    }
+
+    fn drifts(&self, see: &mut dyn FnMut(&'static str, Drift)) {
+        self.0.drifts(see);
+        self.1.drifts(see);
     }
 
     fn take(&mut self, state: &X) -> Result<bool, Error> {

@@ -11,6 +11,7 @@ mod observe;
 mod output;
 mod passage;
 mod progress;
+mod quantity;
 mod report;
 #[cfg(feature = "progress")]
 mod shown;
@@ -26,6 +27,7 @@ pub use event::{Crossing, Event};
 pub use interrupted::Interrupted;
 pub use observe::Observer;
 pub use passage::Passage;
+pub use quantity::Quantity;
 pub use report::Report;
 pub use simulation::{Attended, Simulation};
 pub use stream::{Csv, Npy, Sink, Stream};
@@ -101,8 +103,8 @@ impl<X> Run<X> {
         self.report.drift(invariant)
     }
 
-    /// How an invariant moved that the law declares itself, a method `#[invariant] fn name(…)`; `None` where it has none of
-    /// this name.
+    /// How an invariant moved that the law declares itself, a method `#[invariant] fn name(…)`, or a quantity that was
+    /// [watched](crate::Simulation::watch); `None` where there is none of this name.
     pub fn drift_of(&self, name: &str) -> Option<Drift> {
         self.report.drift_of(name)
     }

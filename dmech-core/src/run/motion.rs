@@ -8,6 +8,7 @@ use super::progress::{Follow, Shown};
 use super::report::Work;
 use super::{Interrupted, Run, Watch};
 use crate::error::Error;
+use crate::invariant::MAX_OWN;
 use crate::scheme::Scheme;
 use crate::span::UNCOUNTED;
 use crate::stepper::Stepper;
@@ -102,7 +103,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| stepper.state());
             self.look_at(&stepper, &last);
         }
-        let Log { mut run, watch, between: Spent { evaluations, iterations }, .. } = self;
+        let Log { mut run, watch, attend, between: Spent { evaluations, iterations }, .. } = self;
         let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());
         let (steps, range) = (stepper.steps(), stepper.scheme.range(&stepper.memory));
         let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range };
@@ -110,7 +111,9 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             Ok(stopped) => (stopped, None),
             Err(cause) => (None, Some(cause)),
         };
-        run.finish(stopped, || stepper.state(), (watch.drifts(), watch.own_drifts()), work);
+        let mut own = watch.own_drifts();
+        attend.drifts(&mut |name, drift| own.add(name, drift));
+        run.finish(stopped, || stepper.state(), (watch.drifts(), own), work);
         match failure {
             None => Ok(run),
             Some(cause) => Err(Interrupted::new(run, cause)),
@@ -120,7 +123,9 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
     /// Looks at the first state and records it.
     fn begin<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
         let state = stepper.state();
+        const { assert!(O::QUANTITIES <= MAX_OWN, "a run watches eight quantities at most") };
         self.attend.begin(&state)?;
+        self.attend.look(Y::time(&state), &state);
         if matches!(self.due, Due::Every(_)) { self.keep(state) } else { self.record_due(state) }
     }
 
@@ -212,6 +217,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
 
     fn look_at<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
         self.watch.observe(stepper, state);
+        self.attend.look(Y::time(state), state);
         self.looked_at = stepper.steps();
     }
 

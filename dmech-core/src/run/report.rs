@@ -89,12 +89,12 @@ impl Report {
         self.drifts[invariant as usize]
     }
 
-    /// How an invariant moved that the law declares itself, by its name.
+    /// How an invariant moved that the law declares itself, or a quantity that the run watched, by its name.
     pub fn drift_of(&self, name: &str) -> Option<Drift> {
         self.own.of(name)
     }
 
-    /// The invariants that the law declares itself, each with its name.
+    /// The invariants that the law declares itself, and the quantities that the run watched, each with its name.
     pub fn own_drifts(&self) -> impl Iterator<Item = (&'static str, Drift)> + '_ {
         self.own.iter()
     }

@@ -1,5 +1,6 @@
 //! The equation of an implicit step of a particle, and its solution.
 
+use crate::vector::by_component;
 use dmech_scalar::Real;
 
 use super::Particle;
@@ -27,7 +28,7 @@ impl<const D: usize, R: Real> From<Increment<D, R>> for ParticleFound<D, R> {
 fn expected<const D: usize, R: Real>(ahead: Ahead<'_, [R; D]>) -> [R; D] {
     match ahead {
         Ahead::Continued([last, before, earlier]) => {
-            core::array::from_fn(|i| R::from_f64(3.0).mul_add(last[i] - before[i], earlier[i]))
+            by_component!(|i| R::from_f64(3.0).mul_add(last[i] - before[i], earlier[i]))
         }
         Ahead::Expected(expected) => *expected,
     }

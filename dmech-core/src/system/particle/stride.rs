@@ -2,7 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Real, two_sum};
 
-use crate::vector::exact_product;
+use crate::vector::{by_component, exact_product};
 
 /// Time step and mass, with the coefficients that follow from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +37,7 @@ impl<R: Real> Stride<R> {
     /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it.
     #[inline(always)]
     pub(super) fn drift<const D: usize>(&self, v: &CompensatedVector<D, R>) -> [R; D] {
-        core::array::from_fn(|i| self.dt.mul_add(v.hi[i], self.dt * v.lo[i]))
+        by_component!(|i| self.dt.mul_add(v.hi[i], self.dt * v.lo[i]))
     }
 
     /// As [`Stride::drift`], and what its rounding leaves out: for forces that do no work.

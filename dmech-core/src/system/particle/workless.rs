@@ -10,7 +10,7 @@ use super::{Particle, Stride};
 use crate::law::{Field, Law};
 use crate::newton::{Equation, NotConverged};
 use crate::system::Step;
-use crate::vector::exact_product;
+use crate::vector::{by_component, exact_product};
 
 /// The increment of one step, with the field of the mid-time.
 #[inline(always)]
@@ -30,7 +30,7 @@ pub(super) fn solve<L: Law<D, R>, const D: usize, R: Real>(
     };
     let (increment, rest) = field.workless_increment(&equation)?;
     let left = equation.residual(increment.delta, increment.gradient);
-    Ok(ParticleFound { increment, left: [core::array::from_fn(|i| (-g).mul_add(rest[i], left[i])), rest] })
+    Ok(ParticleFound { increment, left: [by_component!(|i| (-g).mul_add(rest[i], left[i])), rest] })
 }
 
 /// Moves q and v, with all that was left out.

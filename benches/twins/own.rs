@@ -48,7 +48,7 @@ fn scene_loop<const D: usize, A: Acts<D> + 'static, S: Scheme<SceneSystem<D, A>>
 ) -> Loop {
     Box::new(move |steps| {
         stepper.advance(steps).expect("a finite motion");
-        look(stepper.q())
+        look(&stepper.q())
     })
 }
 

@@ -12,6 +12,7 @@ type Path<const D: usize> = Arc<dyn Fn(f64) -> [[f64; D]; 2] + Send + Sync>;
 pub(super) struct Drives<const D: usize> {
     paths: Vec<(usize, Path<D>)>,
     /// Vectors that are not in use.
+    #[expect(clippy::vec_box, reason = "a box is one word, which is handed out and taken back")]
     room: Mutex<Vec<Box<Vectors<D>>>>,
 }
 

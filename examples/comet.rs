@@ -1,8 +1,18 @@
 //! A comet from its elements, through its pericentre with Jupiter about, and what elements it goes away with; in SI.
+//!
+//! ```text
+//! cargo run --release --example comet
+//! ```
+
+#[path = "shared/picture.rs"]
+mod picture;
+
+use std::f64::consts::TAU;
 
 use dmech::models::kepler::Elements;
 use dmech::models::units::{AU, DAY, DEGREE, GM_JUPITER, GM_SUN, JULIAN_YEAR};
 use dmech::{models::Kepler3, prelude::*};
+use picture::{BLUE, Drawn, INK, OCHRE, PALE};
 
 /// The Sun at rest in the origin, and Jupiter about it on a circle in the ecliptic.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +39,13 @@ impl SunAndJupiter {
         let tide = 1.0 / to_jupiter - (x * a + y * b) / self.radius.powi(3);
         -self.sun / (x * x + y * y + z * z).sqrt() - self.jupiter * tide
     }
+
+    /// Jacobi's constant: neither the energy nor the angular momentum is kept, but E − n L is.
+    #[invariant]
+    fn jacobi(&self, q: [f64; 3], v: [f64; 3], t: f64) -> f64 {
+        let energy = 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) + self.energy(q, t);
+        energy - self.rate * (q[0] * v[1] - q[1] * v[0])
+    }
 }
 
 fn show(name: &str, orbit: &Elements) {
@@ -44,7 +61,7 @@ fn show(name: &str, orbit: &Elements) {
     );
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> Drawn {
     // 1P/Halley (JPL Horizons, epoch 1994-Feb-17), the time in seconds from its pericentre on 1986-Feb-9.
     let halley = Elements {
         gm: GM_SUN,
@@ -70,8 +87,37 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let rate = ((GM_SUN + GM_JUPITER) / radius.powi(3)).sqrt();
     let both = SunAndJupiter { sun: GM_SUN, jupiter: GM_JUPITER, radius, rate, longitude: 333.0 * DEGREE };
     let run =
-        Simulation::new(both, start).scheme(scheme).dt(0.5 * DAY).record_every(100).run_until(8.0 * JULIAN_YEAR)?;
+        Simulation::new(both, start).scheme(scheme).dt(0.5 * DAY).record_dt(5.0 * DAY).run_until(8.0 * JULIAN_YEAR)?;
     show("with Jupiter", &law.elements(run.last())?);
     println!("{run}");
+
+    // The plane that the Earth moves in, seen from the north; north of it the comet is drawn dark.
+    let path = picture::save("comet.svg", [760, 560], |area| {
+        let mut chart = picture::equal_chart_about(area, "Halley's comet, 1984 to 1994 (au)", -7.5..6.5, 0.0)?;
+        let round =
+            |r: f64| (0..=200).map(|i| TAU * f64::from(i) / 200.0).map(|a| (r * a.cos(), r * a.sin())).collect();
+        picture::line(&mut chart, round(radius / AU), OCHRE, 1.0)?;
+        picture::line(&mut chart, round(1.0), PALE, 1.5)?;
+        for rows in run.states().chunk_by(|a, b| (a.q[2] > 0.0) == (b.q[2] > 0.0)) {
+            let colour = if rows[0].q[2] > 0.0 { INK } else { BLUE };
+            picture::line(&mut chart, rows.iter().map(|s| (s.q[0] / AU, s.q[1] / AU)).collect(), colour, 1.5)?;
+        }
+        let years: Vec<_> = run.states().chunk_by(|a, b| year(a) == year(b)).map(|rows| &rows[0]).skip(1).collect();
+        let marks: Vec<_> = years.iter().map(|state| (state.q[0] / AU, state.q[1] / AU)).collect();
+        picture::dots(&mut chart, &marks, INK, 2.5)?;
+        for (state, mark) in years.iter().zip(&marks) {
+            if year(state) != 0.0 && year(state) != 1.0 {
+                picture::label(&chart, *mark, (8, -6), &format!("{:+} y", year(state)), INK)?;
+            }
+        }
+        picture::label(&chart, (0.0, radius / AU), (0, -14), "Jupiter", OCHRE)?;
+        picture::label(&chart, (0.0, -1.0), (0, 8), "Earth", INK)
+    })?;
+    println!("\nPicture: {}", path.display());
     Ok(())
+}
+
+/// Whole years from the pericentre.
+fn year(state: &State<3>) -> f64 {
+    (state.t / JULIAN_YEAR).floor()
 }

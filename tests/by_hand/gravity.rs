@@ -14,7 +14,7 @@ pub(crate) struct Attraction<R>(R);
 
 impl<P> Reads<P> for Gravity {
     type Numbers = [f64; 1];
-    fn numbers(&self, mass: f64, _: &P) -> [f64; 1] {
+    fn numbers(mass: f64, _: &P) -> [f64; 1] {
         [mass]
     }
 }

@@ -143,7 +143,7 @@ struct Loose;
 
 impl<P> Reads<P> for Loose {
     type Numbers = [f64; 0];
-    fn numbers(&self, _: f64, _: &P) -> [f64; 0] {
+    fn numbers(_: f64, _: &P) -> [f64; 0] {
         []
     }
 }

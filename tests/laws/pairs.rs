@@ -113,8 +113,8 @@ const PAIR: Pair = Pair { k: 0.8, d: 1.7 };
 const SLANTED: Slanted<2> = Slanted { k: [1.3, 0.4], drag: 0.6 };
 const MOLECULAR: Molecular = Molecular { g: 1.4, h: 2.2, alpha: 0.08 };
 
-pub(super) fn numbers<P, L: Reads<P>>(law: &L, mass: f64, data: &P) -> <L::Numbers as Numbers>::Of<f64> {
-    let numbers = law.numbers(mass, data);
+pub(super) fn numbers<P, L: Reads<P>>(_: &L, mass: f64, data: &P) -> <L::Numbers as Numbers>::Of<f64> {
+    let numbers = L::numbers(mass, data);
     let numbers = numbers.as_slice();
     <L::Numbers as Numbers>::gather(|i| numbers[i])
 }

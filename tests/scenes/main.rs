@@ -5,6 +5,7 @@ mod chains;
 mod closed;
 mod driven;
 mod memory;
+mod optional;
 mod pair_models;
 mod periodic;
 mod random;

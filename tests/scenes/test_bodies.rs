@@ -35,6 +35,35 @@ fn the_limit_of_a_vanishing_mass() {
     every!(Explicit, Leapfrog, ForceGradient::order4(), Implicit, DiscreteGradient, Composed::order4(DiscreteGradient));
 }
 
+/// Many of them, before, between and after bodies that act, eight at a time and singly: the sums by hand.
+#[test]
+fn forces_are_those_of_the_bodies_that_act() {
+    let law = Gravity { g: 0.7 };
+    for (first, period) in [(0, 3), (1, 2), (9, 4), (3, 11), (0, 30), (29, 30), (8, 9)] {
+        let acts = |i: usize| (i + first).is_multiple_of(period) || i == 13;
+        let place = |i: usize| {
+            [(1.3 * i as f64).sin() * (2.0 + 0.1 * i as f64), (0.9 * i as f64).cos() * (3.0 - 0.05 * i as f64)]
+        };
+        let mass = |i: usize| 0.5 + 0.03 * i as f64;
+        let scene = (0..30).fold(Scene::new(), |scene, i| {
+            if acts(i) { scene.body(mass(i), place(i), [0.0; 2]) } else { scene.test_body(mass(i), place(i), [0.0; 2]) }
+        });
+        // From rest a kick of leap-frog is h a.
+        let h = 1e-9;
+        let run = Simulation::scene(scene.pairs(law)).scheme(Explicit).dt(h).run(1).unwrap();
+        for i in 0..30 {
+            let mut fall = [0.0; 2];
+            for j in (0..30).filter(|&j| j != i && acts(j)) {
+                let d = [0, 1].map(|k| place(j)[k] - place(i)[k]);
+                let r = d[0].hypot(d[1]);
+                fall = [0, 1].map(|k| fall[k] + 0.7 * mass(j) * d[k] / r.powi(3));
+            }
+            let error = apart(&[run.last().v[i].map(|v| v / h)], &[fall]) / fall[0].hypot(fall[1]);
+            assert!(error < 1e-13, "{period}, body {i}: {error:e}");
+        }
+    }
+}
+
 /// The Jacobian has the row of a test body, and in the rows of the others nothing of it: Newton's method takes as many
 /// corrections as with a mass that is almost nothing, whatever the order of the bodies.
 #[test]

@@ -195,7 +195,7 @@ fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]
         impl #reads #runtime::Reads<#data_type> for #self_ty #where_clause {
             type Numbers = [::core::primitive::f64; #count];
             #[inline(always)]
-            fn numbers(&self, #mass_argument: ::core::primitive::f64, #data_argument: &#data_type) -> Self::Numbers {
+            fn numbers(#mass_argument: ::core::primitive::f64, #data_argument: &#data_type) -> Self::Numbers {
                 [#(#numbers),*]
             }
         }
@@ -338,7 +338,7 @@ pub(super) fn pair_stub(model: &Model) -> TokenStream {
             #[automatically_derived]
             impl #reads #runtime::Reads<#data> for #self_ty #where_clause {
                 type Numbers = [::core::primitive::f64; 0];
-                fn numbers(&self, _: ::core::primitive::f64, _: &#data) -> Self::Numbers #unreachable
+                fn numbers(_: ::core::primitive::f64, _: &#data) -> Self::Numbers #unreachable
             }
             pub struct #pair;
             #[automatically_derived]

@@ -3,7 +3,11 @@
 use dmech_scalar::Real;
 
 use super::field::Linearised;
-use super::{Field, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent};
+use super::written::{Written, WrittenPair};
+use super::{
+    Between, Field, Law, LinearInVelocity, MassIndependent, Numbers, PairLaw, Potential, Reads, Symmetric,
+    VelocityIndependent,
+};
 use crate::newton::{self, Equation, Increment, NotConverged};
 
 /// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
@@ -32,7 +36,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
         self.as_ref().map_or([1.0; D], L::mass_ratios)
     }
 
-    fn written(&self) -> Option<&dyn super::written::Written<D>> {
+    fn written(&self) -> Option<&dyn Written<D>> {
         self.as_ref()?.written()
     }
 }
@@ -46,7 +50,7 @@ const fn nothing<const D: usize, R: Real>() -> [[R; D]; D] {
     [[R::ZERO; D]; D]
 }
 
-impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Option<F> {
+impl<F: Potential<D, R>, const D: usize, R: Real> Potential<D, R> for Option<F> {
     const CENTRAL: bool = F::CENTRAL;
     const LINEAR: bool = F::LINEAR;
     const PIECEWISE: bool = F::PIECEWISE;
@@ -134,6 +138,53 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Option<F> {
     }
     fn middle_slope(&self, ends: [[R; D]; 2], mean: [R; D], t: R) -> Linearised<D, R> {
         self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.middle_slope(ends, mean, t))
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<P, X: Reads<P>> Reads<P> for Option<X> {
+    type Numbers = X::Numbers;
+
+    fn numbers(mass: f64, data: &P) -> X::Numbers {
+        X::numbers(mass, data)
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<X: Symmetric> Symmetric for Option<X> {}
+
+/// A law between two bodies that may be there or not: a bond that breaks, a charge that is switched off.
+#[diagnostic::do_not_recommend]
+impl<const D: usize, P, R: Real, X: PairLaw<D, P, R>> PairLaw<D, P, R> for Option<X> {
+    type Between<'a>
+        = Option<X::Between<'a>>
+    where
+        Self: 'a;
+
+    const AUTONOMOUS: bool = X::AUTONOMOUS;
+
+    #[inline(always)]
+    fn between(&self, a: <X::Numbers as Numbers>::Of<R>, b: <X::Numbers as Numbers>::Of<R>, t: R) -> Self::Between<'_> {
+        self.as_ref().map(|law| law.between(a, b, t))
+    }
+
+    fn written(&self) -> Option<&dyn WrittenPair<D, P>> {
+        self.as_ref()?.written()
+    }
+}
+
+impl<B: Between<D, R>, const D: usize, R: Real> Between<D, R> for Option<B> {
+    const POTENTIAL: bool = B::POTENTIAL;
+    const FORCED: bool = B::FORCED;
+    const RECIPROCAL: bool = B::RECIPROCAL;
+
+    #[inline(always)]
+    fn force(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [R; D] {
+        self.as_ref().map_or([R::ZERO; D], |between| between.force(d, va, vb))
+    }
+    #[inline(always)]
+    fn force_jacobians(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [[[R; D]; D]; 3] {
+        self.as_ref().map_or([nothing(); 3], |between| between.force_jacobians(d, va, vb))
     }
 }
 

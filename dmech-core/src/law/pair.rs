@@ -45,8 +45,8 @@ pub trait Reads<P> {
     /// `[f64; K]`.
     type Numbers: Numbers;
 
-    /// The numbers of a body.
-    fn numbers(&self, mass: f64, data: &P) -> Self::Numbers;
+    /// The numbers of a body. They do not depend on the law, which may be changed while a scene runs.
+    fn numbers(mass: f64, data: &P) -> Self::Numbers;
 }
 
 /// A law between two bodies: for the numbers of a and b it is what acts along the separation d = q_a − q_b.

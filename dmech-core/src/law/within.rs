@@ -48,8 +48,8 @@ impl<X: VelocityIndependent> VelocityIndependent for Within<X> {}
 impl<P, X: Reads<P>> Reads<P> for Within<X> {
     type Numbers = X::Numbers;
 
-    fn numbers(&self, mass: f64, data: &P) -> X::Numbers {
-        self.law.numbers(mass, data)
+    fn numbers(mass: f64, data: &P) -> X::Numbers {
+        X::numbers(mass, data)
     }
 }
 

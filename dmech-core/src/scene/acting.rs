@@ -1,10 +1,20 @@
 //! Which bodies act on others.
 
+use core::ops::Range;
+
 /// Which bodies act on others: all, but for test bodies.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Acting {
+pub struct Acting {
     /// Of each body; empty where all do, so that a scene without test bodies has none of this.
     acts: Vec<bool>,
+    groups: Vec<Group>,
+}
+
+/// Consecutive bodies that all act on others, or all do not.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    pub(super) bodies: Range<usize>,
+    pub(super) acts: bool,
 }
 
 impl Acting {
@@ -13,7 +23,19 @@ impl Acting {
         for &test in tests {
             acts[test] = false;
         }
-        Acting { acts }
+        let mut groups: Vec<Group> = Vec::new();
+        for (i, &acts) in acts.iter().enumerate() {
+            match groups.last_mut() {
+                Some(group) if group.acts == acts => group.bodies.end = i + 1,
+                _ => groups.push(Group { bodies: i..i + 1, acts }),
+            }
+        }
+        Acting { acts, groups }
+    }
+
+    /// All bodies in groups, where some are test bodies.
+    pub(super) fn groups(&self) -> &[Group] {
+        &self.groups
     }
 
     /// There are no test bodies.

@@ -228,7 +228,7 @@ impl<const D: usize, P, L, X, B> Scene<D, P, (L, Linked<X, Pairs>), B> {
     /// # #[derive(Clone, Copy)] struct Square;
     /// # impl Symmetric for Soft {}
     /// # impl VelocityIndependent for Soft {}
-    /// # impl<P> Reads<P> for Soft { type Numbers = [f64; 0]; fn numbers(&self, _: f64, _: &P) -> [f64; 0] { [] } }
+    /// # impl<P> Reads<P> for Soft { type Numbers = [f64; 0]; fn numbers(_: f64, _: &P) -> [f64; 0] { [] } }
     /// # impl<P, R: dmech_core::Real> PairLaw<1, P, R> for Soft {
     /// #     type Between<'a> = Square;
     /// #     fn between(&self, _: [R; 0], _: [R; 0], _: R) -> Square { Square }

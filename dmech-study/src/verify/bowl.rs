@@ -48,7 +48,7 @@ impl Symmetric for Bowl {}
 impl<P> Reads<P> for Bowl {
     type Numbers = [f64; 0];
 
-    fn numbers(&self, _: f64, _: &P) -> [f64; 0] {
+    fn numbers(_: f64, _: &P) -> [f64; 0] {
         []
     }
 }

@@ -6,7 +6,7 @@ use dmech_scalar::Real;
 use super::Written;
 use super::{Probe, Tracked, Values};
 use crate::law::Potential;
-use crate::law::{Between as Acting, Numbers, PairLaw, Reads};
+use crate::law::{Between as Acting, Numbers, PairLaw};
 
 /// What the macro says of the author's own methods: `q` of the place is d, `v` is v_a and v_b, `m` is m_a and m_b.
 pub trait PairAuthor<const D: usize, P>: PairLaw<D, P> + PairLaw<D, P, Tracked> {
@@ -49,7 +49,7 @@ impl<L: PairAuthor<D, P>, const D: usize, P> WrittenPair<D, P> for L {
 
 fn acting<L: PairLaw<D, P, R>, const D: usize, P, R: Real>(law: &L, place: &Probe<D>, a: &P, b: &P) -> Values<D, R> {
     let numbers = |mass: f64, data: &P| {
-        let numbers = Reads::numbers(law, mass, data);
+        let numbers = L::numbers(mass, data);
         <L::Numbers as Numbers>::gather(|k| R::from_f64(numbers.as_slice()[k]))
     };
     let [va, vb] = place.v.map(|v| v.map(R::from_f64));

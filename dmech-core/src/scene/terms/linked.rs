@@ -65,7 +65,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Term<D, P, B> f
                 agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Link(a, b))))?;
             }
         }
-        let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| self.law.numbers(mass, data));
+        let read = bodies.masses.iter().zip(&bodies.data).map(|(&mass, data)| X::numbers(mass, data));
         let numbers = NumberColumns::new(read);
         Ok(LinkedReady { law: self.law, links: self.links, space, acting: bodies.acting(), numbers, data: PhantomData })
     }

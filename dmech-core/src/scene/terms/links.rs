@@ -6,6 +6,7 @@ use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Kicked};
 use crate::error::{Error, SceneError};
 use crate::law::Numbers;
+use crate::scene::acting::Acting;
 use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
@@ -16,6 +17,8 @@ pub trait Links {
     const AT_ONCE: bool = false;
     /// No others than consecutive bodies are linked.
     const CHAIN: bool = false;
+    /// Links of test bodies are taken in lanes too.
+    const ONE_SIDED: bool = false;
     /// Which bodies are linked depends on their distance, and so must the law.
     const OF_DISTANCE: bool = false;
 
@@ -83,6 +86,17 @@ pub trait Links {
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
     );
+
+    /// The same in lanes where some bodies are test bodies, if [`ONE_SIDED`](Links::ONE_SIDED) says so.
+    fn sweep_one_sided<const D: usize, const S: usize, N: Numbers>(
+        &self,
+        _kernel: &impl Kernels<D, S, N>,
+        _q: [&Vectors<D>; S],
+        _numbers: &NumberColumns<N>,
+        _acting: &Acting,
+        _out: &mut Vectors<D>,
+    ) {
+    }
 
     /// Kicks by the gradient as it is computed, in one pass, where [`AT_ONCE`](Links::AT_ONCE) says so.
     fn kick<const D: usize, N: Numbers>(

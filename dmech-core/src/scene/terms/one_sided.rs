@@ -55,6 +55,9 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
         if SET {
             out.clear();
         }
+        if T::ONE_SIDED {
+            return self.links.sweep_one_sided(kernel, q, &self.numbers, &self.acting, out);
+        }
         self.felt(kernel, q, |i, gradient| out.add(i, gradient));
     }
 

@@ -9,6 +9,7 @@ use super::links::{self, Links};
 use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Moments};
 use crate::law::Numbers;
+use crate::scene::acting::Acting;
 use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
@@ -42,6 +43,8 @@ fn begin(bodies: usize, chunks: usize, c: usize) -> usize {
 }
 
 impl Links for Pairs {
+    const ONE_SIDED: bool = true;
+
     #[inline]
     fn each<const D: usize, const S: usize>(
         &self,
@@ -105,6 +108,17 @@ impl Links for Pairs {
                 }
             }
         }
+    }
+
+    fn sweep_one_sided<const D: usize, const S: usize, N: Numbers>(
+        &self,
+        kernel: &impl Kernels<D, S, N>,
+        q: [&Vectors<D>; S],
+        numbers: &NumberColumns<N>,
+        acting: &Acting,
+        out: &mut Vectors<D>,
+    ) {
+        sweep::one_sided(kernel, &q.map(|q| q.columns()), numbers, acting.groups(), out.columns_mut());
     }
 
     fn topology(&self) -> Topology {

@@ -8,6 +8,7 @@ use super::numbers::NumberColumns;
 use super::packed::Packed;
 use super::stencil::Stencil;
 use crate::law::Numbers;
+use crate::scene::acting::Group;
 use crate::scene::vectors::Vectors;
 
 /// The gradient along a link at S moments: one for ∇Φ(d), two for ∇̄Φ(d, d′).
@@ -77,34 +78,77 @@ pub(super) fn triangle<const D: usize, const S: usize, N: Numbers>(
     q: &Moments<'_, D, S>,
     numbers: &NumberColumns<N>,
     rows: Range<usize>,
-    out: [&mut [f64]; D],
+    mut out: [&mut [f64]; D],
 ) {
     let (start, bodies) = (rows.start, numbers.bodies());
     for a in rows {
-        // Blocks begin at multiples of the number of lanes; what is before the first and after the last goes singly.
-        let first = (a + 1).next_multiple_of(Lanes::COUNT).min(bodies);
-        let last = first + (bodies - first) / Lanes::COUNT * Lanes::COUNT;
-        let mut on_a = [0.0; D];
-        for b in (a + 1..first).chain(last..bodies) {
-            let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), from_one(q, a, b));
-            for k in 0..D {
-                on_a[k] += gradient[k];
-                out[k][b - start] -= gradient[k];
-            }
-        }
-        let numbers_of_a = numbers.at::<Lanes>(a);
-        let mut sums = [Lanes::splat(0.0); D];
-        for b in (first..last).step_by(Lanes::COUNT) {
-            let gradient: [Lanes; D] = kernel.gradient(numbers_of_a, numbers.load(b), from_one(q, a, b));
-            for k in 0..D {
-                sums[k] += gradient[k];
-                (-gradient[k]).add_to(out[k], b - start);
-            }
-        }
+        let on_a = row(kernel, q, numbers, a, a + 1..bodies, start, &mut out);
         for k in 0..D {
-            out[k][a - start] += on_a[k] + sums[k].sum();
+            out[k][a - start] += on_a[k];
         }
     }
+}
+
+/// The same where some bodies act and the others only feel: `groups` of consecutive bodies of one kind, all together all bodies.
+pub(super) fn one_sided<const D: usize, const S: usize, N: Numbers>(
+    kernel: &impl Kernels<D, S, N>,
+    q: &Moments<'_, D, S>,
+    numbers: &NumberColumns<N>,
+    groups: &[Group],
+    mut out: [&mut [f64]; D],
+) {
+    for a in groups.iter().filter(|group| group.acts).flat_map(|group| group.bodies.clone()) {
+        for Group { bodies, acts } in groups {
+            let others = if *acts { bodies.start.max(a + 1)..bodies.end } else { bodies.clone() };
+            if others.is_empty() {
+                continue;
+            }
+            let on_a = row(kernel, q, numbers, a, others, 0, &mut out);
+            if *acts {
+                for k in 0..D {
+                    out[k][a] += on_a[k];
+                }
+            }
+        }
+    }
+}
+
+/// Body a against a range of others: what they feel goes to `out`, whose columns begin with body `start`; what a feels comes
+/// back.
+#[inline(always)]
+fn row<const D: usize, const S: usize, N: Numbers>(
+    kernel: &impl Kernels<D, S, N>,
+    q: &Moments<'_, D, S>,
+    numbers: &NumberColumns<N>,
+    a: usize,
+    others: Range<usize>,
+    start: usize,
+    out: &mut [&mut [f64]; D],
+) -> [f64; D] {
+    // Blocks begin at multiples of the number of lanes; what is before the first and after the last goes singly.
+    let first = others.start.next_multiple_of(Lanes::COUNT).min(others.end);
+    let last = first + (others.end - first) / Lanes::COUNT * Lanes::COUNT;
+    let mut on_a = [0.0; D];
+    for b in (others.start..first).chain(last..others.end) {
+        let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), from_one(q, a, b));
+        for k in 0..D {
+            on_a[k] += gradient[k];
+            out[k][b - start] -= gradient[k];
+        }
+    }
+    let numbers_of_a = numbers.at::<Lanes>(a);
+    let mut sums = [Lanes::splat(0.0); D];
+    for b in (first..last).step_by(Lanes::COUNT) {
+        let gradient: [Lanes; D] = kernel.gradient(numbers_of_a, numbers.load(b), from_one(q, a, b));
+        for k in 0..D {
+            sums[k] += gradient[k];
+            (-gradient[k]).add_to(out[k], b - start);
+        }
+    }
+    for k in 0..D {
+        on_a[k] += sums[k].sum();
+    }
+    on_a
 }
 
 /// Consecutive bodies: G_j = g_j − g_{j−1}, with g_j of the link between j and j + 1, goes where `sink` puts it.

@@ -23,7 +23,7 @@ impl VelocityIndependent for Gravity {}
 
 impl<P> Reads<P> for Gravity {
     type Numbers = [f64; 1];
-    fn numbers(&self, mass: f64, _: &P) -> [f64; 1] {
+    fn numbers(mass: f64, _: &P) -> [f64; 1] {
         [mass]
     }
 }
@@ -70,7 +70,7 @@ pub(super) struct Spring {
 
 impl<P> Reads<P> for Spring {
     type Numbers = [f64; 0];
-    fn numbers(&self, _: f64, _: &P) -> [f64; 0] {
+    fn numbers(_: f64, _: &P) -> [f64; 0] {
         []
     }
 }
@@ -147,7 +147,7 @@ impl<const RECIPROCAL: bool> Symmetric for Pull<RECIPROCAL> {}
 
 impl<P, const RECIPROCAL: bool> Reads<P> for Pull<RECIPROCAL> {
     type Numbers = [f64; 1];
-    fn numbers(&self, mass: f64, _: &P) -> [f64; 1] {
+    fn numbers(mass: f64, _: &P) -> [f64; 1] {
         [mass]
     }
 }

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 use dmech::models::kepler::Elements;
 use dmech::models::units::{AU, DAY, DEGREE, GM_JUPITER, GM_SUN, JULIAN_YEAR};
 use dmech::{models::Kepler3, prelude::*};
-use picture::{BLUE, Drawn, INK, OCHRE, PALE};
+use picture::{BLUE, Drawn, GREEN, INK, OCHRE};
 
 /// The Sun at rest in the origin, and Jupiter about it on a circle in the ecliptic.
 #[derive(Clone, Copy, Debug)]
@@ -92,32 +92,35 @@ fn main() -> Drawn {
     println!("{run}");
 
     // The plane that the Earth moves in, seen from the north; north of it the comet is drawn dark.
-    let path = picture::save("comet.svg", [760, 560], |area| {
-        let mut chart = picture::equal_chart_about(area, "Halley's comet, 1984 to 1994 (au)", -7.5..6.5, 0.0)?;
+    let path = picture::save("comet.svg", [760, 640], |area| {
+        let title = "Halley's comet, 1984 to 1994, seen from the north (au)";
+        let mut chart = picture::equal_chart_about(area, title, -15.5..8.5, 3.0)?;
         let round =
             |r: f64| (0..=200).map(|i| TAU * f64::from(i) / 200.0).map(|a| (r * a.cos(), r * a.sin())).collect();
         picture::line(&mut chart, round(radius / AU), OCHRE, 1.0)?;
-        picture::line(&mut chart, round(1.0), PALE, 1.5)?;
-        for rows in run.states().chunk_by(|a, b| (a.q[2] > 0.0) == (b.q[2] > 0.0)) {
-            let colour = if rows[0].q[2] > 0.0 { INK } else { BLUE };
-            picture::line(&mut chart, rows.iter().map(|s| (s.q[0] / AU, s.q[1] / AU)).collect(), colour, 1.5)?;
-        }
-        let years: Vec<_> = run.states().chunk_by(|a, b| year(a) == year(b)).map(|rows| &rows[0]).skip(1).collect();
-        let marks: Vec<_> = years.iter().map(|state| (state.q[0] / AU, state.q[1] / AU)).collect();
-        picture::dots(&mut chart, &marks, INK, 2.5)?;
-        for (state, mark) in years.iter().zip(&marks) {
-            if year(state) != 0.0 && year(state) != 1.0 {
-                picture::label(&chart, *mark, (8, -6), &format!("{:+} y", year(state)), INK)?;
+        picture::line(&mut chart, round(1.0), GREEN, 1.0)?;
+        let place = |state: &State<3>| (state.q[0] / AU, state.q[1] / AU);
+        picture::line(&mut chart, run.states().iter().map(place).collect(), BLUE, 1.5)?;
+        let north: Vec<_> = run.states().iter().filter(|state| state.q[2] > 0.0).map(place).collect();
+        picture::line(&mut chart, north, INK, 1.5)?;
+        // Where a year since the pericentre begins.
+        let year = |state: &State<3>| (state.t / JULIAN_YEAR).floor();
+        for rows in run.states().chunk_by(|a, b| year(a) == year(b)).skip(1) {
+            let (at, years) = (place(&rows[0]), year(&rows[0]));
+            picture::dots(&mut chart, &[at], INK, 2.5)?;
+            if years != 0.0 {
+                picture::label(
+                    &chart,
+                    at,
+                    (10, if years < 0.0 { 12 } else { -8 }),
+                    &format!("{years:+} y").replace('-', "−"),
+                    INK,
+                )?;
             }
         }
-        picture::label(&chart, (0.0, radius / AU), (0, -14), "Jupiter", OCHRE)?;
-        picture::label(&chart, (0.0, -1.0), (0, 8), "Earth", INK)
+        picture::label(&chart, (radius / AU, 0.0), (8, 0), "Jupiter", OCHRE)?;
+        picture::label(&chart, (1.0, 0.0), (8, 0), "Earth", GREEN)
     })?;
     println!("\nPicture: {}", path.display());
     Ok(())
-}
-
-/// Whole years from the pericentre.
-fn year(state: &State<3>) -> f64 {
-    (state.t / JULIAN_YEAR).floor()
 }

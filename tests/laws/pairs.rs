@@ -159,7 +159,7 @@ pub(super) fn norm<const D: usize>(d: [f64; D]) -> f64 {
 
 #[test]
 fn coulomb_in_any_number_of_dimensions() {
-    assert_eq!(Reads::<Charge>::numbers(&COULOMB, 5.0, &ION).as_slice(), [ION.q]);
+    assert_eq!(<Coulomb as Reads<Charge>>::numbers(5.0, &ION).as_slice(), [ION.q]);
     let (a, b) = (numbers(&COULOMB, 2.0, &ION), numbers(&COULOMB, 3.0, &OTHER));
     fn check<const D: usize>(a: [f64; 1], b: [f64; 1], here: [f64; D], there: [f64; D]) {
         let acts = PairLaw::<D, Charge>::between(&COULOMB, a, b, 0.0);

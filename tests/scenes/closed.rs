@@ -343,7 +343,7 @@ fn wrong_scenes_are_refused() {
     assert_eq!(words(two().body(f64::NAN, [2.0], [0.0])), "the mass of body 2 must be positive and finite, not NaN");
     assert_eq!(words(two().body(1.0, [f64::NAN], [0.0])), "body 2 must start from a finite state: q = NaN");
     assert_eq!(words(two().body(1.0, [0.0], [f64::INFINITY])), "body 2 must start from a finite state: v = inf");
-    assert_eq!(words(two().pin(2)), "body 2 cannot be pinned: the bodies are 0 to 1");
+    assert_eq!(words(two().pin(2)), "body 2 cannot be pinned or driven: the bodies are 0 to 1");
     assert_eq!(
         words(two().body(1.0, [2.0], [0.25]).pin(2)),
         "body 2 is pinned and must start at rest: a component of its velocity is 0.25"

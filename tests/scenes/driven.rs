@@ -202,7 +202,7 @@ fn it_is_carried_on() {
     assert_eq!(second.state(), now);
 
     let error = Simulation::scene(bodies().drive(7, hand).chain(SPRING)).scheme(Leapfrog).dt(0.01).run(1).unwrap_err();
-    assert_eq!(error.to_string(), "body 7 cannot be pinned: the bodies are 0 to 1");
+    assert_eq!(error.to_string(), "body 7 cannot be pinned or driven: the bodies are 0 to 1");
     // A path that leads nowhere is said to.
     let lost = bodies().drive(0, |t| ([if t > 0.5 { f64::NAN } else { 0.0 }, 0.0], [0.0; 2])).chain(SPRING);
     let error = Simulation::scene(lost).scheme(Leapfrog).dt(0.01).run(100).unwrap_err();

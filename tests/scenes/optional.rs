@@ -67,6 +67,28 @@ fn some_law_is_the_law() {
     );
 }
 
+/// Within a cut-off too, where the law stands in another one.
+#[test]
+fn a_law_that_is_cut_off_is_found() {
+    let atoms = LennardJones { epsilon: 0.2, sigma: 0.6 };
+    let boxed = |law: Option<LennardJones>| bodies().pairs(law).cutoff(1.5).periodic([9.0; 2]);
+    let mut stepper = Simulation::scene(boxed(None)).scheme(DiscreteGradient).dt(0.01).stepper().unwrap();
+    stepper.advance(40).unwrap();
+    *stepper.law_mut::<Option<LennardJones>>().unwrap() = Some(atoms);
+    let now = stepper.state();
+    stepper.advance(60).unwrap();
+    let run = Simulation::scene(boxed(Some(atoms)).starting_from(&now)).scheme(DiscreteGradient).dt(0.01).run(60);
+    assert_eq!(run.unwrap().last().q, stepper.state().q);
+    assert!(stepper.law_mut::<Spring>().is_none() && stepper.law_mut::<LennardJones>().is_none());
+
+    let plain = bodies().pairs(atoms).cutoff(1.5);
+    let mut stepper = Simulation::scene(plain).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    stepper.law_mut::<LennardJones>().unwrap().epsilon = 0.0;
+    let start = stepper.state();
+    stepper.advance(10).unwrap();
+    assert_eq!(stepper.state().v, start.v);
+}
+
 /// A bond that breaks and one that forms, on the way: from then on it is the motion of the scene without it or with it, also
 /// where the law reads what the bodies carry.
 #[test]

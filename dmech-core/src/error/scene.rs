@@ -30,7 +30,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A pin on a body that is not there.
-    #[error("body {body} cannot be pinned: the bodies are 0 to {}", bodies - 1)]
+    #[error("body {body} cannot be pinned or driven: the bodies are 0 to {}", bodies - 1)]
     Pin {
         /// The body.
         body: usize,

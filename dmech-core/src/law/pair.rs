@@ -1,5 +1,7 @@
 //! Laws between two bodies.
 
+use core::any::{Any, TypeId};
+
 use dmech_scalar::Real;
 
 use crate::law::Potential;
@@ -47,6 +49,12 @@ pub trait Reads<P> {
 
     /// The numbers of a body. They do not depend on the law, which may be changed while a scene runs.
     fn numbers(mass: f64, data: &P) -> Self::Numbers;
+
+    /// The law in this one that has a type, as in one that is cut off.
+    #[doc(hidden)]
+    fn inner(&mut self, _of: TypeId) -> Option<&mut dyn Any> {
+        None
+    }
 }
 
 /// A law between two bodies: for the numbers of a and b it is what acts along the separation d = q_a − q_b.

@@ -1,5 +1,7 @@
 //! A law that ends at a distance.
 
+use core::any::{Any, TypeId};
+
 use dmech_scalar::{Mask, Real};
 
 use super::pair::{Between, Numbers, PairLaw, Reads};
@@ -35,7 +37,7 @@ impl<X> Within<X> {
         &self.law
     }
 
-    /// The same, to be changed: `stepper.law_mut::<Within<LennardJones>>()`.
+    /// The same, to be changed; of a stepper `law_mut::<LennardJones>()` finds it.
     pub fn law_mut(&mut self) -> &mut X {
         &mut self.law
     }
@@ -45,15 +47,19 @@ impl<X: LinearInVelocity> LinearInVelocity for Within<X> {}
 
 impl<X: VelocityIndependent> VelocityIndependent for Within<X> {}
 
-impl<P, X: Reads<P>> Reads<P> for Within<X> {
+impl<P, X: Reads<P> + 'static> Reads<P> for Within<X> {
     type Numbers = X::Numbers;
 
     fn numbers(mass: f64, data: &P) -> X::Numbers {
         X::numbers(mass, data)
     }
+
+    fn inner(&mut self, of: TypeId) -> Option<&mut dyn Any> {
+        (TypeId::of::<X>() == of).then_some(&mut self.law)
+    }
 }
 
-impl<const D: usize, P, R: Real, X: PairLaw<D, P, R>> PairLaw<D, P, R> for Within<X> {
+impl<const D: usize, P, R: Real, X: PairLaw<D, P, R> + 'static> PairLaw<D, P, R> for Within<X> {
     type Between<'a>
         = Cut<X::Between<'a>, R>
     where

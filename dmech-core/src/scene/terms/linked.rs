@@ -73,7 +73,8 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Term<D, P, B> f
 
 impl<X: Reads<P> + 'static, T, P, B> Laws for LinkedReady<X, T, P, B> {
     fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
-        if_of(&mut self.law, of)
+        // Not by one `match`: what is found would be borrowed in both arms.
+        if TypeId::of::<X>() == of { if_of(&mut self.law, of) } else { self.law.inner(of) }
     }
 }
 

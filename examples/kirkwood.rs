@@ -79,12 +79,15 @@ fn main() -> Drawn {
         .record_dt(1000.0)
         .stream(file)
         .observe(5000, |state| {
+            let mut least = f64::INFINITY;
             for (i, history) in histories.iter_mut().enumerate() {
-                history.extend(elements(state, 2 + i).map(|orbit| (state.t, orbit.eccentricity)));
+                if let Some(orbit) = elements(state, 2 + i) {
+                    history.push((state.t, orbit.eccentricity));
+                    least = least.min(orbit.pericentre);
+                }
             }
             // An asteroid that falls into the Sun would need other steps.
-            let least = (0..ASTEROIDS.len()).filter_map(|i| elements(state, 2 + i)).map(|orbit| orbit.pericentre);
-            if least.fold(f64::INFINITY, f64::min) > 0.1 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            if least > 0.1 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         })
         .run_until(YEARS)?;
     println!("{run}\n");

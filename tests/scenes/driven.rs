@@ -3,6 +3,8 @@
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 
+use crate::random::Damper;
+
 const SPRING: Spring = Spring { k: 7.0, length: 0.8 };
 const AMPLITUDE: [f64; 2] = [0.3, -0.2];
 const RATES: [f64; 2] = [2.3, 3.1];
@@ -129,20 +131,6 @@ fn everything_that_runs_sees_it_where_it_is() {
         (0..3).map(|k| ((1.0_f64 / 3.0).asin() + f64::from(k) * core::f64::consts::TAU) / 2.3).collect();
     let found: Vec<f64> = run.events().iter().map(|event| event.state().t).collect();
     assert!(found.len() == 3 && apart(&found, &rises) < 1e-13, "{found:?} {rises:?}");
-}
-
-/// A force between two bodies that knows both velocities.
-#[derive(Clone, Copy, Debug)]
-struct Damper {
-    c: f64,
-}
-
-#[dmech::law]
-impl Damper {
-    #[pair_force]
-    fn force(&self, va: [f64; 2], vb: [f64; 2]) -> [f64; 2] {
-        [-self.c * (va[0] - vb[0]), -self.c * (va[1] - vb[1])]
-    }
 }
 
 /// m dv/dt = −c (v − u(t)) with u = dp/dt, solved by hand: a damper feels how fast the hand moves.

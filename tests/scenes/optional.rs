@@ -3,6 +3,8 @@
 use dmech::models::pairs::{Charge, Coulomb, Gravity, LennardJones, Spring};
 use dmech::prelude::*;
 
+use crate::random::Damper;
+
 const SPRING: Spring = Spring { k: 3.0, length: 0.9 };
 
 fn bodies() -> Scene<2> {
@@ -10,20 +12,6 @@ fn bodies() -> Scene<2> {
         let x = f64::from(i);
         scene.body(0.6 + 0.1 * x, [0.8 * x, 0.3 * (2.1 * x).sin()], [0.2 * (1.3 * x).cos(), 0.1 * x.sin()])
     })
-}
-
-/// Friction between two bodies.
-#[derive(Clone, Copy, Debug)]
-struct Damper {
-    c: f64,
-}
-
-#[dmech::law]
-impl Damper {
-    #[pair_force]
-    fn force(&self, va: [f64; 2], vb: [f64; 2]) -> [f64; 2] {
-        [-self.c * (va[0] - vb[0]), -self.c * (va[1] - vb[1])]
-    }
 }
 
 macro_rules! same {

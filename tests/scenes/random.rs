@@ -23,8 +23,8 @@ impl Field {
 
 /// Friction between two bodies.
 #[derive(Clone, Copy, Debug)]
-struct Damper {
-    c: f64,
+pub(crate) struct Damper {
+    pub(crate) c: f64,
 }
 
 #[dmech::law]

@@ -7,8 +7,8 @@ use super::zero::zero;
 use crate::error::Error;
 use crate::invariant::Drift;
 
-/// What accompanies a run beside its record: events, observers, streams, watched quantities. They stand in a list in the type of the simulation, so
-/// that nothing is left of them in a run that has none.
+/// What accompanies a run beside its record: events, observers, streams, watched quantities. They stand in a list in the type
+/// of the simulation, so that nothing is left of them in a run that has none.
 pub trait Attend<X> {
     /// How many events it looks for.
     const EVENTS: usize = 0;

@@ -72,8 +72,10 @@ pub(super) fn check_state<const D: usize>(
         if body >= n {
             return Err(SceneError::Pin { body, bodies: n }.into());
         }
-        let driven = drives.bodies().any(|i| i == body);
-        if let Some(&speed) = v[body].iter().find(|&&v| v != 0.0 && !driven) {
+        if drives.moves(body) {
+            continue;
+        }
+        if let Some(&speed) = v[body].iter().find(|&&v| v != 0.0) {
             return Err(SceneError::PinnedMoves { body, speed }.into());
         }
     }

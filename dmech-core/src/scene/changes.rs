@@ -28,7 +28,7 @@ impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSyst
         let (Some(place), Some(velocity)) = (state.q.get_mut(i), state.v.get_mut(i)) else {
             return Err(SceneError::NoBody { body: i, bodies }.into());
         };
-        if self.system.acts.drives.bodies().any(|driven| driven == i) {
+        if self.system.acts.drives.moves(i) {
             return Err(SceneError::Driven { body: i }.into());
         }
         (*place, *velocity) = (q, v);

@@ -34,6 +34,11 @@ impl<const D: usize> Drives<D> {
         self.paths.iter().map(|&(body, _)| body)
     }
 
+    /// Whether a body is one of them.
+    pub(super) fn moves(&self, body: usize) -> bool {
+        self.bodies().any(|driven| driven == body)
+    }
+
     /// Bodies, places and velocities at t. Of two paths of a body it is the later.
     pub(super) fn at(&self, t: f64) -> impl Iterator<Item = (usize, [[f64; D]; 2])> {
         self.paths.iter().map(move |(body, path)| (*body, path(t)))

@@ -8,7 +8,7 @@ use super::links::Links;
 use super::numbers::NumberColumns;
 use super::stencil::Stencil;
 use super::sweep::{self, Kernel, Kicked};
-use super::{Acts, Fault, Laws, Moving, Term, if_of};
+use super::{Acts, Fault, Laws, Moving, Term};
 use crate::error::{Culprit, Error, SceneError};
 use crate::law::written::{self, Probe, agree};
 use crate::law::{Between, LinkLaw, PairLaw, Reads};
@@ -73,8 +73,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Term<D, P, B> f
 
 impl<X: Reads<P> + 'static, T, P, B> Laws for LinkedReady<X, T, P, B> {
     fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
-        // Not by one `match`: what is found would be borrowed in both arms.
-        if TypeId::of::<X>() == of { if_of(&mut self.law, of) } else { self.law.inner(of) }
+        if TypeId::of::<X>() == of { Some(&mut self.law) } else { self.law.inner(of) }
     }
 }
 
@@ -159,7 +158,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     const PIECEWISE: bool = B::PERIODIC || <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
 
     const CHAIN: bool = T::CHAIN;
-    const AT_ONCE: bool = T::AT_ONCE && <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
+    const AT_ONCE: bool = T::CHAIN && <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         let mut sum = 0.0;

@@ -13,9 +13,7 @@ use crate::scene::vectors::Vectors;
 
 /// A set of links between bodies.
 pub trait Links {
-    /// The gradient at a body is known in one pass over them.
-    const AT_ONCE: bool = false;
-    /// No others than consecutive bodies are linked.
+    /// No others than consecutive bodies are linked: the gradient at a body is known in one pass over them.
     const CHAIN: bool = false;
     /// Links of test bodies are taken in lanes too.
     const ONE_SIDED: bool = false;
@@ -98,7 +96,7 @@ pub trait Links {
     ) {
     }
 
-    /// Kicks by the gradient as it is computed, in one pass, where [`AT_ONCE`](Links::AT_ONCE) says so.
+    /// Kicks by the gradient as it is computed, in one pass, where [`CHAIN`](Links::CHAIN) says so.
     fn kick<const D: usize, N: Numbers>(
         &self,
         _kernel: &impl Kernels<D, 1, N>,
@@ -132,7 +130,6 @@ pub(super) fn bodies<const D: usize, const S: usize>(q: [&Vectors<D>; S]) -> usi
 pub struct Chain;
 
 impl Links for Chain {
-    const AT_ONCE: bool = true;
     const CHAIN: bool = true;
 
     #[inline]

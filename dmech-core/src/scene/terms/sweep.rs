@@ -89,7 +89,7 @@ pub(super) fn triangle<const D: usize, const S: usize, N: Numbers>(
     }
 }
 
-/// The same where some bodies act and the others only feel: `groups` of consecutive bodies of one kind, all together all bodies.
+/// The same where some bodies act and the others only feel: `groups` of consecutive bodies of one kind are together all.
 pub(super) fn one_sided<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
     q: &Moments<'_, D, S>,

@@ -57,8 +57,8 @@ pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run, Simu
 pub use scene::{Scene, SceneState};
 pub use scheme::NoScheme;
 pub use scheme::{
-    Adaptable, Adaptive, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess,
-    Implicit, Kanatani, Leapfrog, Newton, Nystrom, Start, coefficients,
+    Adaptable, Adaptive, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss, Guess,
+    Implicit, Kanatani, Leapfrog, LineIntegral, Newton, Nystrom, Start, coefficients,
 };
 pub use setup::Setup;
 pub use state::State;
@@ -75,8 +75,8 @@ pub mod prelude {
     #[cfg(feature = "scene")]
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
-        Adaptable, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Guess, Implicit,
-        Kanatani, Leapfrog, Method, Newton, Nystrom, Scheme, Start, coefficients,
+        Adaptable, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss, Guess,
+        Implicit, Kanatani, Leapfrog, LineIntegral, Method, Newton, Nystrom, Scheme, Start, coefficients,
     };
     pub use crate::{
         Crossing, Csv, Drift, Error, Event, Interrupted, Invariant, Kept, Npy, Particle, Run, Simulation, State,

@@ -100,6 +100,18 @@ impl Lanes {
         self.0.to_array()
     }
 
+    /// The lanes one by one, to be written to.
+    #[inline(always)]
+    pub fn as_mut_slice(&mut self) -> &mut [f64] {
+        self.0.as_mut_array()
+    }
+
+    /// The larger in each lane, of numbers: [`Real::max`] without its care for NaN, one instruction.
+    #[inline(always)]
+    pub fn larger_number(self, other: Self) -> Self {
+        Self(self.0.fast_max(other.0))
+    }
+
     /// The last lane.
     #[inline(always)]
     pub fn last(self) -> f64 {

@@ -1,6 +1,6 @@
 //! What a scheme carries, number by number.
 
-use dmech_scalar::CompensatedVector;
+use dmech_scalar::{CompensatedVector, Lanes};
 
 use super::Numbers;
 use crate::error::Difference;
@@ -16,6 +16,18 @@ pub trait Carried: Clone {
 impl<const D: usize> Carried for [f64; D] {
     fn carried(&mut self) -> Vec<&mut [f64]> {
         vec![self]
+    }
+}
+
+impl Carried for f64 {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        vec![core::slice::from_mut(self)]
+    }
+}
+
+impl<const D: usize> Carried for [Lanes; D] {
+    fn carried(&mut self) -> Vec<&mut [f64]> {
+        self.iter_mut().map(|lanes| lanes.as_mut_slice()).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use super::progress::{Follow, Shown};
 use super::report::Work;
 use super::{Interrupted, Run, Watch};
 use crate::error::Error;
-use crate::invariant::MAX_OWN;
+use crate::invariant::{Invariant, MAX_OWN};
 use crate::scheme::Scheme;
 use crate::span::UNCOUNTED;
 use crate::stepper::Stepper;
@@ -23,6 +23,7 @@ pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
     shown: Shown,
 ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     let mut log = Log::new(&stepper, run, due, attend);
+    log.run.report.keep(Invariant::ALL.map(|invariant| S::kept(&stepper.system, invariant)));
     // A stream keeps none.
     let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps, stepper.dt) };
     if let Err(cause) = log.run.expect(states, Y::size(&stepper.start)) {
@@ -106,7 +107,8 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         let Log { mut run, watch, attend, between: Spent { evaluations, iterations }, .. } = self;
         let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());
         let (steps, range) = (stepper.steps(), stepper.scheme.range(&stepper.memory));
-        let work = Work { steps, evaluations, iterations, elapsed: clock.elapsed(), range };
+        let rough = stepper.scheme.rough(&stepper.memory);
+        let work = Work { steps, evaluations, iterations, rough, elapsed: clock.elapsed(), range };
         let (stopped, failure) = match outcome {
             Ok(stopped) => (stopped, None),
             Err(cause) => (None, Some(cause)),

@@ -13,6 +13,8 @@ pub(crate) struct Work {
     pub(crate) steps: u64,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
+    /// Steps in which a force was no polynomial.
+    pub(crate) rough: u64,
     pub(crate) elapsed: Duration,
     /// The shortest and the longest step, where they differ.
     pub(crate) range: Option<[f64; 2]>,
@@ -37,6 +39,11 @@ impl Report {
         let (tolerance, scheme, order) = (scheme.tolerance(), M::NAME, M::ORDER);
         let (drifts, own, work) = Default::default();
         Report { scheme, order, tolerance, dt, mass, kept, drifts, own, work }
+    }
+
+    /// How well the invariants of a system are kept.
+    pub(crate) fn keep(&mut self, kept: [Kept; Invariant::ALL.len()]) {
+        self.kept = kept;
     }
 
     pub(crate) fn finish(&mut self, drifts: Drifts, own: OwnDrifts, work: Work) {
@@ -114,6 +121,13 @@ impl Report {
         self.work.iterations
     }
 
+    /// Steps of [`Gauss`](crate::Gauss) and [`LineIntegral`](crate::LineIntegral) that had to be made in parts, as they were too
+    /// long for their sweeps, or in which the force of a law with choices bent or jumped as the eight stages see it. They have not the
+    /// order of the scheme.
+    pub fn rough(&self) -> u64 {
+        self.work.rough
+    }
+
     /// Time that the run took, recording and watching included.
     pub fn elapsed(&self) -> Duration {
         self.work.elapsed
@@ -155,6 +169,9 @@ impl fmt::Display for Report {
         }
         writeln!(f, "  {:<22} {evaluations:>22} {:>12.2} per step", "force evaluations", per_step(evaluations as f64))?;
         writeln!(f, "  {:<22} {iterations:>22} {:>12.2} per step", "Newton iterations", per_step(iterations as f64))?;
+        if self.work.rough > 0 {
+            writeln!(f, "  {:<22} {:>22} {:>12} of lower order", "rough steps", self.work.rough, "")?;
+        }
         let nanoseconds = per_step(elapsed.as_secs_f64() * 1e9);
         write!(f, "  {:<22} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
     }

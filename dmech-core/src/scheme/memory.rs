@@ -1,26 +1,26 @@
 //! What schemes carry from step to step.
 
 /// Declares a memory over a system `Y`: first the vectors and sums that a checkpoint saves, then lists of vectors that it saves,
-/// then what a step computes before it reads it.
+/// then what a step computes before it reads it. A memory of stages is one of `Y: Staged with Pushes`.
 ///
 /// `Clone` copies into what is there, so that a stepper of many bodies allocates nothing; the derived one would not.
 macro_rules! memory {
     (
         $(#[$about:meta])*
-        pub struct $name:ident<Y $(, const $n:ident: usize)?> {
+        pub struct $name:ident<Y $(: $system:ident with $($more:ident),+)? $(, const $n:ident: usize)?> {
             $($(#[$of:meta])* $vis:vis $field:ident: $type:ty,)*
         }
         lists { $($(#[$of_list:meta])* $list:ident: $list_type:ty,)* }
         uncarried { $($(#[$of_rest:meta])* $rest:ident: $rest_type:ty,)* }
     ) => {
         $(#[$about])*
-        pub struct $name<Y: crate::system::System $(, const $n: usize)?> {
+        pub struct $name<Y: crate::system::System $(+ $system)? $(, const $n: usize)?> {
             $($(#[$of])* $vis $field: $type,)*
             $($(#[$of_list])* pub(in crate::scheme) $list: $list_type,)*
             $($(#[$of_rest])* pub(in crate::scheme) $rest: $rest_type,)*
         }
 
-        impl<Y: crate::system::System $(, const $n: usize)?> Clone for $name<Y $(, $n)?> {
+        impl<Y: crate::system::System $(+ $system)? $(, const $n: usize)?> Clone for $name<Y $(, $n)?> {
             #[inline(always)]
             fn clone(&self) -> Self {
                 $name {
@@ -39,15 +39,16 @@ macro_rules! memory {
             }
         }
 
-        impl<Y: crate::system::System $(, const $n: usize)?> Copy for $name<Y $(, $n)?>
+        impl<Y: crate::system::System $(+ $system)? $(, const $n: usize)?> Copy for $name<Y $(, $n)?>
         where
             Y::Vector: Copy,
             Y::Sum: Copy,
             Y::Work: Copy,
+            $($(Y::$more: Copy,)+)?
         {
         }
 
-        impl<Y: crate::system::System $(, const $n: usize)?> core::fmt::Debug for $name<Y $(, $n)?> {
+        impl<Y: crate::system::System $(+ $system)? $(, const $n: usize)?> core::fmt::Debug for $name<Y $(, $n)?> {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 f.debug_struct(stringify!($name))
                     $(.field(stringify!($field), &self.$field))*
@@ -58,10 +59,11 @@ macro_rules! memory {
         }
 
         #[cfg(feature = "serde")]
-        impl<Y: crate::system::System $(, const $n: usize)?> crate::checkpoint::Carried for $name<Y $(, $n)?>
+        impl<Y: crate::system::System $(+ $system)? $(, const $n: usize)?> crate::checkpoint::Carried for $name<Y $(, $n)?>
         where
             Y::Vector: crate::checkpoint::Carried,
             Y::Sum: crate::checkpoint::Carried,
+            $($(Y::$more: crate::checkpoint::Carried,)+)?
         {
             fn carried(&mut self) -> Vec<&mut [f64]> {
                 let mut all = Vec::new();

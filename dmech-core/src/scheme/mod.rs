@@ -7,6 +7,7 @@ mod composed;
 mod discrete_gradient;
 mod explicit;
 mod force_gradient;
+mod gauss;
 mod implicit;
 mod kanatani;
 mod leapfrog;
@@ -24,6 +25,8 @@ pub use composed::{
 pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
 pub use explicit::{Explicit, ExplicitMemory};
 pub use force_gradient::ForceGradient;
+pub(crate) use gauss::tableau;
+pub use gauss::{Gauss, GaussMemory, LineIntegral};
 pub use implicit::{Implicit, ImplicitMemory};
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::Leapfrog;
@@ -32,6 +35,7 @@ pub use nystrom::Nystrom;
 pub use splitting::{First, SplittingMemory};
 
 use crate::error::Error;
+use crate::invariant::{Invariant, Kept};
 pub use crate::method::Method;
 use crate::newton::NotConverged;
 use crate::system::{Beginning, System};
@@ -164,6 +168,16 @@ pub trait Scheme<Y: System>: Method {
     #[inline(always)]
     fn ready(&self, _step: u64, _memory: &Self::Memory) -> Result<(), Error> {
         Ok(())
+    }
+
+    /// How well a system's invariant is kept: as [`Method::keeps`] has it, unless that depends on what acts.
+    fn kept(_system: &Y, invariant: Invariant) -> Kept {
+        Self::keeps(invariant)
+    }
+
+    /// Steps that were made in parts, or in which a force bent or jumped: [`Report::rough`](crate::Report::rough).
+    fn rough(&self, _memory: &Self::Memory) -> u64 {
+        0
     }
 
     /// The shortest and the longest step so far, but for one that was shortened to land; `None` where all are equal.

@@ -6,14 +6,16 @@
 mod look;
 mod newton;
 mod particle;
+pub(crate) mod stages;
 
 use core::fmt::Debug;
 
 pub use look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 pub use newton::{Guess, Newton};
+pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, not_converged};
-pub use particle::{Particle, ParticleFound, Stride};
+pub use stages::{Eight, Staged, Staging};
 
 use dmech_scalar::Real;
 
@@ -49,6 +51,8 @@ pub trait System: Sized {
     const IN_REGISTERS: bool;
     /// The number of coordinates of a body.
     const DIMENSION: usize;
+    /// The potential is a polynomial of this degree and nothing else acts.
+    const DEGREE: Option<u32> = None;
 
     // The length of steps.
 

@@ -314,6 +314,14 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
     }
 
+    fn kept(system: &Y, invariant: Invariant) -> Kept {
+        S::kept(system, invariant)
+    }
+
+    fn rough(&self, memory: &Self::Memory) -> u64 {
+        self.scheme.rough(&memory.inner)
+    }
+
     fn range(&self, memory: &Self::Memory) -> Option<[f64; 2]> {
         Some(memory.range)
     }

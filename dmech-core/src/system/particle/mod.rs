@@ -4,6 +4,7 @@ mod equation;
 mod fault;
 mod range;
 mod solve;
+mod stages;
 mod stride;
 mod workless;
 
@@ -11,6 +12,7 @@ pub use equation::ParticleFound;
 use fault::Attempt;
 #[cfg(feature = "scene")]
 pub(crate) use fault::{PARTS, not_converged};
+pub use stages::AtStages;
 pub use stride::Stride;
 
 use dmech_scalar::{CompensatedVector, Mask, Real};

@@ -1,0 +1,191 @@
+//! Eight stages of a particle, in registers.
+
+use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Mask, Real};
+
+use super::{Particle, Stride};
+use crate::law::{Field, Law, Potential};
+use crate::system::stages::{self, Eight, Staged, Staging, Tableau, weighed};
+use crate::vector::{by_component, finite, weighted};
+use core::array::from_fn;
+
+/// A law that can be asked for eight slopes at once.
+pub trait AtStages<const D: usize, R: Staging>: Law<D, R> {
+    /// ∇Φ − F at eight times, positions and velocities.
+    fn slopes(&self, mass: R, t: R::Eight, q: [R::Eight; D], v: [R::Eight; D]) -> [R::Eight; D];
+}
+
+impl<const D: usize, L: Law<D> + Law<D, Lanes>> AtStages<D, f64> for L {
+    #[inline(always)]
+    fn slopes(&self, mass: f64, t: Lanes, q: [Lanes; D], v: [Lanes; D]) -> [Lanes; D] {
+        Law::<D, Lanes>::field(self, Lanes::splat(mass), t).slope(q, v)
+    }
+}
+
+macro_rules! one_by_one {
+    ($($real:ty)*) => {$(
+        impl<const D: usize, L: Law<D, $real>> AtStages<D, $real> for L {
+            fn slopes(&self, mass: $real, t: [$real; 8], q: [[$real; 8]; D], v: [[$real; 8]; D]) -> [[$real; 8]; D] {
+                let mut slopes = [[<$real>::ZERO; 8]; D];
+                for i in 0..8 {
+                    let slope = self.field(mass, t[i]).slope(q.map(|q| q[i]), v.map(|v| v[i]));
+                    for k in 0..D {
+                        slopes[k][i] = slope[k];
+                    }
+                }
+                slopes
+            }
+        }
+    )*};
+}
+
+one_by_one! { f32 DoubleDouble Lanes }
+
+/// A change of a push counts from this part of an ulp of the position on.
+const SMALL: f64 = 1.0 / 256.0;
+
+/// What stays the same from sweep to sweep.
+#[derive(Clone, Copy, Debug)]
+pub struct Aim<const D: usize, R: Staging> {
+    /// q + cᵢ h v.
+    base: [R::Eight; D],
+    /// v.
+    v: [R; D],
+    /// t + cᵢ h.
+    t: R::Eight,
+    /// −(h²/m) bᵢ.
+    push: R::Eight,
+    /// The change of a push that counts.
+    unit: R,
+    /// That of each stage in the last sweep.
+    change: R::Eight,
+    /// Its product with the unit.
+    least: R::Eight,
+}
+
+impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R> {
+    type Pushes = [R::Eight; D];
+    type Aim = Aim<D, R>;
+
+    const PIECEWISE: bool = L::Field::<'_>::PIECEWISE;
+
+    fn pushes(&self, stride: &Stride<R>, slope: &[R; D]) -> [R::Eight; D] {
+        let weights = R::Eight::row(&crate::scheme::tableau::GAUSS.weights);
+        from_fn(|k| weights.times(R::Eight::splat(-stride.fall * slope[k])))
+    }
+
+    fn aims(&self) -> Aim<D, R> {
+        let none = R::Eight::splat(R::ZERO);
+        Aim { base: [none; D], v: [R::ZERO; D], t: none, push: none, unit: R::ZERO, change: none, least: none }
+    }
+
+    #[inline(always)]
+    fn go_on(pushes: &mut [R::Eight; D], tableau: &Tableau, ratio: R) {
+        if ratio.equal(R::ONE).all() {
+            for x in pushes {
+                *x = weighed(&tableau.continued, *x, R::Eight::splat(R::ZERO));
+            }
+        } else {
+            let columns = stages::continued(tableau, ratio);
+            for x in pushes {
+                *x = stages::mixed(&columns, *x);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn aim(
+        &self,
+        tableau: &Tableau,
+        stride: &Stride<R>,
+        t: R,
+        q: &CompensatedVector<D, R>,
+        v: &CompensatedVector<D, R>,
+        pushes: &[R::Eight; D],
+        aim: &mut Aim<D, R>,
+    ) {
+        let nodes = R::Eight::row(&tableau.nodes);
+        let mut reach = R::ZERO;
+        let mut pushed = R::Eight::splat(R::ZERO);
+        for k in 0..D {
+            let drift = stride.dt * v.hi[k];
+            aim.base[k] = nodes.fused(R::Eight::splat(drift), R::Eight::splat(q.hi[k]));
+            reach = reach.max(q.hi[k].abs()).max(drift.abs());
+            pushed = pushed.or_larger(pushes[k]);
+        }
+        aim.v = v.hi;
+        aim.t = nodes.fused(R::Eight::splat(stride.dt), R::Eight::splat(t));
+        aim.push = R::Eight::row(&tableau.weights).times(R::Eight::splat(-stride.fall));
+        // A small part of an ulp of the position; and a push has no more digits than its own.
+        let unit = (R::from_f64(SMALL) * reach).max(pushed.largest()) * R::EPSILON * R::from_f64(0.5);
+        aim.unit = unit;
+        aim.change = R::Eight::splat(R::from_f64(f64::INFINITY));
+        aim.least = R::Eight::splat(unit * unit);
+    }
+
+    #[inline(always)]
+    fn sweep(&self, tableau: &Tableau, stride: &Stride<R>, aim: &mut Aim<D, R>, pushes: &mut [R::Eight; D]) -> bool {
+        let (mut q, mut v) = (aim.base, aim.v.map(R::Eight::splat));
+        for k in 0..D {
+            q[k] = weighed(&tableau.places, pushes[k], q[k]);
+        }
+        if L::Field::<'_>::FORCED {
+            let rate = R::Eight::splat(stride.dt.recip());
+            for k in 0..D {
+                let gained = weighed(&tableau.speeds, pushes[k], R::Eight::splat(R::ZERO));
+                v[k] = gained.fused(rate, v[k]);
+            }
+        }
+        let slopes = self.law.slopes(self.mass, aim.t, q, v);
+        let mut change = R::Eight::splat(R::ZERO);
+        for k in 0..D {
+            let push = aim.push.times(slopes[k]);
+            change = change.or_larger(push.minus(pushes[k]));
+            pushes[k] = push;
+        }
+        let nearer = change.comes_nearer(aim.least, aim.change);
+        aim.change = change;
+        aim.least = change.times(R::Eight::splat(aim.unit));
+        nearer
+    }
+
+    #[inline(always)]
+    fn change(aim: &Aim<D, R>) -> f64 {
+        let change = aim.change.largest().to_f64();
+        if change == 0.0 { 0.0 } else { change / aim.unit.to_f64() }
+    }
+
+    #[inline(always)]
+    fn settle_pushes(
+        tableau: &Tableau,
+        stride: &Stride<R>,
+        pushes: &[R::Eight; D],
+        [q, v]: [&mut CompensatedVector<D, R>; 2],
+    ) {
+        let rests = R::Eight::row(&tableau.rests);
+        let moved = by_component!(|k| {
+            let pushed = rests.times(pushes[k]).sum();
+            stride.dt.mul_add(v.hi[k], stride.dt.mul_add(v.lo[k], pushed))
+        });
+        q.add(moved);
+        // A true quotient: a product with a rounded 1/h would be wrong by the same relative amount in each step.
+        v.add(by_component!(|k| pushes[k].sum() / stride.dt));
+    }
+
+    fn work_of_pushes(&self, tableau: &Tableau, dt: R, v: &[R; D], pushes: &[R::Eight; D]) -> R {
+        let work = by_component!(|k| {
+            let gained = weighed(&tableau.working, pushes[k], R::Eight::splat(R::ZERO));
+            let speed = gained.times(R::Eight::splat(dt.recip())).plus(R::Eight::splat(v[k]));
+            speed.times(pushes[k]).sum() / dt
+        });
+        self.mass * weighted(self.law.mass_ratios(), work, [R::ONE; D])
+    }
+
+    #[inline(always)]
+    fn are_finite(pushes: &[R::Eight; D]) -> bool {
+        finite(by_component!(|k| pushes[k].sum()))
+    }
+
+    fn unseen(tableau: &Tableau, pushes: &[R::Eight; D]) -> f64 {
+        pushes.iter().fold(0.0, |most: f64, push| most.max(stages::unseen::<R>(tableau, *push)))
+    }
+}

@@ -1,0 +1,110 @@
+//! Stages side by side: the instructions of schemes that know the force at eight moments of a step together.
+
+mod eight;
+
+pub(crate) use eight::weighed;
+pub use eight::{Eight, Staging};
+
+use dmech_scalar::Real;
+
+use super::System;
+pub(crate) use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
+
+/// A system whose force can be had at eight moments of a step together, in the lanes of a register.
+///
+/// The *push* of a stage is Lᵢ = −(h²/m) bᵢ S(Qᵢ, Vᵢ, t + cᵢ h) with the slope S = ∇Φ − F: a length, by which positions and,
+/// over h, velocities follow.
+///
+/// ```text
+/// Qᵢ = q + cᵢ h v + Σⱼ νᵢⱼ Lⱼ,   Vᵢ = v + Σⱼ μᵢⱼ Lⱼ/h
+/// q′ = q + h v + Σ (1 − cⱼ) Lⱼ,   v′ = v + Σ Lⱼ/h
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "the forces of `{Self}` cannot be had at eight stages side by side",
+    note = "`Gauss` and `LineIntegral` ask every law for eight positions at once: a law by hand is implemented for every scalar, `impl<R: Real> Potential<D, R> for MyLaw`"
+)]
+pub trait Staged: System {
+    /// The pushes of a step: eight numbers for each coordinate.
+    type Pushes: Clone + core::fmt::Debug;
+    /// What stays the same from sweep to sweep.
+    type Aim: Clone + core::fmt::Debug;
+
+    /// What acts may bend or jump.
+    const PIECEWISE: bool;
+
+    /// The pushes of a force that does not change.
+    fn pushes(&self, stride: &Self::Stride, slope: &Self::Vector) -> Self::Pushes;
+    /// Room for [`aim`](Staged::aim).
+    fn aims(&self) -> Self::Aim;
+    /// The polynomial through the pushes of the last step, `ratio` times as long as the next is, continued into it.
+    fn go_on(pushes: &mut Self::Pushes, tableau: &Tableau, ratio: Self::Scalar);
+    /// Prepares the sweeps of a step.
+    #[expect(clippy::too_many_arguments, reason = "all that a step begins with")]
+    fn aim(
+        &self,
+        tableau: &Tableau,
+        stride: &Self::Stride,
+        t: Self::Scalar,
+        q: &Self::Sum,
+        v: &Self::Sum,
+        pushes: &Self::Pushes,
+        aim: &mut Self::Aim,
+    );
+    /// Positions from the pushes, and pushes from the positions. Whether some push has come nearer, and by the two last changes
+    /// another sweep would bring it nearer still: by more than the position's rounding.
+    fn sweep(&self, tableau: &Tableau, stride: &Self::Stride, aim: &mut Self::Aim, pushes: &mut Self::Pushes) -> bool;
+    /// The largest change of a push in the last sweep, in units of what counts.
+    fn change(aim: &Self::Aim) -> f64;
+    /// Moves position and velocity to the end of the step.
+    fn settle_pushes(tableau: &Tableau, stride: &Self::Stride, pushes: &Self::Pushes, moves: [&mut Self::Sum; 2]);
+    /// Σ F·Ṽ bᵢ h over the stages, of a step of length dt that began with the velocity v.
+    fn work_of_pushes(
+        &self,
+        tableau: &Tableau,
+        dt: Self::Scalar,
+        v: &Self::Vector,
+        pushes: &Self::Pushes,
+    ) -> Self::Scalar;
+    /// Whether every push is finite.
+    fn are_finite(pushes: &Self::Pushes) -> bool;
+    /// The largest part that the highest polynomial has in the force on a coordinate: what eight stages cannot see is about as
+    /// large.
+    fn unseen(tableau: &Tableau, pushes: &Self::Pushes) -> f64;
+}
+
+/// A row for each column of [`Tableau::continued`], for a step `ratio` times as long as the last: with ℓⱼ(1 + ρ cᵢ) by products
+/// of the distances from the nodes, none of which is divided by.
+pub(crate) fn continued<R: Staging>(tableau: &Tableau, ratio: R) -> [R::Eight; STAGES] {
+    let eight = |x: f64| R::Eight::splat(R::from_f64(x));
+    let at = R::Eight::row(&tableau.nodes).fused(R::Eight::splat(ratio), eight(1.0));
+    let away = tableau.nodes.hi.map(|node| at.minus(eight(node)));
+    // b ρ², on the way up the product of what is before, on the way down of what is behind.
+    let mut columns = [R::Eight::row(&tableau.weights).times(R::Eight::splat(ratio * ratio)); STAGES];
+    let mut after = eight(1.0);
+    for j in 1..STAGES {
+        columns[j] = columns[j - 1].times(away[j - 1]);
+    }
+    for j in (0..STAGES).rev() {
+        columns[j] = columns[j].times(after).times(eight(tableau.barycentric.hi[j]));
+        after = after.times(away[j]);
+    }
+    columns
+}
+
+/// Σⱼ columnⱼ xⱼ.
+#[inline(always)]
+pub(crate) fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
+    let x = x.to_array();
+    let mut sum = columns[0].times(E::splat(x[0]));
+    for j in 1..STAGES {
+        sum = columns[j].fused(E::splat(x[j]), sum);
+    }
+    sum
+}
+
+/// The share of the highest polynomial in the force on a coordinate.
+pub(crate) fn unseen<R: Staging>(tableau: &Tableau, push: R::Eight) -> f64 {
+    let highest = R::Eight::row(&tableau.highest).times(push).sum().to_f64().abs();
+    let all = R::Eight::splat(R::ZERO).or_larger(push).largest().to_f64();
+    if highest == 0.0 { 0.0 } else { highest / all }
+}

@@ -11,6 +11,7 @@ mod builder;
 mod changes;
 mod compensated;
 mod drives;
+mod eights;
 mod encounter;
 mod matrix;
 mod newton;

@@ -10,6 +10,7 @@ pub(crate) mod stages;
 
 use core::fmt::Debug;
 
+pub use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
 pub use look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 pub use newton::{Guess, Newton};
 pub use particle::{AtStages, Particle, ParticleFound, Stride};

@@ -4,6 +4,7 @@ mod passes;
 #[cfg(feature = "serde")]
 mod saved;
 mod solve;
+mod stages;
 
 pub use solve::SceneSolver;
 

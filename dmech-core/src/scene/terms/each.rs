@@ -25,8 +25,8 @@ pub struct Each<X> {
 /// A law that acts on each body, with their masses.
 #[derive(Clone, Debug)]
 pub struct EachReady<X> {
-    law: X,
-    masses: Vec<f64>,
+    pub(super) law: X,
+    pub(super) masses: Vec<f64>,
     acting: Acting,
 }
 

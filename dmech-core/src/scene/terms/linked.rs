@@ -33,7 +33,7 @@ pub struct Linked<X, T> {
 /// A law that acts along links in the space `B`, with what it reads of the bodies.
 #[derive(Clone, Debug)]
 pub struct LinkedReady<X: Reads<P>, T, P, B> {
-    law: X,
+    pub(super) law: X,
     pub(super) links: T,
     pub(super) space: B,
     pub(super) acting: Acting,

@@ -11,6 +11,7 @@ mod numbers;
 mod one_sided;
 mod packed;
 mod pairs;
+mod staged;
 pub(super) mod stencil;
 mod sum;
 mod sweep;
@@ -26,6 +27,8 @@ pub use links::{Bonds, Chain};
 pub use moving::Moving;
 pub use near::Near;
 pub use pairs::Pairs;
+pub use staged::ActsAtStages;
+pub(in crate::scene) use staged::Moments;
 pub use sweep::Kicked;
 
 use core::any::{Any, TypeId};

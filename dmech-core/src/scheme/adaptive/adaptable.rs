@@ -3,7 +3,9 @@
 use crate::scheme::composed::Coefficients;
 use crate::scheme::force_gradient::coefficients::ForceGradientCoefficients;
 use crate::scheme::nystrom::coefficients::NystromCoefficients;
-use crate::scheme::{Boris, Composed, DiscreteGradient, ForceGradient, Implicit, Leapfrog, Method, Nystrom};
+use crate::scheme::{
+    Boris, Composed, DiscreteGradient, ForceGradient, Gauss, Implicit, Leapfrog, LineIntegral, Method, Nystrom,
+};
 
 /// A scheme whose steps may differ: [`Simulation::adaptive`](crate::Simulation::adaptive) takes it.
 ///
@@ -75,6 +77,21 @@ impl<C: ForceGradientCoefficients<N>, const N: usize> Adaptable for ForceGradien
         turn::<Self>(C::TURN, tolerance)
     }
 }
+
+impl Adaptable for Gauss {
+    fn angle(&self, tolerance: f64) -> f64 {
+        turn::<Self>(STAGES_TURN, tolerance)
+    }
+}
+
+impl<const S: usize> Adaptable for LineIntegral<S> {
+    fn angle(&self, tolerance: f64) -> f64 {
+        turn::<Self>(STAGES_TURN, tolerance)
+    }
+}
+
+/// ε of eight stages at a tolerance of 10⁻⁶.
+const STAGES_TURN: f64 = 0.9;
 
 /// What the steps of the trapezoidal rule are to those of the energy-exact step at the same error.
 const TRAPEZOID: f64 = 0.6;

@@ -40,8 +40,6 @@ const STALLS: u32 = 3;
 const SWEEPS: u32 = 60;
 /// How often a step is halved where its sweeps do not come nearer.
 const HALVINGS: u32 = 8;
-/// A force has this share in the highest of eight polynomials where something bends or jumps in a step.
-const SEAM: f64 = 0.01;
 
 /// A method with eight stages.
 pub(crate) trait Stages: Method {
@@ -166,7 +164,7 @@ macro_rules! stepped_by_stages {
                 let all = match sweeps(system, tableau, stride, aim, pushes) {
                     Ok(sweeps) => {
                         Y::settle_pushes(tableau, stride, pushes, [q, v]);
-                        if Y::PIECEWISE && Y::unseen(tableau, pushes) > SEAM {
+                        if Y::PIECEWISE && Y::bends(tableau, aim, pushes) {
                             *rough += 1.0;
                         }
                         sweeps

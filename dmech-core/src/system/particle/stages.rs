@@ -185,7 +185,8 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         finite(by_component!(|k| pushes[k].sum()))
     }
 
-    fn unseen(tableau: &Tableau, pushes: &[R::Eight; D]) -> f64 {
-        pushes.iter().fold(0.0, |most: f64, push| most.max(stages::unseen::<R>(tableau, *push)))
+    #[cold]
+    fn bends(tableau: &Tableau, aim: &Aim<D, R>, pushes: &[R::Eight; D]) -> bool {
+        stages::bends::<R>(tableau, aim.unit.to_f64(), pushes.iter().copied())
     }
 }

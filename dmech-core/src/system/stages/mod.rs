@@ -8,7 +8,7 @@ pub use eight::{Eight, Staging};
 use dmech_scalar::Real;
 
 use super::System;
-pub(crate) use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
+use super::{Columns, Row, STAGES, Tableau};
 
 /// A system whose force can be had at eight moments of a step together, in the lanes of a register.
 ///
@@ -67,9 +67,9 @@ pub trait Staged: System {
     ) -> Self::Scalar;
     /// Whether every push is finite.
     fn are_finite(pushes: &Self::Pushes) -> bool;
-    /// The largest part that the highest polynomial has in the force on a coordinate: what eight stages cannot see is about as
-    /// large.
-    fn unseen(tableau: &Tableau, pushes: &Self::Pushes) -> f64;
+    /// Whether the highest polynomial has a share in the force on some coordinate that tells of a bend or a jump: what eight
+    /// stages cannot see is about as large.
+    fn bends(tableau: &Tableau, aim: &Self::Aim, pushes: &Self::Pushes) -> bool;
 }
 
 /// A row for each column of [`Tableau::continued`], for a step `ratio` times as long as the last: with ℓⱼ(1 + ρ cᵢ) by products
@@ -102,9 +102,17 @@ pub(crate) fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
     sum
 }
 
-/// The share of the highest polynomial in the force on a coordinate.
-pub(crate) fn unseen<R: Staging>(tableau: &Tableau, push: R::Eight) -> f64 {
-    let highest = R::Eight::row(&tableau.highest).times(push).sum().to_f64().abs();
-    let all = R::Eight::splat(R::ZERO).or_larger(push).largest().to_f64();
-    if highest == 0.0 { 0.0 } else { highest / all }
+/// A force has this share in the highest of eight polynomials where something bends or jumps in a step.
+const SEAM: f64 = 0.01;
+/// Beyond so many units of rounding it is none.
+const NO_ROUNDING: f64 = 1e3;
+
+/// Whether a body's pushes tell of a bend, the change of a push that counts being `unit`.
+pub(crate) fn bends<R: Staging>(tableau: &Tableau, unit: f64, pushes: impl Iterator<Item = R::Eight>) -> bool {
+    let (mut all, mut highest) = (R::Eight::splat(R::ZERO), 0.0_f64);
+    for push in pushes {
+        highest = highest.max(R::Eight::row(&tableau.highest).times(push).sum().to_f64().abs());
+        all = all.or_larger(push);
+    }
+    highest > SEAM * all.largest().to_f64() && highest > NO_ROUNDING * unit
 }

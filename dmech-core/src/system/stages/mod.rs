@@ -8,7 +8,7 @@ pub use eight::{Eight, Staging};
 use dmech_scalar::Real;
 
 use super::System;
-use super::{Columns, Row, STAGES, Tableau};
+pub(crate) use super::{Columns, Row, STAGES, Tableau};
 
 /// A system whose force can be had at eight moments of a step together, in the lanes of a register.
 ///

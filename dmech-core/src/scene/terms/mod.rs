@@ -27,8 +27,7 @@ pub use links::{Bonds, Chain};
 pub use moving::Moving;
 pub use near::Near;
 pub use pairs::Pairs;
-pub use staged::ActsAtStages;
-pub(in crate::scene) use staged::Moments;
+pub(in crate::scene) use staged::{ActsAtStages, Moments};
 pub use sweep::Kicked;
 
 use core::any::{Any, TypeId};

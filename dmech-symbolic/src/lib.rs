@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`expression`] | hash-consed expressions in normal form; every rewriting rule states its domain |
 //! | [`calculus`] | derivatives, divided differences, discrete gradients |
+//! | [`degree`](mod@degree) | the degree of an expression as a polynomial |
 //! | [`structure`] | what a potential is beside being smooth: linear, diagonal, central |
 //! | [`linear`] | symbolic solution of small linear systems, zeros exploited |
 //! | [`kernel`] | the programs that a scheme needs of a law |
@@ -26,6 +27,7 @@
 #![forbid(unsafe_code)]
 
 pub mod calculus;
+pub mod degree;
 pub mod expression;
 mod hash;
 pub mod kernel;

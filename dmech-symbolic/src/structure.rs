@@ -1,6 +1,7 @@
 //! What a potential is beside being smooth; the cost of a step follows from it.
 
 use crate::calculus;
+use crate::degree::degree;
 use crate::expression::{Expr, Graph, Node, Number, Substitution, Symbol};
 
 /// What was found.
@@ -12,6 +13,8 @@ pub struct Structure {
     pub constant_hessian: bool,
     /// The Hessian is diagonal and no choice takes several coordinates: they do not interact.
     pub diagonal_hessian: bool,
+    /// Φ is a polynomial of at most this [degree](mod@crate::degree) in the coordinates.
+    pub degree: Option<u32>,
     /// Φ is a function of s = |q|² alone, for at least two coordinates.
     pub central: Option<Central>,
 }
@@ -35,8 +38,9 @@ impl Structure {
         let couples = |&e: &Expr| coordinates.iter().filter(|&&q| graph.depends_on(e, &[q])).count() > 1;
         let diagonal_hessian = !choices.iter().any(couples)
             && (0..coordinates.len()).all(|i| (0..coordinates.len()).all(|j| i == j || graph.is_zero(hessian[i][j])));
+        let degree = degree(graph, phi, &coordinates.iter().map(|&q| (q, 1)).collect::<Vec<_>>());
         let central = if coordinates.len() > 1 { central(graph, phi, coordinates) } else { None };
-        Self { piecewise, constant_hessian, diagonal_hessian, central }
+        Self { piecewise, constant_hessian, diagonal_hessian, degree, central }
     }
 
     /// Φ(s), where an implicit step is one equation in s that is not linear. Across a seam its solver, which takes s ↦ c to

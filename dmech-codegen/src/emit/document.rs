@@ -1,5 +1,6 @@
 //! The derivation as documentation of the generated functions.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use dmech_symbolic::expression::{Expr, Graph};
@@ -112,7 +113,7 @@ pub(super) fn derivation(derivation: &Derivation) -> String {
 }
 
 /// A title, formulas, findings and costs as one text.
-pub(super) fn text(title: String, formulas: Vec<Line>, found: Vec<&str>, costs: &[(&str, &Program)]) -> String {
+pub(super) fn text(title: String, formulas: Vec<Line>, found: Vec<Cow<'_, str>>, costs: &[(&str, &Program)]) -> String {
     let formulas = formulas.into_iter().map(|(left, right)| format!("  {left} = {right}"));
     let found = found.into_iter().map(|line| format!("  {line}"));
     let costs = costs.iter().map(|(what, program)| format!("  {what:<18} {}", program.cost()));
@@ -121,31 +122,23 @@ pub(super) fn text(title: String, formulas: Vec<Line>, found: Vec<&str>, costs: 
 }
 
 /// What the engine found out about a law, in words.
-fn structure(derivation: &Derivation) -> Vec<&'static str> {
+fn structure(derivation: &Derivation) -> Vec<Cow<'static, str>> {
     let Derivation { lowered, kernels, forced, .. } = derivation;
-    let mut found = vec![];
-    match forced {
-        Some(forced) => {
-            if forced.workless {
-                found.push("F·v = 0: the force does no work, the energy is kept");
-            } else if forced.depends_on_velocity {
-                found.push("the force depends on the velocity");
-            } else {
-                found.push("the force does not depend on the velocity");
-            }
-        }
-        None if kernels.structure.constant_hessian => found.push("linear: implicit steps need no iteration"),
-        None if kernels.structure.one_unknown().is_some() => {
-            found.push("central: implicit steps have one scalar unknown");
-        }
-        None if kernels.structure.central.is_some() => found.push("central, with a choice: Newton in all coordinates"),
+    let mut found: Vec<Cow<'_, str>> = vec![Cow::Borrowed(match forced {
+        Some(forced) if forced.workless => "F·v = 0: the force does no work, the energy is kept",
+        Some(forced) if forced.depends_on_velocity => "the force depends on the velocity",
+        Some(_) => "the force does not depend on the velocity",
+        None if kernels.structure.constant_hessian => "linear: implicit steps need no iteration",
+        None if kernels.structure.one_unknown().is_some() => "central: implicit steps have one scalar unknown",
+        None if kernels.structure.central.is_some() => "central, with a choice: Newton in all coordinates",
         None if kernels.structure.diagonal_hessian && kernels.formulas.gradient.len() > 1 => {
-            found.push("the coordinates do not interact: implicit steps are solved one by one");
+            "the coordinates do not interact: implicit steps are solved one by one"
         }
-        None => found.push("no special structure: Newton in all coordinates"),
-    }
+        None => "no special structure: Newton in all coordinates",
+    })];
+    found.extend(of_degree(kernels.structure.degree.filter(|_| forced.is_none())));
     if forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise) {
-        found.push("piecewise: across a seam the discrete gradient is the quotient of what it must make up");
+        found.push("piecewise: across a seam the discrete gradient is the quotient of what it must make up".into());
     }
     let acting = || lowered.force.iter().flatten().chain([&lowered.potential]);
     let acts = |p: &&Parameter| acting().any(|&e| lowered.graph.depends_on(e, &[p.symbol]));
@@ -153,10 +146,15 @@ fn structure(derivation: &Derivation) -> Vec<&'static str> {
     found
 }
 
+/// The degree of a potential that is a polynomial.
+pub(super) fn of_degree(degree: Option<u32>) -> Option<Cow<'static, str>> {
+    Some(format!("a polynomial of degree {}", degree?).into())
+}
+
 /// What follows from naming the time.
-pub(super) fn of_time<'a>(mut parameters: impl Iterator<Item = &'a Parameter>) -> Option<&'static str> {
+pub(super) fn of_time<'a>(mut parameters: impl Iterator<Item = &'a Parameter>) -> Option<Cow<'static, str>> {
     let names_time = parameters.any(|p| matches!(p.source, Source::Time));
-    names_time.then_some("names the time: the energy is not kept")
+    names_time.then_some("names the time: the energy is not kept".into())
 }
 
 /// Formulas of a law, each with what it is called.

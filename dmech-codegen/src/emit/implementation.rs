@@ -58,10 +58,12 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             const PIECEWISE: bool = true;
         )
     });
+    let degree = degree(kernels.structure.degree.filter(|_| forced.is_none()));
     let constants = quote! {
         const CENTRAL: bool = #central;
         const LINEAR: bool = #linear;
         #piecewise
+        #degree
     };
     let where_clause = &model.generics.where_clause;
     let text = super::document::derivation(derivation);
@@ -233,6 +235,14 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             }
         };
     }
+}
+
+/// The degree of a potential that is a polynomial; nothing is said of others.
+pub(super) fn degree(degree: Option<u32>) -> Option<TokenStream> {
+    let degree = Literal::u32_unsuffixed(degree?);
+    Some(quote! {
+        const DEGREE: ::core::option::Option<::core::primitive::u32> = ::core::option::Option::Some(#degree);
+    })
 }
 
 /// Potential and force without content, for a law of one body that has errors.

@@ -8,7 +8,7 @@ use quote::quote;
 use syn::parse_quote;
 
 use super::body::{Printed, body};
-use super::implementation::{dimension, generic_name, hidden_lifetime, module, parameters_of, scalar_name};
+use super::implementation::{degree, dimension, generic_name, hidden_lifetime, module, parameters_of, scalar_name};
 use super::kernels::Printer;
 use super::names::{Names, ident, receiver, runtime, underscored};
 use super::pair_document::{self, force_texts, potential_texts};
@@ -213,10 +213,12 @@ fn potential(printer: &Printer<'_>, derivation: &PairDerivation) -> (TokenStream
     let piecewise = piecewise.then(|| {
         quote! { const PIECEWISE: bool = true; }
     });
+    let degree = degree(potential.filter(|_| alone).and_then(|potential| potential.degree));
     let constants = quote! {
         const CENTRAL: bool = #central;
         const LINEAR: bool = #linear;
         #piecewise
+        #degree
     };
     let Some(potential) = potential else { return (constants, printer.no_potential()) };
     let documents = potential_texts(derivation, potential);

@@ -3,7 +3,7 @@
 use dmech_symbolic::expression::Expr;
 use dmech_symbolic::kernel::{PairForce, PairFormulas, PairPotential, Radial};
 
-use super::document::{Formulas, Line, block, costly, count, of_time, shown, text};
+use super::document::{Formulas, Line, block, costly, count, of_degree, of_time, shown, text};
 use crate::PairDerivation;
 
 /// The paragraphs above the functions of `Potential`.
@@ -65,18 +65,19 @@ pub(super) fn derivation(derivation: &PairDerivation) -> String {
         found.push(match &potential.formulas {
             PairFormulas::Radial(of_distance) => {
                 formulas.lines.extend(radial(derivation, of_distance));
-                "a potential of the distance: the force is along d"
+                "a potential of the distance: the force is along d".into()
             }
             PairFormulas::Separation(of_separation) => {
                 formulas.potential(of_separation);
-                "a potential of the separation"
+                "a potential of the separation".into()
             }
         });
         found.push(if kernels.symmetric {
-            "symmetric: neither body is the first"
+            "symmetric: neither body is the first".into()
         } else {
-            "not symmetric: for chains and bonds, where one body is the first"
+            "not symmetric: for chains and bonds, where one body is the first".into()
         });
+        found.extend(of_degree(potential.degree.filter(|_| kernels.force.is_none())));
         costs.extend([("gradient", &potential.gradient), ("hessian", &potential.hessian)]);
         costs.push(("discrete gradient", &potential.discrete_gradient));
     }
@@ -86,14 +87,14 @@ pub(super) fn derivation(derivation: &PairDerivation) -> String {
             formulas.jacobian(by, rows);
         }
         found.push(if force.depends_on_velocity {
-            "the force depends on the velocity"
+            "the force depends on the velocity".into()
         } else {
-            "the force does not depend on the velocity"
+            "the force does not depend on the velocity".into()
         });
         found.push(if force.reciprocal {
-            "reciprocal: the force on b is opposite"
+            "reciprocal: the force on b is opposite".into()
         } else {
-            "not reciprocal: the linear momentum is not kept"
+            "not reciprocal: the linear momentum is not kept".into()
         });
         costs.extend([("force", &force.force), ("its Jacobians", &force.jacobians)]);
     }

@@ -101,6 +101,7 @@ impl<F, const D: usize, R: Real> Divided<F, D, R> {
 impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, R> {
     const LINEAR: bool = F::LINEAR;
     const PIECEWISE: bool = F::PIECEWISE;
+    const DEGREE: Option<u32> = F::DEGREE;
 
     #[inline(always)]
     fn potential(&self, q: [R; D]) -> R {

@@ -54,6 +54,7 @@ impl<F: Potential<D, R>, const D: usize, R: Real> Potential<D, R> for Option<F> 
     const CENTRAL: bool = F::CENTRAL;
     const LINEAR: bool = F::LINEAR;
     const PIECEWISE: bool = F::PIECEWISE;
+    const DEGREE: Option<u32> = F::DEGREE;
 
     #[inline(always)]
     fn potential(&self, q: [R; D]) -> R {

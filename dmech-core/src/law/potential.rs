@@ -17,6 +17,9 @@ pub trait Potential<const D: usize, R: Real = f64> {
     /// The gradient, or its derivative, jumps somewhere: a contact, a cut-off, |x|. Implicit steps then trust no extrapolation of
     /// the force, which costs an evaluation in each.
     const PIECEWISE: bool = false;
+    /// Φ is a polynomial of at most this degree in q, at any time: None if it is not one, if a force acts beside it, or if nobody
+    /// has said so. The macro reads it from the formula, whatever the values of its parameters are.
+    const DEGREE: Option<u32> = None;
 
     /// Φ(q).
     fn potential(&self, q: [R; D]) -> R;
@@ -35,6 +38,7 @@ impl<const D: usize, R: Real, P: Potential<D, R>> Potential<D, R> for &P {
     const CENTRAL: bool = P::CENTRAL;
     const LINEAR: bool = P::LINEAR;
     const PIECEWISE: bool = P::PIECEWISE;
+    const DEGREE: Option<u32> = P::DEGREE;
 
     #[inline(always)]
     fn potential(&self, q: [R; D]) -> R {

@@ -52,8 +52,9 @@ pub trait System: Sized {
     const IN_REGISTERS: bool;
     /// The number of coordinates of a body.
     const DIMENSION: usize;
-    /// The potential is a polynomial of this degree and nothing else acts.
-    const DEGREE: Option<u32> = None;
+    /// All that acts is a potential that is a polynomial of at most this degree in the coordinates:
+    /// [`Potential::DEGREE`](crate::Potential::DEGREE). None where a force acts beside it.
+    const DEGREE: Option<u32>;
 
     // The length of steps.
 

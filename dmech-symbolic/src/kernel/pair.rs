@@ -4,6 +4,7 @@
 //! its discrete gradient C·(d₀ + d₁) with C = Φ[s₀, s₁], and only the coefficients need programs.
 
 use crate::calculus;
+use crate::degree::degree;
 use crate::expression::{Expr, Graph, Substitution, Symbol, Unary};
 use crate::program::Program;
 use crate::structure::{Central, Structure};
@@ -68,6 +69,8 @@ pub struct PairPotential {
     pub linear: bool,
     /// The potential is a choice between branches: its gradient may jump.
     pub piecewise: bool,
+    /// Φ is a polynomial of at most this [degree](mod@crate::degree) in d: |d|² has degree 2, and |d| is none.
+    pub degree: Option<u32>,
 }
 
 /// What a potential of two bodies depends on.
@@ -159,14 +162,16 @@ impl PairKernels {
 
 impl PairPotential {
     fn new(graph: &mut Graph, phi: Expr, variables: &Variables, pair: &PairVariables) -> Self {
+        let coordinates = variables.q.iter().map(|&d| (d, 1));
+        let degree = degree(graph, phi, &coordinates.chain([(pair.s, 2)]).collect::<Vec<_>>());
         if !graph.depends_on(phi, &variables.q) {
-            return Self::of_distance(graph, Central { potential: phi, s: pair.s }, pair);
+            return Self::of_distance(graph, Central { potential: phi, s: pair.s }, degree, pair);
         }
         let gradient = calculus::gradient(graph, phi, &variables.q);
         let hessian = calculus::hessian(graph, phi, &variables.q);
         let structure = Structure::of(graph, phi, &hessian, &variables.q);
         if let Some(central) = structure.central {
-            return Self::of_distance(graph, central, pair);
+            return Self::of_distance(graph, central, degree, pair);
         }
         let formulas = Formulas::new(graph, phi, gradient, hessian, variables);
         let exchange = exchange(graph, variables);
@@ -178,12 +183,13 @@ impl PairPotential {
             discrete_gradient_jacobian: Program::schedule(graph, &formulas.discrete_gradient_jacobian.concat()),
             linear: structure.constant_hessian,
             piecewise: structure.piecewise,
+            degree,
             formulas: PairFormulas::Separation(formulas),
         }
     }
 
     /// From Φ(s), whatever s is called there.
-    fn of_distance(graph: &mut Graph, central: Central, pair: &PairVariables) -> Self {
+    fn of_distance(graph: &mut Graph, central: Central, degree: Option<u32>, pair: &PairVariables) -> Self {
         let s = graph.symbol(pair.s);
         let potential = Substitution::new(graph, [(central.s, s)]).apply(graph, central.potential);
         let central = Central { potential, s: pair.s };
@@ -203,6 +209,7 @@ impl PairPotential {
             discrete_gradient_jacobian: Program::schedule(graph, &[discrete_coefficient, discrete_slope]),
             linear: !piecewise && !graph.depends_on(coefficient, &[pair.s]),
             piecewise,
+            degree,
         }
     }
 

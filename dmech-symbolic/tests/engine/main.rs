@@ -2,6 +2,7 @@
 
 mod choices;
 mod common;
+mod degree;
 mod derivatives;
 mod discrete_gradient;
 mod divided_difference;

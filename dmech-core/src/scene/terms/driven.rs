@@ -62,6 +62,7 @@ impl<const D: usize, A: Acts<D>> Acts<D> for Driven<D, A> {
     const ANGULAR_MOMENTUM: bool = A::ANGULAR_MOMENTUM;
     const LINEAR: bool = A::LINEAR;
     const PIECEWISE: bool = A::PIECEWISE;
+    const DEGREE: Option<u32> = A::DEGREE;
     const NOTHING: bool = A::NOTHING;
     const AT_ONCE: bool = A::AT_ONCE;
     const CHAIN: bool = A::CHAIN;

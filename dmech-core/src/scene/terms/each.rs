@@ -77,6 +77,7 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     const ANGULAR_MOMENTUM: bool = X::Field::<'_>::CENTRAL;
     const LINEAR: bool = X::Field::<'_>::LINEAR;
     const PIECEWISE: bool = X::Field::<'_>::PIECEWISE;
+    const DEGREE: Option<u32> = X::Field::<'_>::DEGREE;
     const CHAIN: bool = true;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {

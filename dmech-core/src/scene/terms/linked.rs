@@ -156,6 +156,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
         !B::PERIODIC && <X as PairLaw<D, P>>::Between::<'_>::CENTRAL && !<X as PairLaw<D, P>>::Between::<'_>::FORCED;
     const LINEAR: bool = !B::PERIODIC && <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
     const PIECEWISE: bool = B::PERIODIC || <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
+    const DEGREE: Option<u32> = if B::PERIODIC { None } else { <X as PairLaw<D, P>>::Between::<'_>::DEGREE };
 
     const CHAIN: bool = T::CHAIN;
     const AT_ONCE: bool = T::CHAIN && <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;

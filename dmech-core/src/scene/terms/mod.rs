@@ -72,6 +72,9 @@ pub trait Acts<const D: usize> {
     const LINEAR: bool;
     /// What acts may bend or jump: [`Potential::PIECEWISE`](crate::Potential::PIECEWISE).
     const PIECEWISE: bool;
+    /// The potential is a polynomial of at most this degree in the coordinates:
+    /// [`Potential::DEGREE`](crate::Potential::DEGREE).
+    const DEGREE: Option<u32>;
 
     /// Nothing acts.
     const NOTHING: bool = false;

@@ -46,6 +46,7 @@ impl<const D: usize> Acts<D> for () {
     const ANGULAR_MOMENTUM: bool = true;
     const LINEAR: bool = true;
     const PIECEWISE: bool = false;
+    const DEGREE: Option<u32> = Some(0);
 
     fn potential(&self, _: &Vectors<D>, _: f64) -> f64 {
         0.0
@@ -96,6 +97,10 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     const ANGULAR_MOMENTUM: bool = A::ANGULAR_MOMENTUM && B::ANGULAR_MOMENTUM;
     const LINEAR: bool = A::LINEAR && B::LINEAR;
     const PIECEWISE: bool = A::PIECEWISE || B::PIECEWISE;
+    const DEGREE: Option<u32> = match (A::DEGREE, B::DEGREE) {
+        (Some(a), Some(b)) => Some(if a > b { a } else { b }),
+        _ => None,
+    };
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         self.0.potential(q, t) + self.1.potential(q, t)

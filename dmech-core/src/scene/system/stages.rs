@@ -10,8 +10,8 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::tableau::{GAUSS, STAGES, Tableau};
 use crate::system::stages::{self, Eight, Staged, weighed};
 
-/// A change of a push counts from this part of an ulp of the position on.
-const SMALL: f64 = 1.0 / 256.0;
+/// A change of a push counts from this part of an ulp of h v on.
+const SMALL: f64 = 1.0 / 64.0;
 /// A body that is at the origin has this part of the size of the scene.
 const LEAST: f64 = 1e-18;
 
@@ -32,6 +32,10 @@ pub struct SceneAim<const D: usize> {
     apart: Vec<Vectors<D>>,
     /// 1 over the change of a push that counts, of each body.
     per_unit: Vec<f64>,
+    /// The larger of |q| and |h v|, of each body.
+    reach: Vec<f64>,
+    /// What the rounding of a position may make of a push, in these units.
+    rounding: f64,
     /// The largest change in the last sweep, in these units.
     change: Lanes,
 }
@@ -57,8 +61,9 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let [base, q, slopes] = [(); 3].map(|()| Eights::zeros(bodies));
         let [speed, v] = [(); 2].map(|()| Eights::zeros(speeds));
         let apart = vec![Vectors::zeros(bodies); if A::OF_DISTANCE { STAGES } else { 1 }];
-        let (t, per_unit, change) = (Lanes::ZERO, vec![0.0; bodies], Lanes::ZERO);
-        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change }
+        let (t, change, rounding) = (Lanes::ZERO, Lanes::ZERO, 0.0);
+        let [per_unit, reach] = [(); 2].map(|()| vec![0.0; bodies]);
+        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, rounding, change }
     }
 
     fn go_on(pushes: &mut Eights<D>, tableau: &Tableau, ratio: f64) {
@@ -84,29 +89,32 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let (q, v) = (q.hi.flat(), v.hi.flat());
         aim.t = nodes.mul_add(Lanes::splat(stride.dt), Lanes::splat(t));
         aim.per_unit.fill(0.0);
+        aim.reach.fill(0.0);
         let mut largest = 0.0_f64;
         for (i, base) in aim.base.flat_mut().iter_mut().enumerate() {
             let drift = stride.dt * v[i];
             *base = nodes.mul_add(Lanes::splat(drift), Lanes::splat(q[i]));
-            let reach = SMALL * q[i].abs().max(drift.abs());
-            let reach = reach.max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
-            let unit = &mut aim.per_unit[i % bodies];
-            *unit = unit.max(reach);
-            largest = largest.max(reach);
+            let least = (SMALL * drift.abs()).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
+            let (unit, reach) = (&mut aim.per_unit[i % bodies], &mut aim.reach[i % bodies]);
+            (*unit, *reach) = (unit.max(least), reach.max(q[i].abs()).max(drift.abs()));
+            largest = largest.max(least);
         }
         if A::FORCED {
             aim.speed.flat_mut().iter_mut().zip(v).for_each(|(speed, &v)| *speed = Lanes::splat(v));
         }
         self.place_driven(aim);
         let least = if largest == 0.0 { 1.0 } else { LEAST * largest };
-        for unit in &mut aim.per_unit {
-            *unit = (0.5 * f64::EPSILON * unit.max(least)).recip();
+        aim.rounding = 0.0;
+        for (unit, reach) in aim.per_unit.iter_mut().zip(&aim.reach) {
+            let counts = unit.max(least);
+            aim.rounding = aim.rounding.max(4.0 * reach / counts);
+            *unit = (f64::EPSILON * counts).recip();
         }
         aim.change = Lanes::splat(f64::INFINITY);
     }
 
     fn sweep(&self, tableau: &Tableau, stride: &SceneStride<D>, aim: &mut SceneAim<D>, pushes: &mut Eights<D>) -> bool {
-        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change } = aim;
+        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change, .. } = aim;
         for (q, (push, base)) in q.flat_mut().iter_mut().zip(pushes.flat().iter().zip(base.flat())) {
             *q = weighed(&tableau.places, *push, *base);
         }
@@ -134,6 +142,10 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let before = core::mem::replace(change, most);
         let least = if before[0] == f64::INFINITY { Lanes::ONE } else { before };
         most.comes_nearer(least, before)
+    }
+
+    fn is_near(aim: &SceneAim<D>, units: f64) -> bool {
+        aim.change.at_most(Lanes::splat(units.max(aim.rounding)))
     }
 
     fn change(aim: &SceneAim<D>) -> f64 {

@@ -56,9 +56,47 @@ struct Astray {
     change: f64,
 }
 
-/// From the guess in `pushes` to the pushes of a step.
+/// A step from the pushes of the last, `ratio` times as long, or from a guess if that is 0; where its sweeps end, position and
+/// velocity are moved.
 #[inline(always)]
-fn sweeps<Y: Staged>(
+fn whole<Y: Staged>(
+    (system, tableau): (&Y, &Tableau),
+    stride: &Y::Stride,
+    (t, ratio): (Y::Scalar, f64),
+    [q, v]: [&mut Y::Sum; 2],
+    aim: &mut Y::Aim,
+    pushes: &mut Y::Pushes,
+) -> Swept {
+    if ratio != 0.0 {
+        Y::go_on(pushes, tableau, Y::Scalar::from_f64(ratio));
+    }
+    system.aim(tableau, stride, t, q, v, pushes, aim);
+    let sweeps = until_rounding(system, tableau, stride, aim, pushes)?;
+    Y::settle_pushes(tableau, stride, pushes, [q, v]);
+    Ok(sweeps)
+}
+
+/// The same with copies of which nobody else knows, so that they stay in registers.
+#[inline(always)]
+fn whole_in_registers<Y: Staged>(
+    with: (&Y, &Tableau),
+    stride: &Y::Stride,
+    at: (Y::Scalar, f64),
+    [q, v]: [&mut Y::Sum; 2],
+    aim: &mut Y::Aim,
+    pushes: &mut Y::Pushes,
+) -> Swept {
+    let (mut place, mut speed, mut near, mut here) = (q.clone(), v.clone(), pushes.clone(), with.0.aims());
+    let swept = whole(with, stride, at, [&mut place, &mut speed], &mut here, &mut near);
+    (*q, *v, *pushes) = (place, speed, near);
+    if Y::PIECEWISE {
+        *aim = here;
+    }
+    swept
+}
+
+#[inline(always)]
+fn until_rounding<Y: Staged>(
     system: &Y,
     tableau: &Tableau,
     stride: &Y::Stride,
@@ -73,13 +111,12 @@ fn sweeps<Y: Staged>(
         if !Y::are_finite(pushes) {
             return Err(Astray { sweeps: sweep, change: f64::NAN });
         }
-        let change = Y::change(aim);
-        if change < ROUNDING {
+        if Y::is_near(aim, ROUNDING) {
             return Ok(sweep);
         }
         stalls += 1;
         if stalls == STALLS {
-            return Err(Astray { sweeps: sweep, change });
+            return Err(Astray { sweeps: sweep, change: Y::change(aim) });
         }
     }
     Err(Astray { sweeps: SWEEPS, change: Y::change(aim) })
@@ -103,8 +140,8 @@ fn in_parts<Y: Staged>(
     for t in [t, t + Y::dt(&half)] {
         system.slope(t, Y::value(q), Y::value(v), &mut slope);
         *pushes = system.pushes(&half, &slope);
-        system.aim(tableau, &half, t, q, v, pushes, &mut aim);
-        match sweeps(system, tableau, &half, &mut aim, pushes) {
+        let before = Y::value(v).clone();
+        match whole((system, tableau), &half, (t, 0.0), [&mut *q, &mut *v], &mut aim, pushes) {
             // Where a force jumps between two sides there may be no solution: the last guess is as good as any.
             Err(last) if halvings == HALVINGS && !(Y::PIECEWISE && Y::are_finite(pushes)) => return Err(last),
             Err(Astray { sweeps, .. }) if halvings < HALVINGS => {
@@ -112,9 +149,12 @@ fn in_parts<Y: Staged>(
                 work += done;
                 all += sweeps + more;
             }
-            Ok(sweeps) | Err(Astray { sweeps, .. }) => {
-                work += system.work_of_pushes(tableau, Y::dt(&half), Y::value(v), pushes);
-                Y::settle_pushes(tableau, &half, pushes, [q, v]);
+            made => {
+                let (Ok(sweeps) | Err(Astray { sweeps, .. })) = made;
+                if made.is_err() {
+                    Y::settle_pushes(tableau, &half, pushes, [q, v]);
+                }
+                work += system.work_of_pushes(tableau, Y::dt(&half), &before, pushes);
                 all += sweeps;
             }
         }
@@ -156,14 +196,15 @@ macro_rules! stepped_by_stages {
             ) -> Result<Effort, NotConverged> {
                 let tableau = Self::TABLEAU;
                 let GaussMemory { q, v, pushes, ratio, rough, dt, in_parts: parts } = memory;
-                if *ratio != 0.0 {
-                    Y::go_on(pushes, tableau, Y::Scalar::from_f64(*ratio));
-                }
+                let (with, at) = ((system, tableau), (t, *ratio));
                 (*ratio, *dt, *parts) = (1.0, Y::dt(stride), None);
-                system.aim(tableau, stride, t, q, v, pushes, aim);
-                let all = match sweeps(system, tableau, stride, aim, pushes) {
+                let made = if Y::IN_REGISTERS {
+                    whole_in_registers(with, stride, at, [q, v], aim, pushes)
+                } else {
+                    whole(with, stride, at, [q, v], aim, pushes)
+                };
+                let all = match made {
                     Ok(sweeps) => {
-                        Y::settle_pushes(tableau, stride, pushes, [q, v]);
                         if Y::PIECEWISE && Y::bends(tableau, aim, pushes) {
                             *rough += 1.0;
                         }

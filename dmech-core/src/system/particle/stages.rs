@@ -40,8 +40,8 @@ macro_rules! one_by_one {
 
 one_by_one! { f32 DoubleDouble Lanes }
 
-/// A change of a push counts from this part of an ulp of the position on.
-const SMALL: f64 = 1.0 / 256.0;
+/// A change of a push counts from this part of an ulp of h v on.
+const SMALL: f64 = 1.0 / 64.0;
 
 /// What stays the same from sweep to sweep.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +55,9 @@ pub struct Aim<const D: usize, R: Staging> {
     /// −(h²/m) bᵢ.
     push: R::Eight,
     /// The change of a push that counts.
-    unit: R,
+    unit: R::Eight,
+    /// What the rounding of the position may make of it.
+    rounding: R,
     /// That of each stage in the last sweep.
     change: R::Eight,
     /// Its product with the unit.
@@ -75,7 +77,16 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
 
     fn aims(&self) -> Aim<D, R> {
         let none = R::Eight::splat(R::ZERO);
-        Aim { base: [none; D], v: [R::ZERO; D], t: none, push: none, unit: R::ZERO, change: none, least: none }
+        Aim {
+            base: [none; D],
+            v: [R::ZERO; D],
+            t: none,
+            push: none,
+            unit: none,
+            rounding: R::ZERO,
+            change: none,
+            least: none,
+        }
     }
 
     #[inline(always)]
@@ -104,22 +115,23 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         aim: &mut Aim<D, R>,
     ) {
         let nodes = R::Eight::row(&tableau.nodes);
-        let mut reach = R::ZERO;
+        let (mut reach, mut path) = (R::ZERO, R::ZERO);
         let mut pushed = R::Eight::splat(R::ZERO);
         for k in 0..D {
             let drift = stride.dt * v.hi[k];
             aim.base[k] = nodes.fused(R::Eight::splat(drift), R::Eight::splat(q.hi[k]));
-            reach = reach.max(q.hi[k].abs()).max(drift.abs());
+            reach = reach.max(q.hi[k].abs());
+            path = path.max(drift.abs());
             pushed = pushed.or_larger(pushes[k]);
         }
         aim.v = v.hi;
         aim.t = nodes.fused(R::Eight::splat(stride.dt), R::Eight::splat(t));
         aim.push = R::Eight::row(&tableau.weights).times(R::Eight::splat(-stride.fall));
-        // A small part of an ulp of the position; and a push has no more digits than its own.
-        let unit = (R::from_f64(SMALL) * reach).max(pushed.largest()) * R::EPSILON * R::from_f64(0.5);
-        aim.unit = unit;
+        // A small part of the rounding of h v, and a push has no more digits than its own.
+        aim.unit = R::Eight::splat(R::from_f64(SMALL) * path).or_larger(pushed).times(R::Eight::splat(R::EPSILON));
+        aim.rounding = reach.max(path) * R::from_f64(4.0) * R::EPSILON;
         aim.change = R::Eight::splat(R::from_f64(f64::INFINITY));
-        aim.least = R::Eight::splat(unit * unit);
+        aim.least = aim.unit.times(aim.unit);
     }
 
     #[inline(always)]
@@ -144,14 +156,19 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         }
         let nearer = change.comes_nearer(aim.least, aim.change);
         aim.change = change;
-        aim.least = change.times(R::Eight::splat(aim.unit));
+        aim.least = change.times(aim.unit);
         nearer
     }
 
     #[inline(always)]
+    fn is_near(aim: &Aim<D, R>, units: f64) -> bool {
+        let limit = aim.unit.times(R::Eight::splat(R::from_f64(units)));
+        aim.change.at_most(limit.or_larger(R::Eight::splat(aim.rounding)))
+    }
+
+    #[cold]
     fn change(aim: &Aim<D, R>) -> f64 {
-        let change = aim.change.largest().to_f64();
-        if change == 0.0 { 0.0 } else { change / aim.unit.to_f64() }
+        (aim.change.largest() / aim.unit.largest()).to_f64()
     }
 
     #[inline(always)]
@@ -187,6 +204,6 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
 
     #[cold]
     fn bends(tableau: &Tableau, aim: &Aim<D, R>, pushes: &[R::Eight; D]) -> bool {
-        stages::bends::<R>(tableau, aim.unit.to_f64(), pushes.iter().copied())
+        stages::bends::<R>(tableau, aim.unit.largest().to_f64(), pushes.iter().copied())
     }
 }

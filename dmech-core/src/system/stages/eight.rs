@@ -35,6 +35,8 @@ pub trait Eight<R>: Copy + Debug + Send + Sync {
     fn or_larger(self, other: Self) -> Self;
     /// The largest of numbers.
     fn largest(self) -> R;
+    /// self ≤ other everywhere.
+    fn at_most(self, other: Self) -> bool;
     /// Somewhere self² ≥ least and self < before: this has come nearer, and is not near enough.
     fn comes_nearer(self, least: Self, before: Self) -> bool;
     /// The sum.
@@ -99,6 +101,10 @@ impl Eight<f64> for Lanes {
     #[inline(always)]
     fn or_larger(self, other: Self) -> Self {
         self.larger_number(other.abs())
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self.less_or_equal(other).all()
     }
     #[inline(always)]
     fn comes_nearer(self, least: Self, before: Self) -> bool {
@@ -167,6 +173,10 @@ macro_rules! one_by_one {
                     let other = Real::abs(other[i]);
                     <$real>::either(other.less_or_equal(self[i]), self[i], other)
                 })
+            }
+            #[inline]
+            fn at_most(self, other: Self) -> bool {
+                (0..STAGES).all(|i| self[i].less_or_equal(other[i]).all())
             }
             #[inline]
             fn comes_nearer(self, least: Self, before: Self) -> bool {

@@ -53,7 +53,9 @@ pub trait Staged: System {
     /// Positions from the pushes, and pushes from the positions. Whether some push has come nearer, and by the two last changes
     /// another sweep would bring it nearer still: by more than the position's rounding.
     fn sweep(&self, tableau: &Tableau, stride: &Self::Stride, aim: &mut Self::Aim, pushes: &mut Self::Pushes) -> bool;
-    /// The largest change of a push in the last sweep, in units of what counts.
+    /// Whether no push has changed in the last sweep by more than so many units of what counts.
+    fn is_near(aim: &Self::Aim, units: f64) -> bool;
+    /// The largest change of a push in the last sweep, in these units.
     fn change(aim: &Self::Aim) -> f64;
     /// Moves position and velocity to the end of the step.
     fn settle_pushes(tableau: &Tableau, stride: &Self::Stride, pushes: &Self::Pushes, moves: [&mut Self::Sum; 2]);

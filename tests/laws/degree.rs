@@ -4,6 +4,7 @@ use dmech::extend::{Between, Field, LinkLaw, MassIndependent, Masses, PairLaw, P
 use dmech::models::pairs::{self, FermiPastaUlamTsingou};
 use dmech::models::*;
 use dmech::prelude::*;
+use dmech::scene::{SceneSystem, Term};
 
 use dmech_tests::{for_each_law, laws};
 
@@ -13,7 +14,7 @@ fn degree<L: Law<D> + MassIndependent, const D: usize>(_: &L) -> Option<u32> {
     assert_eq!(<Particle<Masses<L, D>, D> as System>::DEGREE, degree, "with masses of its own for each coordinate");
     assert_eq!(<Particle<Option<L>, D> as System>::DEGREE, degree, "if it is there");
     let forced = <L::Field<'_> as Field<D>>::FORCED;
-    assert!(forced || <L::Field<'_> as Potential<D>>::DEGREE == degree);
+    assert_eq!(<L::Field<'_> as Potential<D>>::DEGREE, degree);
     assert!(forced || !<L::Field<'_> as Potential<D>>::LINEAR || degree.is_some_and(|degree| degree <= 2));
     assert!(!<L::Field<'_> as Potential<D>>::PIECEWISE || degree.is_none());
     degree
@@ -181,6 +182,64 @@ impl<const SAYS: bool> Potential<1> for ByHand<SAYS> {
     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] {
         [[0.5 * self.k]]
     }
+}
+
+/// A steady push beside the parabola.
+#[derive(Clone, Copy, Debug)]
+struct Pushed;
+
+impl Law<1> for Pushed {
+    type Field<'a> = Push;
+
+    fn field(&self, _: f64, _: f64) -> Push {
+        Push(ByHand { k: 1.3 })
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Push(ByHand<true>);
+
+impl Potential<1> for Push {
+    const DEGREE: Option<u32> = <ByHand<true> as Potential<1>>::DEGREE;
+
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        self.0.potential(q)
+    }
+    fn gradient(&self, q: [f64; 1]) -> [f64; 1] {
+        self.0.gradient(q)
+    }
+    fn hessian(&self, q: [f64; 1]) -> [[f64; 1]; 1] {
+        self.0.hessian(q)
+    }
+    fn discrete_gradient(&self, a: [f64; 1], b: [f64; 1]) -> [f64; 1] {
+        self.0.discrete_gradient(a, b)
+    }
+    fn discrete_gradient_jacobian(&self, a: [f64; 1], b: [f64; 1]) -> [[f64; 1]; 1] {
+        self.0.discrete_gradient_jacobian(a, b)
+    }
+}
+
+impl Field<1> for Push {
+    const FORCED: bool = true;
+    const CONSERVES_ENERGY: bool = false;
+
+    fn force(&self, _: [f64; 1], _: [f64; 1], _: f64) -> [f64; 1] {
+        [1.0]
+    }
+}
+
+/// What the system of a scene says.
+fn in_a_scene<const D: usize, P, L: Term<D, P, B>, B>(_: &Scene<D, P, L, B>) -> Option<u32> {
+    <SceneSystem<D, L::Ready> as System>::DEGREE
+}
+
+#[test]
+fn a_force_beside_a_polynomial_by_hand_leaves_none() {
+    assert_eq!(<Push as Potential<1>>::DEGREE, Some(2));
+    assert_eq!(<Particle<Pushed, 1> as System>::DEGREE, None);
+    let body = || Scene::new().body(1.3, [0.4], [0.0]);
+    assert_eq!(in_a_scene(&body().field(ByHand::<true> { k: 1.3 })), Some(2));
+    assert_eq!(in_a_scene(&body().field(Pushed)), None);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod as_written;
 mod boris;
+mod degree;
 mod derivation;
 mod forces;
 mod generated;

@@ -3,6 +3,7 @@
 mod bonds;
 mod chains;
 mod closed;
+mod degree;
 mod driven;
 mod memory;
 mod optional;

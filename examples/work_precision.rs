@@ -26,12 +26,13 @@ use std::path::PathBuf;
 
 use std::time::Duration;
 
+use dmech::extend::AtStages;
 use dmech::models::{Anharmonic, HenonHeiles, Kepler, Morse, Pendulum};
 use dmech::prelude::*;
 use dmech::{StudyError, StudyReport};
 use indicatif::{ProgressBar, ProgressStyle};
 use page::Section;
-use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
+use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED, TEAL};
 use plotters::style::RGBColor;
 
 /// What a motion is called, what is to be seen in it, and its study.
@@ -128,7 +129,7 @@ fn anharmonic() -> Result<StudyReport, StudyError> {
 /// In the order of [`LINES`].
 fn all_schemes<'a, L, const D: usize>(study: Study<'a, L, State<D>>) -> Study<'a, L, State<D>>
 where
-    L: Law<D> + VelocityIndependent + Clone + 'a,
+    L: AtStages<D, f64> + VelocityIndependent + Clone + 'a,
 {
     let tolerances = || (2..=26).map(|k| 10_f64.powf(-0.5 * f64::from(k)));
     study
@@ -153,10 +154,15 @@ where
         .adaptive(ForceGradient::order8(), tolerances())
         .adaptive(Composed::order6(DiscreteGradient), tolerances())
         .adaptive(Composed::order8(DiscreteGradient), tolerances())
+        .scheme(LineIntegral::order4())
+        .scheme(LineIntegral::order8())
+        .scheme(LineIntegral::order10())
+        .scheme(Gauss::order16())
+        .adaptive(Gauss::order16(), tolerances())
 }
 
 /// What the lines are called at their ends, and their colours, one for each family.
-const LINES: [(&str, RGBColor); 20] = [
+const LINES: [(&str, RGBColor); 25] = [
     ("Leapfrog", BLUE),
     ("Implicit", INK),
     ("DiscreteGradient", RED),
@@ -177,6 +183,11 @@ const LINES: [(&str, RGBColor); 20] = [
     ("AF8", PURPLE),
     ("A6", PURPLE),
     ("A8", PURPLE),
+    ("L4", TEAL),
+    ("L8", TEAL),
+    ("L10", TEAL),
+    ("G16", TEAL),
+    ("AG16", PURPLE),
 ];
 
 fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
@@ -208,7 +219,8 @@ fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
             ("4, 6, 8: Composed(DiscreteGradient)", RED),
             ("N: Nystrom", GREEN),
             ("F: ForceGradient", OCHRE),
-            ("A: steps that follow the motion, of Composed(DiscreteGradient), N, F", PURPLE),
+            ("L: LineIntegral, G: Gauss", TEAL),
+            ("A: steps that follow the motion, of Composed(DiscreteGradient), N, F, G", PURPLE),
         ];
         for (row, (words, colour)) in key.iter().rev().enumerate() {
             picture::label(&chart, corner, (12, -18 - 17 * row as i32), words, *colour)?;

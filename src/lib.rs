@@ -128,6 +128,8 @@
 //! | [`Composed`] | 4, 6, 8 | what the scheme keeps that it is composed of | 7, 13, 21 of its steps |
 //! | [`Nystrom`] | 4, 6, 8 | angular momentum; energy bounded | 6, 14, 19 forces |
 //! | [`ForceGradient`] | 4, 6, 8 | the same | 5, 5, 14 forces, and the change of 2, 3, 14 along themselves |
+//! | [`Gauss`] | 16 | angular momentum; energy bounded, mostly to rounding | 3 to 10 sweeps of 8 forces side by side |
+//! | [`LineIntegral`] | 4, 6, 8, 10 | energy exactly where the potential is a polynomial | the same |
 //!
 //! # Steps that follow the motion
 //!
@@ -233,8 +235,8 @@ pub use dmech_study::{Study, StudyError, StudyReport, verify, verify_scheme};
 // The schemes.
 #[doc(inline)]
 pub use dmech_core::{
-    Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Implicit, Kanatani, Leapfrog,
-    Nystrom, coefficients,
+    Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss, Implicit, Kanatani,
+    Leapfrog, LineIntegral, Nystrom, coefficients,
 };
 
 // For those who look closer.

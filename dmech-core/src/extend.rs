@@ -145,8 +145,6 @@ pub use crate::scheme::{
 };
 pub use crate::setup::Setup;
 pub use crate::span::steps_until;
-pub use crate::system::{Ahead, Beginning, Kick, Particle, Step, Stride, System, TimeScale};
+pub use crate::system::{Ahead, AtStages, Beginning, Kick, Particle, Staged, Step, Stride, System, TimeScale};
 pub use crate::vector;
-#[cfg(feature = "scene")]
-pub use dmech_scalar::Lanes;
-pub use dmech_scalar::{DoubleDouble, Mask, Real};
+pub use dmech_scalar::{DoubleDouble, Lanes, Mask, Real};

@@ -19,6 +19,7 @@ pub(crate) const GREEN: RGBColor = RGBColor(34, 136, 51);
 pub(crate) const OCHRE: RGBColor = RGBColor(190, 150, 40);
 pub(crate) const PURPLE: RGBColor = RGBColor(136, 80, 150);
 pub(crate) const INK: RGBColor = RGBColor(70, 70, 70);
+pub(crate) const TEAL: RGBColor = RGBColor(0, 140, 150);
 pub(crate) const PALE: RGBColor = RGBColor(215, 215, 215);
 
 /// Drawn in units of a quarter pixel, since coordinates are whole numbers.

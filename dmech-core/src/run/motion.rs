@@ -89,6 +89,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         steps: u64,
         mut follow: Follow,
     ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
+        stepper.scheme.watch(true, &mut stepper.workspace);
         let clock = Instant::now();
         let outcome = self.begin(&stepper).and_then(|()| self.go(&mut stepper, steps, &mut follow));
         let outcome = outcome.and_then(|stopped| {

@@ -10,11 +10,6 @@ use crate::scene::vectors::Vectors;
 use crate::scheme::tableau::{GAUSS, STAGES, Tableau};
 use crate::system::stages::{self, Eight, Staged, weighed};
 
-/// A change of a push counts from this part of an ulp of h v on.
-const SMALL: f64 = 1.0 / 64.0;
-/// A body that is at the origin has this part of the size of the scene.
-const LEAST: f64 = 1e-18;
-
 /// What stays the same from sweep to sweep, and room for it.
 #[derive(Clone, Debug)]
 pub struct SceneAim<const D: usize> {
@@ -36,6 +31,10 @@ pub struct SceneAim<const D: usize> {
     reach: Vec<f64>,
     /// What the rounding of a position may make of a push, in these units.
     rounding: f64,
+    /// The largest push, or path.
+    largest: f64,
+    /// 1, or 0 where nothing moves yet and nothing tells what counts.
+    unit: f64,
     /// The largest change in the last sweep, in these units.
     change: Lanes,
 }
@@ -61,9 +60,10 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let [base, q, slopes] = [(); 3].map(|()| Eights::zeros(bodies));
         let [speed, v] = [(); 2].map(|()| Eights::zeros(speeds));
         let apart = vec![Vectors::zeros(bodies); if A::OF_DISTANCE { STAGES } else { 1 }];
-        let (t, change, rounding) = (Lanes::ZERO, Lanes::ZERO, 0.0);
+        let (t, change) = (Lanes::ZERO, Lanes::ZERO);
+        let (rounding, largest, unit) = (0.0, 0.0, 0.0);
         let [per_unit, reach] = [(); 2].map(|()| vec![0.0; bodies]);
-        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, rounding, change }
+        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, rounding, largest, unit, change }
     }
 
     fn go_on(pushes: &mut Eights<D>, tableau: &Tableau, ratio: f64) {
@@ -94,7 +94,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         for (i, base) in aim.base.flat_mut().iter_mut().enumerate() {
             let drift = stride.dt * v[i];
             *base = nodes.mul_add(Lanes::splat(drift), Lanes::splat(q[i]));
-            let least = (SMALL * drift.abs()).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
+            let least = (stages::SMALL * drift.abs()).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
             let (unit, reach) = (&mut aim.per_unit[i % bodies], &mut aim.reach[i % bodies]);
             (*unit, *reach) = (unit.max(least), reach.max(q[i].abs()).max(drift.abs()));
             largest = largest.max(least);
@@ -103,18 +103,18 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
             aim.speed.flat_mut().iter_mut().zip(v).for_each(|(speed, &v)| *speed = Lanes::splat(v));
         }
         self.place_driven(aim);
-        let least = if largest == 0.0 { 1.0 } else { LEAST * largest };
-        aim.rounding = 0.0;
+        (aim.largest, aim.rounding, aim.unit) = (largest, 0.0, f64::from(largest != 0.0));
+        let least = if largest == 0.0 { 1.0 } else { stages::LEAST * largest };
         for (unit, reach) in aim.per_unit.iter_mut().zip(&aim.reach) {
             let counts = unit.max(least);
-            aim.rounding = aim.rounding.max(4.0 * reach / counts);
+            aim.rounding = aim.rounding.max(stages::BY_PLACE * reach / counts);
             *unit = (f64::EPSILON * counts).recip();
         }
         aim.change = Lanes::splat(f64::INFINITY);
     }
 
     fn sweep(&self, tableau: &Tableau, stride: &SceneStride<D>, aim: &mut SceneAim<D>, pushes: &mut Eights<D>) -> bool {
-        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change, .. } = aim;
+        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, unit, change, .. } = aim;
         for (q, (push, base)) in q.flat_mut().iter_mut().zip(pushes.flat().iter().zip(base.flat())) {
             *q = weighed(&tableau.places, *push, *base);
         }
@@ -140,12 +140,16 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
             }
         }
         let before = core::mem::replace(change, most);
-        let least = if before[0] == f64::INFINITY { Lanes::ONE } else { before };
+        let least = if before[0] == f64::INFINITY { Lanes::ONE } else { before } * Lanes::splat(*unit);
         most.comes_nearer(least, before)
     }
 
-    fn is_near(aim: &SceneAim<D>, units: f64) -> bool {
-        aim.change.at_most(Lanes::splat(units.max(aim.rounding)))
+    fn is_near(aim: &SceneAim<D>, pushes: &Eights<D>, units: f64) -> bool {
+        let mut largest = 1.0;
+        if aim.unit == 0.0 {
+            largest = pushes.flat().iter().fold(Lanes::ZERO, |all, push| all.or_larger(*push)).largest();
+        }
+        aim.change.at_most(Lanes::splat(aim.rounding.max(units * largest)))
     }
 
     fn change(aim: &SceneAim<D>) -> f64 {
@@ -179,14 +183,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
     }
 
     fn bends(tableau: &Tableau, aim: &SceneAim<D>, pushes: &Eights<D>) -> bool {
-        let bodies = aim.per_unit.len();
-        (0..bodies).any(|i| {
-            stages::bends::<f64>(
-                tableau,
-                aim.per_unit[i].recip(),
-                pushes.flat().iter().skip(i).step_by(bodies).copied(),
-            )
-        })
+        pushes.flat().iter().any(|push| stages::bends(tableau, aim.largest, *push))
     }
 }
 

@@ -39,7 +39,7 @@ const ROUNDING: f64 = 1e3;
 const STALLS: u32 = 3;
 const SWEEPS: u32 = 60;
 /// How often a step is halved where its sweeps do not come nearer.
-const HALVINGS: u32 = 8;
+const HALVINGS: u32 = 6;
 
 /// A method with eight stages.
 pub(crate) trait Stages: Method {
@@ -47,33 +47,55 @@ pub(crate) trait Stages: Method {
     const TABLEAU: &'static Tableau;
 }
 
-/// What a step costs in sweeps of eight evaluations, or how it did not end.
-type Swept = Result<u32, Astray>;
+/// Sweeps that came no nearer: the last change of a push.
+struct Astray(f64);
 
-/// Sweeps that came no nearer.
-struct Astray {
-    sweeps: u32,
-    change: f64,
+/// Where steps are made, and what they have cost.
+pub struct Sweeps<Y: Staged> {
+    aim: Y::Aim,
+    /// Somebody asks how the steps went.
+    watched: bool,
+    /// Sweeps of this step.
+    made: u32,
+}
+
+impl<Y: Staged> Sweeps<Y> {
+    fn new(system: &Y) -> Self {
+        Sweeps { aim: system.aims(), watched: false, made: 0 }
+    }
+}
+
+impl<Y: Staged> Clone for Sweeps<Y> {
+    fn clone(&self) -> Self {
+        Sweeps { aim: self.aim.clone(), ..*self }
+    }
+}
+
+impl<Y: Staged> core::fmt::Debug for Sweeps<Y> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Sweeps").field("aim", &self.aim).field("watched", &self.watched).finish()
+    }
 }
 
 /// A step from the pushes of the last, `ratio` times as long, or from a guess if that is 0; where its sweeps end, position and
-/// velocity are moved.
+/// velocity are moved. Whether the force was seen to bend in it.
 #[inline(always)]
 fn whole<Y: Staged>(
     (system, tableau): (&Y, &Tableau),
     stride: &Y::Stride,
     (t, ratio): (Y::Scalar, f64),
     [q, v]: [&mut Y::Sum; 2],
-    aim: &mut Y::Aim,
     pushes: &mut Y::Pushes,
-) -> Swept {
+    sweeps: &mut Sweeps<Y>,
+) -> Result<bool, Astray> {
     if ratio != 0.0 {
         Y::go_on(pushes, tableau, Y::Scalar::from_f64(ratio));
     }
+    let Sweeps { aim, watched, made } = sweeps;
     system.aim(tableau, stride, t, q, v, pushes, aim);
-    let sweeps = until_rounding(system, tableau, stride, aim, pushes)?;
+    until_rounding(system, tableau, stride, aim, pushes, made)?;
     Y::settle_pushes(tableau, stride, pushes, [q, v]);
-    Ok(sweeps)
+    Ok((Y::PIECEWISE || *watched) && Y::bends(tableau, aim, pushes))
 }
 
 /// The same with copies of which nobody else knows, so that they stay in registers.
@@ -83,16 +105,15 @@ fn whole_in_registers<Y: Staged>(
     stride: &Y::Stride,
     at: (Y::Scalar, f64),
     [q, v]: [&mut Y::Sum; 2],
-    aim: &mut Y::Aim,
     pushes: &mut Y::Pushes,
-) -> Swept {
-    let (mut place, mut speed, mut near, mut here) = (q.clone(), v.clone(), pushes.clone(), with.0.aims());
-    let swept = whole(with, stride, at, [&mut place, &mut speed], &mut here, &mut near);
+    sweeps: &mut Sweeps<Y>,
+) -> Result<bool, Astray> {
+    let (mut place, mut speed, mut near) = (q.clone(), v.clone(), pushes.clone());
+    let mut here = Sweeps { watched: sweeps.watched, ..Sweeps::new(with.0) };
+    let bent = whole(with, stride, at, [&mut place, &mut speed], &mut near, &mut here);
     (*q, *v, *pushes) = (place, speed, near);
-    if Y::PIECEWISE {
-        *aim = here;
-    }
-    swept
+    sweeps.made = here.made;
+    bent
 }
 
 #[inline(always)]
@@ -102,76 +123,77 @@ fn until_rounding<Y: Staged>(
     stride: &Y::Stride,
     aim: &mut Y::Aim,
     pushes: &mut Y::Pushes,
-) -> Swept {
+    made: &mut u32,
+) -> Result<(), Astray> {
     let mut stalls = 0;
-    for sweep in 1..=SWEEPS {
+    for _ in 0..SWEEPS {
+        *made += 1;
         if system.sweep(tableau, stride, aim, pushes) {
             continue;
         }
         if !Y::are_finite(pushes) {
-            return Err(Astray { sweeps: sweep, change: f64::NAN });
+            return Err(Astray(f64::NAN));
         }
-        if Y::is_near(aim, ROUNDING) {
-            return Ok(sweep);
+        if Y::is_near(aim, pushes, ROUNDING) {
+            return Ok(());
         }
         stalls += 1;
         if stalls == STALLS {
-            return Err(Astray { sweeps: sweep, change: Y::change(aim) });
+            break;
         }
     }
-    Err(Astray { sweeps: SWEEPS, change: Y::change(aim) })
+    Err(Astray(Y::change(aim)))
 }
 
-/// A step in two halves, of which each may be halved again: position and velocity at its end, its work and its sweeps. The
-/// pushes become those of a force that stays as it is.
+/// A step in two halves, of which each may be halved again. Returns the work done; the pushes become those of a force that stays
+/// as it is.
 #[cold]
 fn in_parts<Y: Staged>(
-    system: &Y,
-    tableau: &Tableau,
+    with @ (system, tableau): (&Y, &Tableau),
     stride: &Y::Stride,
     t: Y::Scalar,
     [q, v]: [&mut Y::Sum; 2],
     pushes: &mut Y::Pushes,
+    sweeps: &mut Sweeps<Y>,
     halvings: u32,
-) -> Result<(Y::Scalar, u32), Astray> {
+) -> Result<Y::Scalar, Astray> {
     let half = system.stage(stride, Y::Scalar::from_f64(0.5), 0.0);
-    let (mut slope, mut aim) = (system.zero(), system.aims());
-    let (mut work, mut all) = (Y::Scalar::ZERO, 0);
+    let (mut slope, mut work) = (system.zero(), Y::Scalar::ZERO);
     for t in [t, t + Y::dt(&half)] {
         system.slope(t, Y::value(q), Y::value(v), &mut slope);
         *pushes = system.pushes(&half, &slope);
         let before = Y::value(v).clone();
-        match whole((system, tableau), &half, (t, 0.0), [&mut *q, &mut *v], &mut aim, pushes) {
+        if let Err(astray) = whole(with, &half, (t, 0.0), [&mut *q, &mut *v], pushes, sweeps) {
+            if halvings < HALVINGS {
+                work += in_parts(with, &half, t, [&mut *q, &mut *v], pushes, sweeps, halvings + 1)?;
+                continue;
+            }
             // Where a force jumps between two sides there may be no solution: the last guess is as good as any.
-            Err(last) if halvings == HALVINGS && !(Y::PIECEWISE && Y::are_finite(pushes)) => return Err(last),
-            Err(Astray { sweeps, .. }) if halvings < HALVINGS => {
-                let (done, more) = in_parts(system, tableau, &half, t, [q, v], pushes, halvings + 1)?;
-                work += done;
-                all += sweeps + more;
+            if !(Y::PIECEWISE && Y::are_finite(pushes)) {
+                return Err(astray);
             }
-            made => {
-                let (Ok(sweeps) | Err(Astray { sweeps, .. })) = made;
-                if made.is_err() {
-                    Y::settle_pushes(tableau, &half, pushes, [q, v]);
-                }
-                work += system.work_of_pushes(tableau, Y::dt(&half), &before, pushes);
-                all += sweeps;
-            }
+            Y::settle_pushes(tableau, &half, pushes, [&mut *q, &mut *v]);
         }
+        work += system.work_of_pushes(tableau, Y::dt(&half), &before, pushes);
     }
     system.slope(t + Y::dt(stride), Y::value(q), Y::value(v), &mut slope);
     *pushes = system.pushes(stride, &slope);
-    Ok((work, all))
+    Ok(work)
 }
 
 macro_rules! stepped_by_stages {
     ($($scheme:ty, <$(const $s:ident: usize)?>;)*) => {$(
         impl<$(const $s: usize,)? Y: Staged> Scheme<Y> for $scheme {
             type Memory = GaussMemory<Y>;
-            type Workspace = Y::Aim;
+            type Workspace = Sweeps<Y>;
 
-            fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Aim {
-                system.aims()
+            fn workspace(&self, system: &Y, _: &Y::Stride) -> Sweeps<Y> {
+                Sweeps::new(system)
+            }
+
+            #[inline(always)]
+            fn watch(&self, watched: bool, sweeps: &mut Sweeps<Y>) {
+                sweeps.watched = watched;
             }
 
             fn begin(
@@ -179,7 +201,7 @@ macro_rules! stepped_by_stages {
                 system: &Y,
                 stride: &Y::Stride,
                 start: &Beginning<'_, Y>,
-                _: &mut Y::Aim,
+                _: &mut Sweeps<Y>,
             ) -> Result<Self::Memory, NotConverged> {
                 let (q, v, pushes) = (Y::sum(start.q), Y::sum(start.v), system.pushes(stride, start.slope));
                 Ok(GaussMemory { q, v, pushes, ratio: 0.0, rough: 0.0, dt: Y::dt(stride), in_parts: None })
@@ -192,38 +214,29 @@ macro_rules! stepped_by_stages {
                 stride: &Y::Stride,
                 t: Y::Scalar,
                 memory: &mut Self::Memory,
-                aim: &mut Y::Aim,
+                sweeps: &mut Sweeps<Y>,
             ) -> Result<Effort, NotConverged> {
-                let tableau = Self::TABLEAU;
                 let GaussMemory { q, v, pushes, ratio, rough, dt, in_parts: parts } = memory;
-                let (with, at) = ((system, tableau), (t, *ratio));
-                (*ratio, *dt, *parts) = (1.0, Y::dt(stride), None);
+                let (with, at) = ((system, Self::TABLEAU), (t, *ratio));
+                (*ratio, *dt, *parts, sweeps.made) = (1.0, Y::dt(stride), None, 0);
                 let made = if Y::IN_REGISTERS {
-                    whole_in_registers(with, stride, at, [q, v], aim, pushes)
+                    whole_in_registers(with, stride, at, [q, v], pushes, sweeps)
                 } else {
-                    whole(with, stride, at, [q, v], aim, pushes)
+                    whole(with, stride, at, [q, v], pushes, sweeps)
                 };
-                let all = match made {
-                    Ok(sweeps) => {
-                        if Y::PIECEWISE && Y::bends(tableau, aim, pushes) {
-                            *rough += 1.0;
-                        }
-                        sweeps
+                match made {
+                    Ok(false) => {}
+                    Ok(true) => *rough += 1.0,
+                    Err(_) => {
+                        (*ratio, *rough) = (0.0, *rough + 1.0);
+                        let made = in_parts(with, stride, t, [q, v], pushes, sweeps, 1);
+                        *parts = Some(made.map_err(|Astray(residual)| NotConverged {
+                            iterations: sweeps.made.into(),
+                            residual,
+                        })?);
                     }
-                    Err(Astray { sweeps, .. }) => {
-                        *ratio = 0.0;
-                        *rough += 1.0;
-                        let not_converged = |Astray { sweeps: more, change }| NotConverged {
-                            iterations: (sweeps + more).into(),
-                            residual: change,
-                        };
-                        let made = in_parts(system, tableau, stride, t, [q, v], pushes, 1);
-                        let (work, more) = made.map_err(not_converged)?;
-                        *parts = Some(work);
-                        sweeps + more
-                    }
-                };
-                Ok(Effort { evaluations: 8 * all, iterations: 0 })
+                }
+                Ok(Effort { evaluations: 8 * sweeps.made, iterations: 0 })
             }
 
             #[inline(always)]
@@ -234,7 +247,7 @@ macro_rules! stepped_by_stages {
                 _: Y::Scalar,
                 ratio: Y::Scalar,
                 memory: &mut Self::Memory,
-                _: &mut Y::Aim,
+                _: &mut Sweeps<Y>,
             ) -> u32 {
                 memory.ratio *= ratio.to_f64();
                 0

@@ -40,9 +40,6 @@ macro_rules! one_by_one {
 
 one_by_one! { f32 DoubleDouble Lanes }
 
-/// A change of a push counts from this part of an ulp of h v on.
-const SMALL: f64 = 1.0 / 64.0;
-
 /// What stays the same from sweep to sweep.
 #[derive(Clone, Copy, Debug)]
 pub struct Aim<const D: usize, R: Staging> {
@@ -54,14 +51,18 @@ pub struct Aim<const D: usize, R: Staging> {
     t: R::Eight,
     /// −(h²/m) bᵢ.
     push: R::Eight,
-    /// The change of a push that counts.
-    unit: R::Eight,
-    /// What the rounding of the position may make of it.
+    /// 1 over the change of a push that counts, of each coordinate.
+    per_unit: [R; D],
+    /// What the rounding of a position may make of a push, in these units.
     rounding: R,
-    /// That of each stage in the last sweep.
+    /// The largest push, or path.
+    largest: R,
+    /// The largest change of each stage in the last sweep, in these units.
     change: R::Eight,
-    /// Its product with the unit.
+    /// Its square counts from here on in the next.
     least: R::Eight,
+    /// 1, or 0 where nothing moves yet and nothing tells what counts.
+    unit: R,
 }
 
 impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R> {
@@ -76,16 +77,18 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     }
 
     fn aims(&self) -> Aim<D, R> {
-        let none = R::Eight::splat(R::ZERO);
+        let (zero, none) = (R::ZERO, R::Eight::splat(R::ZERO));
         Aim {
             base: [none; D],
-            v: [R::ZERO; D],
+            v: [zero; D],
             t: none,
             push: none,
-            unit: none,
-            rounding: R::ZERO,
+            per_unit: [zero; D],
+            rounding: zero,
+            largest: zero,
             change: none,
             least: none,
+            unit: zero,
         }
     }
 
@@ -115,23 +118,28 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         aim: &mut Aim<D, R>,
     ) {
         let nodes = R::Eight::row(&tableau.nodes);
-        let (mut reach, mut path) = (R::ZERO, R::ZERO);
-        let mut pushed = R::Eight::splat(R::ZERO);
+        let (mut counts, mut reach, mut largest) = ([R::ZERO; D], [R::ZERO; D], R::ZERO);
         for k in 0..D {
             let drift = stride.dt * v.hi[k];
             aim.base[k] = nodes.fused(R::Eight::splat(drift), R::Eight::splat(q.hi[k]));
-            reach = reach.max(q.hi[k].abs());
-            path = path.max(drift.abs());
-            pushed = pushed.or_larger(pushes[k]);
+            let path = R::Eight::splat(R::from_f64(stages::SMALL) * drift.abs());
+            counts[k] = path.or_larger(pushes[k]).largest();
+            reach[k] = q.hi[k].abs().max(drift.abs());
+            largest = largest.max(counts[k]);
         }
         aim.v = v.hi;
         aim.t = nodes.fused(R::Eight::splat(stride.dt), R::Eight::splat(t));
         aim.push = R::Eight::row(&tableau.weights).times(R::Eight::splat(-stride.fall));
-        // A small part of the rounding of h v, and a push has no more digits than its own.
-        aim.unit = R::Eight::splat(R::from_f64(SMALL) * path).or_larger(pushed).times(R::Eight::splat(R::EPSILON));
-        aim.rounding = reach.max(path) * R::from_f64(4.0) * R::EPSILON;
+        let at_rest = largest.equal(R::ZERO);
+        (aim.rounding, aim.largest, aim.unit) = (R::ZERO, largest, R::either(at_rest, R::ZERO, R::ONE));
+        let least = R::either(at_rest, R::ONE, R::from_f64(stages::LEAST) * largest);
+        for k in 0..D {
+            aim.per_unit[k] = (R::EPSILON * counts[k].max(least)).recip();
+            let by_place = R::from_f64(stages::BY_PLACE) * R::EPSILON * reach[k];
+            aim.rounding = aim.rounding.max(by_place * aim.per_unit[k]);
+        }
         aim.change = R::Eight::splat(R::from_f64(f64::INFINITY));
-        aim.least = aim.unit.times(aim.unit);
+        aim.least = R::Eight::splat(aim.unit);
     }
 
     #[inline(always)]
@@ -151,24 +159,28 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         let mut change = R::Eight::splat(R::ZERO);
         for k in 0..D {
             let push = aim.push.times(slopes[k]);
-            change = change.or_larger(push.minus(pushes[k]));
+            change = change.or_larger(push.minus(pushes[k]).times(R::Eight::splat(aim.per_unit[k])));
             pushes[k] = push;
         }
         let nearer = change.comes_nearer(aim.least, aim.change);
         aim.change = change;
-        aim.least = change.times(aim.unit);
+        aim.least = change.times(R::Eight::splat(aim.unit));
         nearer
     }
 
     #[inline(always)]
-    fn is_near(aim: &Aim<D, R>, units: f64) -> bool {
-        let limit = aim.unit.times(R::Eight::splat(R::from_f64(units)));
-        aim.change.at_most(limit.or_larger(R::Eight::splat(aim.rounding)))
+    fn is_near(aim: &Aim<D, R>, pushes: &[R::Eight; D], units: f64) -> bool {
+        let mut units = R::from_f64(units);
+        if aim.unit.equal(R::ZERO).any() {
+            let pushed = pushes.iter().fold(R::Eight::splat(R::ZERO), |all, push| all.or_larger(*push));
+            units = R::either(aim.unit.equal(R::ZERO), units * pushed.largest(), units);
+        }
+        aim.change.at_most(R::Eight::splat(aim.rounding.max(units)))
     }
 
     #[cold]
     fn change(aim: &Aim<D, R>) -> f64 {
-        (aim.change.largest() / aim.unit.largest()).to_f64()
+        aim.change.largest().to_f64()
     }
 
     #[inline(always)]
@@ -204,6 +216,6 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
 
     #[cold]
     fn bends(tableau: &Tableau, aim: &Aim<D, R>, pushes: &[R::Eight; D]) -> bool {
-        stages::bends::<R>(tableau, aim.unit.largest().to_f64(), pushes.iter().copied())
+        pushes.iter().any(|push| stages::bends(tableau, aim.largest, *push))
     }
 }

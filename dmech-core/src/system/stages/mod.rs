@@ -53,8 +53,9 @@ pub trait Staged: System {
     /// Positions from the pushes, and pushes from the positions. Whether some push has come nearer, and by the two last changes
     /// another sweep would bring it nearer still: by more than the position's rounding.
     fn sweep(&self, tableau: &Tableau, stride: &Self::Stride, aim: &mut Self::Aim, pushes: &mut Self::Pushes) -> bool;
-    /// Whether no push has changed in the last sweep by more than so many units of what counts.
-    fn is_near(aim: &Self::Aim, units: f64) -> bool;
+    /// Whether no push has changed in the last sweep by more than so many units of what counts; where nothing moved before, by
+    /// more than so many of the largest.
+    fn is_near(aim: &Self::Aim, pushes: &Self::Pushes, units: f64) -> bool;
     /// The largest change of a push in the last sweep, in these units.
     fn change(aim: &Self::Aim) -> f64;
     /// Moves position and velocity to the end of the step.
@@ -104,17 +105,21 @@ pub(crate) fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
     sum
 }
 
+/// A change of a push counts from this part of an ulp of h v on, and from an ulp of the push.
+pub(crate) const SMALL: f64 = 1.0 / 64.0;
+/// What hardly moves beside the others has this part of their moves.
+pub(crate) const LEAST: f64 = 1e-18;
+/// The rounding of a position changes a push by a few parts of it.
+pub(crate) const BY_PLACE: f64 = 4.0;
+
 /// A force has this share in the highest of eight polynomials where something bends or jumps in a step.
 const SEAM: f64 = 0.01;
-/// Beyond so many units of rounding it is none.
+/// Beyond so many ulp of the largest push it is no rounding.
 const NO_ROUNDING: f64 = 1e3;
 
-/// Whether a body's pushes tell of a bend, the change of a push that counts being `unit`.
-pub(crate) fn bends<R: Staging>(tableau: &Tableau, unit: f64, pushes: impl Iterator<Item = R::Eight>) -> bool {
-    let (mut all, mut highest) = (R::Eight::splat(R::ZERO), 0.0_f64);
-    for push in pushes {
-        highest = highest.max(R::Eight::row(&tableau.highest).times(push).sum().to_f64().abs());
-        all = all.or_larger(push);
-    }
-    highest > SEAM * all.largest().to_f64() && highest > NO_ROUNDING * unit
+/// Whether the pushes of a coordinate tell of a bend, the largest of all being `largest`.
+pub(crate) fn bends<R: Staging>(tableau: &Tableau, largest: R, push: R::Eight) -> bool {
+    let highest = R::Eight::row(&tableau.highest).times(push).sum().to_f64().abs();
+    let all = R::Eight::splat(R::ZERO).or_larger(push).largest().to_f64();
+    highest > SEAM * all && highest > NO_ROUNDING * (R::EPSILON * largest).to_f64()
 }

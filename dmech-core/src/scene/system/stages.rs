@@ -94,7 +94,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         for (i, base) in aim.base.flat_mut().iter_mut().enumerate() {
             let drift = stride.dt * v[i];
             *base = nodes.mul_add(Lanes::splat(drift), Lanes::splat(q[i]));
-            let least = (stages::SMALL * drift.abs()).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
+            let least = (stages::PATH * drift.abs()).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
             let (unit, reach) = (&mut aim.per_unit[i % bodies], &mut aim.reach[i % bodies]);
             (*unit, *reach) = (unit.max(least), reach.max(q[i].abs()).max(drift.abs()));
             largest = largest.max(least);
@@ -107,8 +107,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let least = if largest == 0.0 { 1.0 } else { stages::LEAST * largest };
         for (unit, reach) in aim.per_unit.iter_mut().zip(&aim.reach) {
             let counts = unit.max(least);
-            aim.rounding = aim.rounding.max(stages::BY_PLACE * reach / counts);
-            *unit = (f64::EPSILON * counts).recip();
+            aim.rounding = aim.rounding.max(stages::BY_PLACE * reach / (stages::COUNTS * counts));
+            *unit = (stages::COUNTS * f64::EPSILON * counts).recip();
         }
         aim.change = Lanes::splat(f64::INFINITY);
     }

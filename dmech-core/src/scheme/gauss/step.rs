@@ -34,7 +34,7 @@ memory! {
 }
 
 /// A change of the pushes that is this many times too large may be left by rounding.
-const ROUNDING: f64 = 1e3;
+const ROUNDING: f64 = 3e4;
 /// Sweeps that may fail to come nearer, and sweeps of one step.
 const STALLS: u32 = 3;
 const SWEEPS: u32 = 60;

@@ -122,7 +122,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         for k in 0..D {
             let drift = stride.dt * v.hi[k];
             aim.base[k] = nodes.fused(R::Eight::splat(drift), R::Eight::splat(q.hi[k]));
-            let path = R::Eight::splat(R::from_f64(stages::SMALL) * drift.abs());
+            let path = R::Eight::splat(R::from_f64(stages::PATH) * drift.abs());
             counts[k] = path.or_larger(pushes[k]).largest();
             reach[k] = q.hi[k].abs().max(drift.abs());
             largest = largest.max(counts[k]);
@@ -134,7 +134,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         (aim.rounding, aim.largest, aim.unit) = (R::ZERO, largest, R::either(at_rest, R::ZERO, R::ONE));
         let least = R::either(at_rest, R::ONE, R::from_f64(stages::LEAST) * largest);
         for k in 0..D {
-            aim.per_unit[k] = (R::EPSILON * counts[k].max(least)).recip();
+            aim.per_unit[k] = (R::from_f64(stages::COUNTS) * R::EPSILON * counts[k].max(least)).recip();
             let by_place = R::from_f64(stages::BY_PLACE) * R::EPSILON * reach[k];
             aim.rounding = aim.rounding.max(by_place * aim.per_unit[k]);
         }

@@ -105,8 +105,10 @@ pub(crate) fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
     sum
 }
 
-/// A change of a push counts from this part of an ulp of h v on, and from an ulp of the push.
-pub(crate) const SMALL: f64 = 1.0 / 64.0;
+/// A change of a push counts from this part of an ulp of it on: what sweeps leave has one sign, and adds up from step to step.
+pub(crate) const COUNTS: f64 = 1.0 / 32.0;
+/// A path h v counts as a push that is this part of it.
+pub(crate) const PATH: f64 = 1.0 / 256.0;
 /// What hardly moves beside the others has this part of their moves.
 pub(crate) const LEAST: f64 = 1e-18;
 /// The rounding of a position changes a push by a few parts of it.

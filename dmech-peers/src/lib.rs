@@ -10,18 +10,23 @@
 //! are measured together by [`measure`], in rounds, so that other load on the machine hits all alike; every run counts
 //! from before its solver is made until the position at the end is known.
 
+mod ends;
 mod entrant;
+mod gauss;
 mod laws;
 mod measure;
+mod motion;
 mod problem;
 mod report;
 mod schemes;
+mod sine;
 mod twins;
 
 pub use entrant::{Crate, Entrant, Finish, tolerances};
 pub use laws::{ThreeBodies, three_bodies};
 pub use measure::{Line, measure};
-pub use problem::{Eight, Fput, Motion, Planet, Problem, Swing, eccentric, eight, fput, orbit, pendulum};
+pub use motion::{Eight, Fput, Motion, Planet, Swing};
+pub use problem::{Problem, eccentric, eight, fput, orbit, pendulum};
 pub use report::{GOALS, Report};
 pub use schemes::{chain_schemes, law_schemes};
-pub use twins::twins;
+pub use twins::{planet_twin, twins};

@@ -131,14 +131,14 @@ fn continued(ratio: f64) -> [f64x8; 8] {
     columns
 }
 
-/// Steps of the lengths that `next` gives for position and velocity, until it gives none: the position at the end, and
+/// Steps of the lengths that `next` gives for position and velocity, until it gives none: the state at the end, and
 /// evaluations of the force.
 #[inline(always)]
 pub(crate) fn gauss16<M: Motion<D>, const D: usize>(
     motion: M,
     start: &State<D>,
     mut next: impl FnMut(&[f64; D], &[f64; D]) -> Option<f64>,
-) -> ([f64; D], u64) {
+) -> (State<D>, u64) {
     let (mut q, mut v) = (start.q, start.v);
     let (mut lost_q, mut lost_v) = ([0.0; D], [0.0; D]);
     let nu = NU.map(f64x8::new);
@@ -191,7 +191,7 @@ pub(crate) fn gauss16<M: Motion<D>, const D: usize>(
             add(&mut v[k], &mut lost_v[k], kick / h);
         }
     }
-    (q, 8 * sweeps + 8)
+    (State::new(q, v), 8 * sweeps + 8)
 }
 
 /// x += dx, with what is lost carried along.

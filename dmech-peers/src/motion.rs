@@ -47,8 +47,9 @@ fn inverse_cube(s: f64) -> f64 {
     s.sqrt() * (1.0 / (s * s))
 }
 
+/// The same of eight.
 #[inline(always)]
-fn inverse_cubes(s: f64x8) -> f64x8 {
+pub(crate) fn inverse_cubes(s: f64x8) -> f64x8 {
     s.sqrt() * (f64x8::ONE / (s * s))
 }
 

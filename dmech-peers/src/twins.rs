@@ -34,10 +34,11 @@ pub fn twins<'a, M: Motion<D> + 'a, const D: usize>(problem: &'a Problem<M, D>) 
 #[inline(never)]
 fn gauss_in_equal_steps<M: Motion<D>, const D: usize>(problem: &Problem<M, D>, steps: u64) -> ([f64; D], u64) {
     let (h, mut left) = (problem.end / steps as f64, steps);
-    gauss16(problem.motion, &problem.start, |_, _| {
+    let (end, evaluations) = gauss16(problem.motion, &problem.start, |_, _| {
         left = left.checked_sub(1)?;
         Some(h)
-    })
+    });
+    (end.q, evaluations)
 }
 
 /// Gauss's method of order 16 in steps of ε r^{3/2}, which is a part of the period of a circle there; r in the middle of the step.
@@ -58,7 +59,7 @@ fn gauss_in_steps_of_the_planet(problem: &Problem<Planet, 2>, part: f64) -> ([f6
         let s = x * x + y * y;
         part * s.sqrt().sqrt() * s.sqrt()
     };
-    gauss16(problem.motion, &problem.start, |q, v| {
+    let (end, evaluations) = gauss16(problem.motion, &problem.start, |q, v| {
         let left = (problem.end - t) - lost;
         let (mut a, mut h) = ([0.0; 2], length(*q));
         problem.motion.acceleration(q, &mut a);
@@ -68,7 +69,8 @@ fn gauss_in_steps_of_the_planet(problem: &Problem<Planet, 2>, part: f64) -> ([f6
         let h = h.min(left);
         add_compensated(&mut t, &mut lost, h);
         (h > 0.0).then_some(h)
-    })
+    });
+    (end.q, evaluations)
 }
 
 /// x += c y.

@@ -10,6 +10,8 @@ pub enum Crate {
     Dmech,
     /// A loop written by hand for its force.
     Hand,
+    /// heyoka, which is C++ and Python.
+    Heyoka,
     /// `ode_solvers`.
     OdeSolvers,
     /// `differential-equations`.
@@ -19,14 +21,15 @@ pub enum Crate {
 }
 
 impl Crate {
-    /// The crates that dmech is held against.
-    pub const PEERS: [Crate; 3] = [Crate::OdeSolvers, Crate::DifferentialEquations, Crate::Diffsol];
+    /// The programs that dmech is held against.
+    pub const PEERS: [Crate; 4] = [Crate::Heyoka, Crate::OdeSolvers, Crate::DifferentialEquations, Crate::Diffsol];
 
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Crate::Dmech => "dmech",
             Crate::Hand => "by hand",
+            Crate::Heyoka => "heyoka",
             Crate::OdeSolvers => "ode_solvers",
             Crate::DifferentialEquations => "differential-equations",
             Crate::Diffsol => "diffsol",
@@ -37,9 +40,9 @@ impl Crate {
 /// A run that reached the end.
 #[derive(Clone, Copy, Debug)]
 pub struct Finish {
-    /// |q − q*| at the end, the Euclidean distance.
+    /// |q − q*| at the end.
     pub error: f64,
-    /// Evaluations of the force.
+    /// Evaluations of the force; none where a solver makes none.
     pub evaluations: u64,
     /// Wall time of the whole run.
     pub time: Duration,
@@ -57,9 +60,14 @@ impl Finish {
         let clock = Instant::now();
         let (q, evaluations) = run()?;
         let time = clock.elapsed();
-        let error = q.iter().zip(truth).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+        let error = distance(&q, truth);
         if error.is_finite() { Ok(Finish { error, evaluations, time }) } else { Err("not finite".to_owned()) }
     }
+}
+
+/// |a − b|, of all coordinates.
+pub fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
 /// Makes one run for a knob.

@@ -30,11 +30,11 @@ pub fn three_bodies() -> ThreeBodies {
     ThreeBodies { g: 1.0 }
 }
 
-/// A spring of energy r²/2 + α r³/3, where r is by how much it is longer than at rest: as the others get it, without the terms
+/// A spring of energy r²/2 + β r⁴/4, where r is by how much it is longer than at rest: as the others get it, without the terms
 /// that the library's spring has besides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spring {
-    alpha: f64,
+    beta: f64,
 }
 
 #[dmech::law]
@@ -43,15 +43,15 @@ impl Spring {
     fn energy(&self, d: [f64; 1]) -> f64 {
         // d is the position of a body less that of the next.
         let r = -d[0];
-        r * r * (0.5 + self.alpha * r / 3.0)
+        r * r * (0.5 + 0.25 * self.beta * r * r)
     }
 }
 
 /// 64 masses between pinned bodies 0 and 65.
-pub(crate) fn chain(start: &State<64>, alpha: f64) -> Scene<1, (), ((), Linked<Spring, Chain>)> {
+pub(crate) fn chain(start: &State<64>, beta: f64) -> Scene<1, (), ((), Linked<Spring, Chain>)> {
     let mut scene = Scene::new().body(1.0, [0.0], [0.0]);
     for (q, v) in start.q.into_iter().zip(start.v) {
         scene = scene.body(1.0, [q], [v]);
     }
-    scene.body(1.0, [0.0], [0.0]).pin(0).pin(65).chain(Spring { alpha })
+    scene.body(1.0, [0.0], [0.0]).pin(0).pin(65).chain(Spring { beta })
 }

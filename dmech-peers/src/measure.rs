@@ -9,8 +9,8 @@ use crate::entrant::{Crate, Entrant, Finish};
 /// An entrant stops at the first run that takes longer.
 const LONGEST: Duration = Duration::from_millis(40);
 
-/// An entrant stops at this error: well below the last goal.
-const ENOUGH: f64 = 1e-11;
+/// An entrant stops at this error, below the last goal; further down only roundings differ.
+const ENOUGH: f64 = 5e-13;
 
 /// A run is repeated within a round until this has passed.
 const ROUND: Duration = Duration::from_micros(300);
@@ -34,9 +34,9 @@ impl Line {
         self.cost_at(error, |finish| 1e3 * finish.time.as_secs_f64())
     }
 
-    /// Evaluations of the force to an error.
+    /// Evaluations of the force to an error, where there are any.
     pub fn evaluations_at(&self, error: f64) -> Option<Cost> {
-        self.cost_at(error, |finish| finish.evaluations as f64)
+        self.cost_at(error, |finish| finish.evaluations as f64).filter(|cost| cost.value() > 0.0)
     }
 
     fn cost_at(&self, error: f64, cost: fn(&Finish) -> f64) -> Option<Cost> {
@@ -107,7 +107,7 @@ mod tests {
             let finish = Finish { error: knob, evaluations: (1.0 / knob) as u64, time: Duration::from_micros(7) };
             if knob == 1e-4 { Err("lost".to_owned()) } else { Ok(finish) }
         };
-        let knobs = vec![1e-2, 1e-4, 1e-8, 1e-12, 1e-13];
+        let knobs = vec![1e-2, 1e-4, 1e-8, 1e-13, 1e-14];
         let lines = measure(&[Entrant::new(Crate::Hand, "made up", "m", knobs, run)], 1);
         assert_eq!(lines[0].runs.len(), 4);
         assert!(lines[0].runs[1].1.is_err() && lines[0].runs[3].1.is_ok());

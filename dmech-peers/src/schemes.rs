@@ -5,7 +5,8 @@ use dmech::{StudyError, StudyReport};
 
 use crate::entrant::{Crate, Entrant, Finish, steps};
 use crate::laws::chain;
-use crate::problem::{Fput, Problem};
+use crate::motion::Fput;
+use crate::problem::Problem;
 
 /// The list: names in pictures, and schemes.
 macro_rules! every_scheme {
@@ -96,7 +97,7 @@ where
 pub fn chain_schemes(problem: &Problem<Fput, 64>) -> Vec<Entrant<'_>> {
     let mut entrants = Vec::new();
     let study = || {
-        let scene = chain(&problem.start, problem.motion.alpha);
+        let scene = chain(&problem.start, problem.motion.beta);
         let ends = |x: &[f64; 64]| [&[0.0], x.as_slice(), &[0.0]].concat().into_iter().map(|x| [x]).collect::<Vec<_>>();
         let truth = ends(&problem.truth);
         move || {

@@ -1,9 +1,11 @@
 //! Loops by hand, with their force inside: what a scheme costs that is written for one motion and nothing else.
 
 use crate::entrant::{Crate, Entrant, Finish, steps};
-use crate::problem::{Motion, Problem};
+use crate::gauss::{add as add_compensated, gauss16};
+use crate::motion::{Motion, Planet};
+use crate::problem::Problem;
 
-/// Leap-frog and SRKN₁₄ᵃ.
+/// Leap-frog, SRKN₁₄ᵃ, and Gauss's method of order 16 with its stages in lanes.
 pub fn twins<'a, M: Motion<D> + 'a, const D: usize>(problem: &'a Problem<M, D>) -> Vec<Entrant<'a>> {
     let twin = |name: &str, label, forces: u64, run: fn(M, f64, u64, &mut [f64; D], &mut [f64; D])| {
         let knobs = steps(problem.end, problem.coarse);
@@ -18,7 +20,57 @@ pub fn twins<'a, M: Motion<D> + 'a, const D: usize>(problem: &'a Problem<M, D>) 
     vec![
         twin("Leap-frog by hand", "leap-frog by hand", 1, leapfrog::<M, D>),
         twin("SRKN14 of order 6 by hand", "SRKN14 by hand", 14, srkn14::<M, D>),
+        // The error falls by 2¹⁶ where the step is halved: a ladder of smaller rungs.
+        Entrant::new(
+            Crate::Hand,
+            "Gauss of order 16 by hand",
+            "Gauss 16 by hand",
+            (0..40).map(|k| (problem.end / problem.coarse * 2_f64.powf(0.25 * f64::from(k))).round()).collect(),
+            |steps| Finish::of(&problem.truth, || Ok(gauss_in_equal_steps(problem, steps as u64))),
+        ),
     ]
+}
+
+#[inline(never)]
+fn gauss_in_equal_steps<M: Motion<D>, const D: usize>(problem: &Problem<M, D>, steps: u64) -> ([f64; D], u64) {
+    let (h, mut left) = (problem.end / steps as f64, steps);
+    let (end, evaluations) = gauss16(problem.motion, &problem.start, |_, _| {
+        left = left.checked_sub(1)?;
+        Some(h)
+    });
+    (end.q, evaluations)
+}
+
+/// Gauss's method of order 16 in steps of ε r^{3/2}, which is a part of the period of a circle there; r in the middle of the step.
+pub fn planet_twin(problem: &Problem<Planet, 2>) -> Entrant<'_> {
+    Entrant::new(
+        Crate::Hand,
+        "Gauss of order 16 by hand, steps of r^(3/2)",
+        "Gauss 16 by hand ad.",
+        (0..20).map(|k| 0.8 * 0.5_f64.powf(0.125 * f64::from(k))).collect(),
+        |part| Finish::of(&problem.truth, || Ok(gauss_in_steps_of_the_planet(problem, part))),
+    )
+}
+
+#[inline(never)]
+fn gauss_in_steps_of_the_planet(problem: &Problem<Planet, 2>, part: f64) -> ([f64; 2], u64) {
+    let (mut t, mut lost) = (0.0, 0.0);
+    let length = |[x, y]: [f64; 2]| {
+        let s = x * x + y * y;
+        part * s.sqrt().sqrt() * s.sqrt()
+    };
+    let (end, evaluations) = gauss16(problem.motion, &problem.start, |q, v| {
+        let left = (problem.end - t) - lost;
+        let (mut a, mut h) = ([0.0; 2], length(*q));
+        problem.motion.acceleration(q, &mut a);
+        for _ in 0..2 {
+            h = length([0, 1].map(|k| q[k] + 0.5 * h * (v[k] + 0.25 * h * a[k])));
+        }
+        let h = h.min(left);
+        add_compensated(&mut t, &mut lost, h);
+        (h > 0.0).then_some(h)
+    });
+    (end.q, evaluations)
 }
 
 /// x += c y.
@@ -91,7 +143,7 @@ fn srkn14<M: Motion<D>, const D: usize>(motion: M, dt: f64, steps: u64, q: &mut 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::{Motion, eccentric, orbit};
+    use crate::problem::{eccentric, eight, fput, orbit, pendulum};
 
     #[test]
     fn drifts_and_kicks_fill_the_step() {
@@ -117,5 +169,33 @@ mod tests {
         let problem = eccentric();
         let found = order(&problem, &twins(&problem)[1], 80_000.0);
         assert!((found - 6.0).abs() < 0.1, "order {found}");
+    }
+
+    /// Eight stages end where 22 digits do: a few roundings of the way.
+    #[test]
+    fn gauss_ends_where_the_motion_does() {
+        fn error<M: Motion<D>, const D: usize>(problem: &Problem<M, D>, steps: f64) -> f64 {
+            let entrants = twins(problem);
+            let gauss = entrants.iter().find(|entrant| entrant.label.starts_with("Gauss")).unwrap();
+            gauss.run(steps).unwrap().error
+        }
+        for (found, most) in [
+            (error(&orbit(), 2000.0), 3e-12),
+            (error(&pendulum(), 120.0), 2e-13),
+            (error(&eight(), 600.0), 2e-12),
+            (error(&fput(), 700.0), 2e-12),
+            (planet_twin(&eccentric()).run(0.2).unwrap().error, 2e-11),
+        ] {
+            assert!(found < most, "{found:e}, at most {most:e}");
+        }
+    }
+
+    #[test]
+    fn gauss_has_order_16() {
+        let problem = orbit();
+        let gauss = &twins(&problem)[2];
+        let error = |steps| gauss.run(steps).unwrap().error;
+        let order = (error(700.0) / error(1200.0)).ln() / (1200.0_f64 / 700.0).ln();
+        assert!((order - 16.0).abs() < 1.0, "order {order}");
     }
 }

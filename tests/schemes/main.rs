@@ -10,5 +10,6 @@ mod composed;
 mod double_double;
 mod hard_cases;
 mod order;
+mod published;
 mod round_off;
 mod splittings;

@@ -17,3 +17,4 @@ pub mod laws;
 pub mod measured;
 pub mod memory;
 pub mod motion;
+pub mod published;

@@ -8,10 +8,13 @@ use plotters::style::RGBColor;
 use super::picture::{self, Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
 
 /// The lowest error that is drawn.
-const LOWEST: f64 = 1e-12;
+const LOWEST: f64 = 1e-14;
 
 /// Below it there is room for names and the key.
-const BOTTOM: f64 = -14.5;
+const BOTTOM: f64 = -17.0;
+
+/// Of heyoka.
+const TEAL: RGBColor = RGBColor(0, 145, 150);
 
 fn colour(line: &Line) -> RGBColor {
     match line.by {
@@ -19,16 +22,18 @@ fn colour(line: &Line) -> RGBColor {
         Crate::Dmech if line.label.starts_with("DG") => PURPLE,
         Crate::Dmech => BLUE,
         Crate::Hand => INK,
+        Crate::Heyoka => TEAL,
         Crate::OdeSolvers => RED,
         Crate::DifferentialEquations => OCHRE,
         Crate::Diffsol => GREEN,
     }
 }
 
-const KEY: [(&str, RGBColor); 6] = [
+const KEY: [(&str, RGBColor); 7] = [
     ("dmech, explicit: LF Leapfrog, RKN Nystrom, FG ForceGradient", BLUE),
     ("dmech, energy-exact: DG DiscreteGradient; ad. adaptive", PURPLE),
     ("written by hand", INK),
+    ("heyoka", TEAL),
     ("ode_solvers", RED),
     ("differential-equations", OCHRE),
     ("diffsol", GREEN),

@@ -1,4 +1,4 @@
-//! atanc x = arctan(x)/x and its slope atanc′(x)/x, in `f64`.
+//! atanc x = arctan(x)/x and its slope atanc′(x)/x.
 //!
 //! With y = x²,
 //!
@@ -24,7 +24,8 @@
 //!
 //! where nothing cancels for x ≥ 1, and little from 7/10 on.
 
-use crate::cube::{fast_two_sum, over_cube};
+use crate::cube::over_cube;
+use crate::functions::{Number, by_range, c, fast_two_sum};
 use crate::polynomial::{cubic, quintic};
 use core::f64::consts::FRAC_PI_2;
 
@@ -41,30 +42,30 @@ const AT_ONE: [f64; 2] = [0.28539816339744833, -2.4894981252573997e-17];
 
 /// arctan(x)/x.
 #[inline]
-pub(crate) fn atanc(x: f64) -> f64 {
-    if x.abs() < 0.25 {
+pub(crate) fn atanc<R: Number>(x: R) -> R {
+    let near = || {
         let y = x * x;
-        1.0 + y * (cubic(y, ATANC_P) / cubic(y, ATANC_Q))
-    } else {
-        x.atan() / x
-    }
+        R::ONE + y * (cubic(y, ATANC_P) / cubic(y, ATANC_Q))
+    };
+    by_range(x.abs().less(c(0.25)), near, || x.atan() / x)
 }
 
 /// (1/(1 + x²) − atanc x)/x².
 #[inline]
-pub(crate) fn atanc_slope(x: f64) -> f64 {
+pub(crate) fn atanc_slope<R: Number>(x: R) -> R {
     let a = x.abs();
-    if a < 0.7 {
+    let near = || {
         let y = x * x;
-        -2.0 / 3.0 + y * (quintic(y, SLOPE_P) / quintic(y, SLOPE_Q))
-    } else if a > 1e100 {
-        // D = π/2; one division at a time, because a³ overflows before the result vanishes.
-        -FRAC_PI_2 / a / a / a
-    } else {
-        let z = (a - 1.0) / (a + 1.0);
+        c::<R>(-2.0 / 3.0) + y * (quintic(y, SLOPE_P) / quintic(y, SLOPE_Q))
+    };
+    let far = || {
+        let z = (a - R::ONE) / (a + R::ONE);
         let z2 = z * z;
-        let part = z.atan() + z2 / (1.0 + z2);
-        let (sum, rest) = fast_two_sum(part.max(AT_ONE[0]), part.min(AT_ONE[0]));
-        over_cube(-sum, -(rest + AT_ONE[1]), a)
-    }
+        let part = z.atan() + z2 / (R::ONE + z2);
+        let (sum, rest) = fast_two_sum(part.max(c(AT_ONE[0])), part.min(c(AT_ONE[0])));
+        over_cube(-sum, -(rest + c(AT_ONE[1])), a)
+    };
+    // D = π/2; one division at a time, because a³ overflows before the result vanishes.
+    let farther = || c::<R>(-FRAC_PI_2) / a / a / a;
+    by_range(a.less(c(0.7)), near, || by_range(a.less_or_equal(c(1e100)), far, farther))
 }

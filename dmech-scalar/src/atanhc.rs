@@ -1,4 +1,4 @@
-//! atanhc x = artanh(x)/x and its slope atanhc′(x)/x, in `f64`, for |x| ≤ 1 (infinite at ±1, NaN beyond).
+//! atanhc x = artanh(x)/x and its slope atanhc′(x)/x for |x| ≤ 1 (infinite at ±1, NaN beyond).
 //!
 //! With y = x²,
 //!
@@ -24,8 +24,8 @@
 //! and 1 − a too for a ≥ 1/2. That of the slope, (1/(1−a²) − artanh(a)/a)/a², would round the large term three times;
 //! the same is 1/(1−a²) − (artanh a − a)/a³. There 1 − a² is formed as d + a d, d = 1 − a.
 
-use crate::Real;
 use crate::cube::over_cube;
+use crate::functions::{Number, by_range, c};
 use crate::polynomial::{cubic, septic};
 
 const ATANHC_P: [f64; 4] = [0.3333333333333333, -0.40375372644563406, 0.10847423985320365, -0.0012077040007790673];
@@ -54,35 +54,33 @@ const M_Q: [f64; 8] = [
 
 /// artanh a for 1/4 ≤ a ≤ 1.
 #[inline(always)]
-fn atanh(a: f64) -> f64 {
-    0.5 * (2.0 * a / (1.0 - a)).ln_1p()
+fn atanh<R: Number>(a: R) -> R {
+    ((a + a) / (R::ONE - a)).ln_1p() * c(0.5)
 }
 
 /// artanh(x)/x.
 #[inline]
-pub(crate) fn atanhc(x: f64) -> f64 {
+pub(crate) fn atanhc<R: Number>(x: R) -> R {
     let a = x.abs();
-    if a < 0.25 {
+    let near = || {
         let y = x * x;
-        1.0 + y * (cubic(y, ATANHC_P) / cubic(y, ATANHC_Q))
-    } else {
-        atanh(a) / a
-    }
+        R::ONE + y * (cubic(y, ATANHC_P) / cubic(y, ATANHC_Q))
+    };
+    by_range(a.less(c(0.25)), near, || atanh(a) / a)
 }
 
 /// (1/(1 − x²) − atanhc x)/x².
 #[inline]
-pub(crate) fn atanhc_slope(x: f64) -> f64 {
+pub(crate) fn atanhc_slope<R: Number>(x: R) -> R {
     let a = x.abs();
-    let d = 1.0 - a;
-    let pole = 1.0 / Real::mul_add(a, d, d);
-    if a < 0.8 {
+    let d = R::ONE - a;
+    let pole = R::ONE / a.mul_add(d, d);
+    let near = || {
         let y = x * x;
         let w = y * pole;
-        2.0 / 3.0 + y * (pole - septic(w, M_P) / septic(w, M_Q))
-    } else if a == 1.0 {
-        f64::INFINITY
-    } else {
-        pole - over_cube(atanh(a) - a, 0.0, a)
-    }
+        c::<R>(2.0 / 3.0) + y * (pole - septic(w, M_P) / septic(w, M_Q))
+    };
+    let far = || pole - over_cube(atanh(a) - a, R::ZERO, a);
+    let value = by_range(a.less(c(0.8)), near, far);
+    R::either(a.equal(R::ONE), c(f64::INFINITY), value)
 }

@@ -1,10 +1,13 @@
 //! Eight `f64` side by side.
 
+mod number;
+
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use wide::f64x8;
 
+use crate::functions;
 use crate::primitive::FUSED;
 use crate::{Mask, Real};
 
@@ -152,18 +155,6 @@ impl Lanes {
         let two = [four[0] + four[2], four[1] + four[3]];
         two[0] + two[1]
     }
-
-    #[inline(always)]
-    fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        let x = self.to_array();
-        Self::from_fn(|i| f(x[i]))
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let (x, y) = (self.to_array(), other.to_array());
-        Self::from_fn(|i| f(x[i], y[i]))
-    }
 }
 
 impl From<[f64; 8]> for Lanes {
@@ -287,16 +278,14 @@ impl Mask for LanesMask {
     }
 }
 
-/// `method(argument)` is the function of `f64` in each lane.
-macro_rules! lane_by_lane {
-    ($($name:ident($($other:ident)?);)*) => {$(
+/// `method(argument)` becomes a call of this crate's function of the same name.
+macro_rules! own {
+    ($($name:ident($($arg:ident)?);)*) => {$(
         #[inline]
-        fn $name(self $(, $other: Self)?) -> Self {
-            lane_by_lane!(@ self $name $($other)?)
+        fn $name(self $(, $arg: Self)?) -> Self {
+            functions::$name(self $(, $arg)?)
         }
     )*};
-    (@ $x:ident $name:ident) => { $x.map(<f64 as Real>::$name) };
-    (@ $x:ident $name:ident $y:ident) => { $x.zip($y, <f64 as Real>::$name) };
 }
 
 impl Real for Lanes {
@@ -386,10 +375,24 @@ impl Real for Lanes {
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
-    lane_by_lane! {
-        round(); floor(); trunc(); powf(p); cbrt(); exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
+    own! {
+        exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
         sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
-        sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
+        sinh(); cosh(); tanh(); asinh(); acosh(); atanh(); powf(p); cbrt();
         sinc(); sinc_slope(); sinhc(); sinhc_slope(); atanc(); atanc_slope(); atanhc(); atanhc_slope();
+    }
+    #[inline(always)]
+    fn round(self) -> Self {
+        // The largest number below 1/2: what is less than half away from 0 stays so.
+        let half = Self(f64x8::splat(0.5_f64.next_down()).copysign(self.0));
+        (self + half).trunc()
+    }
+    #[inline(always)]
+    fn floor(self) -> Self {
+        Self(self.0.floor())
+    }
+    #[inline(always)]
+    fn trunc(self) -> Self {
+        Self(self.0.trunc())
     }
 }

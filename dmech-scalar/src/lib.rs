@@ -19,6 +19,7 @@ mod atanhc;
 mod compensated;
 mod cube;
 mod double;
+mod functions;
 #[cfg(feature = "lanes")]
 mod lanes;
 mod polynomial;

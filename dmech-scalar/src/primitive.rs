@@ -1,6 +1,6 @@
 //! [`Real`] for `f64` and `f32`: the standard library's functions, and the cardinal ones.
 
-use crate::{Mask, Real, atanc, atanhc, sinc, sinhc};
+use crate::{Mask, Real, functions};
 
 /// Whether a fused multiply-add is one instruction, and [`Real::mul_add`] rounds once: always on AArch64, POWER, z and RISC-V
 /// with doubles, by target feature on x86.
@@ -47,16 +47,26 @@ macro_rules! from_std {
 
 /// The cardinal functions are computed in `f64`; an `f32` then rounds once.
 macro_rules! through_f64 {
-    ($real:ty: $($family:ident::$name:ident;)*) => {$(
+    ($real:ty: $($name:ident)*) => {$(
         #[inline]
         fn $name(self) -> Self {
-            $family::$name(f64::from(self)) as $real
+            functions::$name(f64::from(self)) as $real
+        }
+    )*};
+}
+
+/// `method(argument)` becomes a call of this crate's function of the same name.
+macro_rules! own {
+    ($($name:ident($($arg:ident)?);)*) => {$(
+        #[inline(always)]
+        fn $name(self $(, $arg: Self)?) -> Self {
+            functions::$name(self $(, $arg)?)
         }
     )*};
 }
 
 macro_rules! primitive {
-    ($($real:ident)*) => {$(
+    ($($real:ident { $($functions:tt)* })*) => {$(
         impl Real for $real {
             type Mask = bool;
 
@@ -97,31 +107,40 @@ macro_rules! primitive {
                 if FUSED { $real::mul_add(self, b, c) } else { self * b + c }
             }
             from_std! { $real:
-                recip(); abs(); signum(); round(); floor(); trunc(); min(other: Self); max(other: Self);
-                powi(n: i32); powf(p: Self); sqrt(); cbrt();
-                exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
-                sin(); cos(); tan(); asin(); acos(); atan(); atan2(x: Self);
-                sinh(); cosh(); tanh(); asinh();
+                recip(); abs(); signum(); round(); floor(); trunc(); min(other: Self); max(other: Self); powi(n: i32); sqrt();
             }
-            // The standard library's arcosh loses the digits of self − 1 near 1, its artanh is 20 ulp off near −1.
-            #[inline]
-            fn acosh(self) -> Self {
-                let t = self - 1.0;
-                (t + t.sqrt() * (t + 2.0).sqrt()).ln_1p()
-            }
-            #[inline]
-            fn atanh(self) -> Self {
-                let a = self.abs();
-                (0.5 * (2.0 * a / (1.0 - a)).ln_1p()).copysign(self)
-            }
-            through_f64! { $real:
-                sinc::sinc; sinc::sinc_slope;
-                sinhc::sinhc; sinhc::sinhc_slope;
-                atanc::atanc; atanc::atanc_slope;
-                atanhc::atanhc; atanhc::atanhc_slope;
-            }
+            $($functions)*
         }
     )*};
 }
 
-primitive! { f64 f32 }
+primitive! {
+    f64 {
+        own! {
+            exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
+            sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
+            sinh(); cosh(); tanh(); asinh(); acosh(); atanh(); powf(p); cbrt();
+            sinc(); sinc_slope(); sinhc(); sinhc_slope(); atanc(); atanc_slope(); atanhc(); atanhc_slope();
+        }
+    }
+    f32 {
+        from_std! { f32:
+            powf(p: Self); cbrt();
+            exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
+            sin(); cos(); tan(); asin(); acos(); atan(); atan2(x: Self);
+            sinh(); cosh(); tanh(); asinh();
+        }
+        // The standard library's arcosh loses the digits of self − 1 near 1, its artanh is 20 ulp off near −1.
+        #[inline]
+        fn acosh(self) -> Self {
+            let t = self - 1.0;
+            (t + t.sqrt() * (t + 2.0).sqrt()).ln_1p()
+        }
+        #[inline]
+        fn atanh(self) -> Self {
+            let a = self.abs();
+            (0.5 * (2.0 * a / (1.0 - a)).ln_1p()).copysign(self)
+        }
+        through_f64! { f32: sinc sinc_slope sinhc sinhc_slope atanc atanc_slope atanhc atanhc_slope }
+    }
+}

@@ -1,4 +1,4 @@
-//! sinc x = sin(x)/x and its slope sinc′(x)/x, in `f64`.
+//! sinc x = sin(x)/x and its slope sinc′(x)/x.
 //!
 //! With y = x²,
 //!
@@ -21,6 +21,7 @@
 //! The slope has a zero wherever tan x = x, first at |x| = 4.493. There the two terms cancel, as in any difference: for
 //! |x| > 4 the error is a few ulp of the larger term, not of the result.
 
+use crate::functions::{Number, by_range, c};
 use crate::polynomial::septic;
 
 const SINC: [f64; 8] = [
@@ -47,18 +48,16 @@ const SINC_SLOPE: [f64; 8] = [
 
 /// sin(x)/x.
 #[inline]
-pub(crate) fn sinc(x: f64) -> f64 {
-    if x.abs() < 1.25 { septic(x * x, SINC) } else { x.sin() / x }
+pub(crate) fn sinc<R: Number>(x: R) -> R {
+    by_range(x.abs().less(c(1.25)), || septic(x * x, SINC), || x.sin() / x)
 }
 
 /// (cos x − sinc x)/x².
 #[inline]
-pub(crate) fn sinc_slope(x: f64) -> f64 {
-    if x.abs() < 1.5 {
-        septic(x * x, SINC_SLOPE)
-    } else {
-        let (sin, cos) = x.sin_cos();
+pub(crate) fn sinc_slope<R: Number>(x: R) -> R {
+    let far = || {
         // Divided twice, because x² overflows before the result vanishes.
-        (cos - sin / x) / x / x
-    }
+        (x.cos() - x.sin() / x) / x / x
+    };
+    by_range(x.abs().less(c(1.5)), || septic(x * x, SINC_SLOPE), far)
 }

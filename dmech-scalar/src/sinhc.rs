@@ -1,4 +1,4 @@
-//! sinhc x = sinh(x)/x and its slope sinhc′(x)/x, in `f64`.
+//! sinhc x = sinh(x)/x and its slope sinhc′(x)/x.
 //!
 //! With y = x²,
 //!
@@ -15,7 +15,8 @@
 //! eᵃ overflows at a = 709.8, the functions themselves only at 717.1 and 723.6: above 700 the
 //! exponential is taken as e^(a−44) e⁴⁴.
 
-use crate::cube::{fast_two_sum, over_cube};
+use crate::cube::over_cube;
+use crate::functions::{Number, by_range, c, fast_two_sum};
 use crate::polynomial::septic;
 
 const SINHC: [f64; 8] = [
@@ -49,31 +50,39 @@ const E44: f64 = 1.2851600114359308e19;
 
 /// sinh(x)/x.
 #[inline]
-pub(crate) fn sinhc(x: f64) -> f64 {
-    let a = x.abs();
-    if a < 1.25 {
-        septic(x * x, SINHC)
-    } else if a > LARGE {
-        let a = a.min(OVERFLOWN);
-        (a - 44.0).exp() / (2.0 * a) * E44
-    } else {
-        let e = a.exp();
-        (e - 1.0 / e) / (2.0 * a)
-    }
+pub(crate) fn sinhc<R: Number>(x: R) -> R {
+    let far = || {
+        let Power { a, e, factor } = Power::of(x);
+        (e - e.recip()) / (a + a) * factor
+    };
+    by_range(x.abs().less(c(1.25)), || septic(x * x, SINHC), far)
 }
 
 /// (cosh x − sinhc x)/x².
 #[inline]
-pub(crate) fn sinhc_slope(x: f64) -> f64 {
-    let a = x.abs();
-    if a < 1.25 {
-        septic(x * x, SINHC_SLOPE)
-    } else if a > LARGE {
-        let a = a.min(OVERFLOWN);
-        over_cube(0.5 * (a - 1.0) * (a - 44.0).exp(), 0.0, a) * E44
-    } else {
-        let e = a.exp();
-        let (sum, rest) = fast_two_sum((a - 1.0) * e, (a + 1.0) / e);
-        over_cube(0.5 * sum, 0.5 * rest, a)
+pub(crate) fn sinhc_slope<R: Number>(x: R) -> R {
+    let far = || {
+        let Power { a, e, factor } = Power::of(x);
+        let (sum, rest) = fast_two_sum((a - R::ONE) * e, (a + R::ONE) / e);
+        over_cube(sum * c(0.5), rest * c(0.5), a) * factor
+    };
+    by_range(x.abs().less(c(1.25)), || septic(x * x, SINHC_SLOPE), far)
+}
+
+/// eᵃ = e · factor, with a = |x| or a number where the functions are infinite.
+struct Power<R> {
+    a: R,
+    e: R,
+    factor: R,
+}
+
+impl<R: Number> Power<R> {
+    #[inline(always)]
+    fn of(x: R) -> Self {
+        let a = x.abs();
+        let a = R::either(c::<R>(OVERFLOWN).less(a), c(OVERFLOWN), a);
+        let large = c::<R>(LARGE).less(a);
+        // The power of a large a is divided by e⁴⁴; its inverse is then wrong, but beyond all digits.
+        Self { a, e: R::either(large, a - c(44.0), a).exp(), factor: R::either(large, c(E44), R::ONE) }
     }
 }

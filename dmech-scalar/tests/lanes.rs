@@ -159,6 +159,25 @@ fn moderate_arguments() {
     assert_for(-1.0..1.0);
 }
 
+/// Seven everyday arguments, and one that takes a longer way: none of the seven may notice.
+#[test]
+fn one_lane_out_of_the_ordinary() {
+    let hard = hard();
+    for reach in [0.7, 2.0, 40.0, 720.0, 1e5, 1e18] {
+        let numbers = prop::array::uniform8(-reach..reach);
+        let strategy = (numbers.clone(), numbers.clone(), numbers, 0..8_usize, 0..hard.len(), 0..hard.len());
+        let mut runner = TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(3_000) });
+        runner
+            .run(&strategy, |(mut a, mut b, c, lane, first, second)| {
+                (a[lane], b[lane]) = (hard[first], hard[second]);
+                check(a, b, c);
+                check(a.map(f64::abs), b, c);
+                Ok(())
+            })
+            .unwrap();
+    }
+}
+
 #[test]
 fn powers() {
     let hard = hard();

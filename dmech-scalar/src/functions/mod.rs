@@ -1,0 +1,22 @@
+//! The functions of the language, written once for `f64` and `Lanes`.
+mod exponential;
+mod hyperbolic;
+mod inverse_hyperbolic;
+mod inverse_trigonometric;
+mod logarithmic;
+mod number;
+mod power;
+mod quarter_turns;
+mod trigonometric;
+pub(crate) use crate::atanc::{atanc, atanc_slope};
+pub(crate) use crate::atanhc::{atanhc, atanhc_slope};
+pub(crate) use crate::sinc::{sinc, sinc_slope};
+pub(crate) use crate::sinhc::{sinhc, sinhc_slope};
+pub(crate) use exponential::{exp, exp_m1, exp2};
+pub(crate) use hyperbolic::{cosh, sinh, tanh};
+pub(crate) use inverse_hyperbolic::{acosh, asinh, atanh};
+pub(crate) use inverse_trigonometric::{acos, asin, atan, atan2};
+pub(crate) use logarithmic::{ln, ln_1p, log2, log10};
+pub(crate) use number::{Bits, Number, b, by_range, c, fast_two_sum};
+pub(crate) use power::{cbrt, powf};
+pub(crate) use trigonometric::{cos, sin, tan};

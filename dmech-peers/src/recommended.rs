@@ -1,19 +1,10 @@
 //! The scheme of dmech that is chosen for an error before anything is measured: the README's advice, in names of pictures.
 
 /// For motions without close encounters: the largest error down to which a scheme is advised, from the coarsest.
-const EVEN: [(f64, &str); 3] = [
-    (1e-3, "FG 4"),
-    (1e-6, "RKN 6"),
-    // `Gauss::order16()` takes the place of these two, from 1e-6 on, as "Gauss 16".
-    (0.0, "RKN 8"),
-];
+const EVEN: [(f64, &str); 2] = [(1e-3, "FG 4"), (0.0, "Gauss 16")];
 
 /// For close encounters: steps that follow the motion.
-const FOLLOWING: [(f64, &str); 2] = [
-    (1e-6, "RKN 6 ad."),
-    // And here as "Gauss 16 ad.", from 1e-6 on.
-    (0.0, "FG 8 ad."),
-];
+const FOLLOWING: [(f64, &str); 2] = [(1e-3, "RKN 6 ad."), (0.0, "Gauss 16 ad.")];
 
 /// The name in pictures of the scheme that is advised for an error.
 pub fn recommended(error: f64, encounters: bool) -> &'static str {

@@ -1,5 +1,6 @@
 //! The schemes of dmech that take part: one list, for laws of one body and for the chain.
 
+use dmech::extend::AtStages;
 use dmech::prelude::*;
 use dmech::{StudyError, StudyReport};
 
@@ -26,6 +27,9 @@ macro_rules! every_scheme {
         $add!("FG 4", ForceGradient::order4());
         $add!("FG 6", ForceGradient::order6());
         $add!("FG 8", ForceGradient::order8());
+        $add!("LI 8", LineIntegral::order8());
+        $add!("LI 10", LineIntegral::order10());
+        $add!("Gauss 16", Gauss::order16());
     };
 }
 
@@ -41,6 +45,7 @@ macro_rules! every_adaptive_scheme {
         $add!("DG 4 ad.", Composed::order4(DiscreteGradient));
         $add!("DG 6 ad.", Composed::order6(DiscreteGradient));
         $add!("DG 8 ad.", Composed::order8(DiscreteGradient));
+        $add!("Gauss 16 ad.", Gauss::order16());
     };
 }
 
@@ -73,7 +78,7 @@ macro_rules! entrants {
 /// All schemes on a law of one body of mass 1.
 pub fn law_schemes<'a, L, M, const D: usize>(law: L, problem: &'a Problem<M, D>) -> Vec<Entrant<'a>>
 where
-    L: Law<D> + VelocityIndependent + Clone + 'a,
+    L: AtStages<D, f64> + VelocityIndependent + Clone + 'a,
 {
     let mut entrants = Vec::new();
     let study = || {

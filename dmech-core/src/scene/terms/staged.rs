@@ -28,10 +28,6 @@ pub struct Moments<'a, const D: usize> {
 }
 
 /// What acts in a scene, asked for eight moments at once: each law in lanes.
-#[diagnostic::on_unimplemented(
-    message = "a law of this scene cannot be asked for eight stages side by side",
-    note = "`Gauss` and `LineIntegral` ask every law for eight positions at once: a law by hand is implemented for every scalar, `impl<R: Real> Potential<D, R> for MyLaw`"
-)]
 pub trait ActsAtStages<const D: usize>: Acts<D> {
     /// Distances decide who is linked.
     const OF_DISTANCE: bool;

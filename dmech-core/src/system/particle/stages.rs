@@ -8,12 +8,20 @@ use crate::system::stages::{self, Eight, Staged, Staging, Tableau, weighed};
 use crate::vector::{by_component, finite, weighted};
 use core::array::from_fn;
 
-/// A law that can be asked for eight slopes at once.
+/// A law that can be asked for eight slopes at once: every law over `f64` that is one over eight lanes too, as those are that a
+/// macro writes.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be asked for eight positions at once",
+    label = "`Gauss` and `LineIntegral` ask a law for eight stages of a step side by side",
+    note = "a law written by hand must hold for every scalar: `impl<R: Real> Potential<{D}, R> for {Self}` in place of `impl Potential<{D}> for {Self}`",
+    note = "`Nystrom::order8()` and `Composed::order8(DiscreteGradient)` take a law over `f64` alone"
+)]
 pub trait AtStages<const D: usize, R: Staging>: Law<D, R> {
     /// ∇Φ − F at eight times, positions and velocities.
     fn slopes(&self, mass: R, t: R::Eight, q: [R::Eight; D], v: [R::Eight; D]) -> [R::Eight; D];
 }
 
+#[diagnostic::do_not_recommend]
 impl<const D: usize, L: Law<D> + Law<D, Lanes>> AtStages<D, f64> for L {
     #[inline(always)]
     fn slopes(&self, mass: f64, t: Lanes, q: [Lanes; D], v: [Lanes; D]) -> [Lanes; D] {
@@ -23,6 +31,7 @@ impl<const D: usize, L: Law<D> + Law<D, Lanes>> AtStages<D, f64> for L {
 
 macro_rules! one_by_one {
     ($($real:ty)*) => {$(
+        #[diagnostic::do_not_recommend]
         impl<const D: usize, L: Law<D, $real>> AtStages<D, $real> for L {
             fn slopes(&self, mass: $real, t: [$real; 8], q: [[$real; 8]; D], v: [[$real; 8]; D]) -> [[$real; 8]; D] {
                 let mut slopes = [[<$real>::ZERO; 8]; D];

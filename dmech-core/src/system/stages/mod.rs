@@ -19,10 +19,6 @@ pub(crate) use super::{Columns, Row, STAGES, Tableau};
 /// Qᵢ = q + cᵢ h v + Σⱼ νᵢⱼ Lⱼ,   Vᵢ = v + Σⱼ μᵢⱼ Lⱼ/h
 /// q′ = q + h v + Σ (1 − cⱼ) Lⱼ,   v′ = v + Σ Lⱼ/h
 /// ```
-#[diagnostic::on_unimplemented(
-    message = "the forces of `{Self}` cannot be had at eight stages side by side",
-    note = "`Gauss` and `LineIntegral` ask every law for eight positions at once: a law by hand is implemented for every scalar, `impl<R: Real> Potential<D, R> for MyLaw`"
-)]
 pub trait Staged: System {
     /// The pushes of a step: eight numbers for each coordinate.
     type Pushes: Clone + core::fmt::Debug;

@@ -5,13 +5,22 @@
 //! that it would get alone. There is no table but that of `powf`, whose logarithm needs more digits than
 //! a polynomial gives in good time.
 //!
-//! All are held to one ulp against 120 digits, at their edges first (`tests/functions.rs`). The largest errors seen, in ulp, are
-//! MAXULP
+//! All are held to one ulp against 120 digits, at their edges first (`tests/functions.rs`). The largest errors seen among some
+//! 25 000 arguments each, with and without a fused instruction:
+//!
+//! | | ulp | | ulp | | ulp | | ulp |
+//! |---|---|---|---|---|---|---|---|
+//! | exp | 0.75 | ln | 0.87 | sin | 0.77 | sinh | 0.74 |
+//! | exp2 | 0.75 | ln_1p | 0.87 | cos | 0.75 | cosh | 0.67 |
+//! | exp_m1 | 0.78 | log2 | 0.92 | tan | 0.90 | tanh | 0.79 |
+//! | powf | 0.73 | log10 | 0.82 | asin | 0.60 | asinh | 0.81 |
+//! | cbrt | 0.67 | atan | 0.58 | acos | 0.62 | acosh | 0.75 |
+//! | | | atan2 | 0.61 | | | atanh | 0.72 |
 //!
 //! Fused and not, the same source gives different last bits. Without `mul_add` the results would be equal on all
-//! targets, but a value of exp that waits for the last would take half as long again, and one of sin a third: too much for
-//! a step that is held to the standard library's functions. So `mul_add` is used, and what must be exact does not
-//! depend on it.
+//! targets, but a value of exp or sin that waits for the last takes a third longer then, and one of powf half as long again:
+//! too much for a step that is held to a loop with the standard library's functions. So `mul_add` is used, and what must
+//! be exact does not depend on it.
 //!
 //! Polynomials are evaluated by Estrin's scheme, and errors of sums are added last, because a step of a simulation waits for one value at a
 //! time: the chain of operations from argument to result is what counts, not their number.

@@ -24,9 +24,14 @@ const FUSED_WIDE: bool = cfg!(any(
 /// for `f64` itself. (It also leaves open which zero `min` and `max` return for 0 and −0; a test holds the lanes to the
 /// one that `f64` gives.)
 ///
-/// | one instruction, or a few | lane by lane, through `f64` |
-/// |---|---|
-/// | + − × ÷, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `min`, `max`, comparisons, `select` | all other functions |
+/// + − × ÷, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `round`, `floor`, `trunc`, `min`, `max`, comparisons and `select` are one
+/// instruction or a few. The other functions have one source for `f64` and for lanes, without branches where that matters:
+/// eight values of sin, exp or ln take about the time of one. Three cases take longer, for all eight if one of them is there:
+///
+/// - sin, cos and tan beyond |x| = 2·10⁵ and within 10⁻¹² of a multiple of π/2 (0 excepted) are computed one by one,
+/// - logarithms, powers, roots and arctan of quotients have a second form for subnormal, infinite, negative or zero
+///   arguments, exponentials for results near overflow or underflow, still in lanes,
+/// - functions with a series near 0 and a closed form elsewhere compute both where the lanes disagree.
 ///
 /// With AVX-512 the eight are one register, with AVX two, with SSE2 or NEON four.
 ///

@@ -1,4 +1,4 @@
-//! [`Real`] for `f64` and `f32`: the standard library's functions, and the cardinal ones.
+//! [`Real`] for `f64`, with the functions of this crate, and for `f32`, with those of the standard library and the cardinal ones.
 
 use crate::{Mask, Real, functions};
 

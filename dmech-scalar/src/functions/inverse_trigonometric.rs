@@ -101,7 +101,7 @@ pub(crate) fn atan2<R: Number>(y: R, x: R) -> R {
     let (low, high) = (R::either(steep, b, a), R::either(steep, a, b));
     let left = x.signum().less(R::ZERO);
     // Neither overflow nor what a remainder loses among subnormal numbers.
-    let tame = high.less(c(1e300)).and(c::<R>(1e-250).less(low).or(low.equal(R::ZERO).and(c::<R>(1e-250).less(high))));
+    let tame = high.less(c(1e290)).and(c::<R>(1e-250).less(low).or(low.equal(R::ZERO).and(c::<R>(1e-250).less(high))));
     let value = if tame.all() { angle(low, high, steep, left) } else { wild(low, high, steep, left, tame) };
     turned(value, sign(y))
 }

@@ -18,6 +18,7 @@ use super::exponential::{MODERATE, exp_of_sum, exp_of_sum_anywhere};
 use super::number::{Bits, Number, b, c, fast_two_sum, nearest_integer, power_of_two, sign, turned, two_product};
 use crate::Mask;
 use crate::polynomial::{quintic_of, sextic};
+use crate::primitive::FUSED;
 
 const LN_2: [f64; 2] = [0.6931471805598903, 5.497923018708371e-14];
 /// The lowest m, which is the start of the first interval, and what 1 is above it: 75 intervals and a half.
@@ -46,7 +47,10 @@ fn ln_in_two<R: Number>(x: R, shift: R) -> (R, R) {
     let m = R::from_bits(bits.and(b::<R>(FRACTION)).plus(b::<R>(LOWEST)));
     let [inverse, ln_c, ln_c_rest] = R::look_up(&TABLE, bits.shr(45));
     let (ratio, error) = two_product(m, inverse);
-    let (r, below) = fast_two_sum(ratio - R::ONE, error);
+    let without = ratio - R::ONE;
+    // The same, known sooner.
+    let r = if FUSED { m.mul_add(inverse, -R::ONE) } else { without + error };
+    let below = (without - r) + error;
     let (square, square_rest) = two_product(r, r * c(-0.5));
     let (sum, first) = fast_two_sum(k.mul_add(c(LN_2[0]), ln_c), r);
     let (sum, second) = fast_two_sum(sum, square);

@@ -24,7 +24,7 @@ const FUSED_WIDE: bool = cfg!(any(
 /// for `f64` itself. (It also leaves open which zero `min` and `max` return for 0 and −0; a test holds the lanes to the
 /// one that `f64` gives.)
 ///
-/// + − × ÷, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `round`, `floor`, `trunc`, `min`, `max`, comparisons and `select` are one
+/// The operators, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `round`, `floor`, `trunc`, `min`, `max`, comparisons and `select` are one
 /// instruction or a few. The other functions have one source for `f64` and for lanes, without branches where that matters:
 /// eight values of sin, exp or ln take about the time of one. Three cases take longer, for all eight if one of them is there:
 ///

@@ -32,7 +32,7 @@ pub use measure::{Line, measure};
 pub use motion::{Eight, Fput, Motion, Planet, Swing};
 pub use outer::{OuterPlanets, outer_angular_momentum, outer_energy, outer_gauss, outer_scene, outer_start};
 pub use problem::{Problem, eccentric, eight, fput, orbit, pendulum};
-pub use recommended::recommended;
+pub use recommended::{Kind, recommended};
 pub use report::{GOALS, Report};
 pub use schemes::{chain_schemes, law_schemes};
 pub use twins::{planet_twin, twins};

@@ -1,5 +1,6 @@
 //! The five motions: starts, ends, and where they end.
 
+use crate::recommended::Kind;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use dmech::prelude::State;
@@ -24,8 +25,8 @@ pub struct Problem<M, const D: usize> {
     pub truth: [f64; D],
     /// The longest step that is tried.
     pub coarse: f64,
-    /// Whether there are close encounters, for which steps that follow the motion are advised.
-    pub encounters: bool,
+    /// What the advice depends on.
+    pub kind: Kind,
 }
 
 /// Greenspan's planet, 87 revolutions on an ellipse of eccentricity 0.33.
@@ -38,7 +39,7 @@ pub fn orbit() -> Problem<Planet, 2> {
         end: 350.0,
         truth: ends::ORBIT,
         coarse: 1.0,
-        encounters: false,
+        kind: Kind::Even,
     }
 }
 
@@ -52,7 +53,7 @@ pub fn eccentric() -> Problem<Planet, 2> {
         end: 200.0 * PI,
         truth: ends::ECCENTRIC,
         coarse: 1.0,
-        encounters: true,
+        kind: Kind::Encounters,
     }
 }
 
@@ -66,7 +67,7 @@ pub fn pendulum() -> Problem<Swing, 1> {
         end: 100.0,
         truth: ends::PENDULUM,
         coarse: 4.0,
-        encounters: false,
+        kind: Kind::Even,
     }
 }
 
@@ -84,7 +85,7 @@ pub fn eight() -> Problem<Eight, 6> {
         end: 100.0,
         truth: ends::EIGHT,
         coarse: 1.0,
-        encounters: false,
+        kind: Kind::Even,
     }
 }
 
@@ -98,6 +99,6 @@ pub fn fput() -> Problem<Fput, 64> {
         end: 1000.0,
         truth: ends::FPUT,
         coarse: 4.0,
-        encounters: false,
+        kind: Kind::Many,
     }
 }

@@ -7,7 +7,7 @@ use dmech::study::Cost;
 
 use crate::entrant::Crate;
 use crate::measure::Line;
-use crate::recommended::recommended;
+use crate::recommended::{Kind, recommended};
 
 /// The errors that are asked for.
 pub const GOALS: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-11, 1e-12];
@@ -19,8 +19,8 @@ pub struct Report {
     pub name: &'static str,
     /// Of the motion.
     pub title: &'static str,
-    /// Whether there are close encounters, for which steps that follow the motion are advised.
-    pub encounters: bool,
+    /// What the advice depends on.
+    pub kind: Kind,
     /// One for each entrant.
     pub lines: Vec<Line>,
 }
@@ -59,7 +59,7 @@ impl Report {
 
     /// Milliseconds of the scheme that is advised for an error, which is chosen before anything is measured.
     pub fn advised(&self, goal: f64) -> (&'static str, Option<Cost>) {
-        let name = recommended(goal, self.encounters);
+        let name = recommended(goal, self.kind);
         let line = self.lines.iter().find(|line| line.by == Crate::Dmech && line.label == name);
         (name, line.and_then(|line| line.time_at(goal)))
     }
@@ -162,7 +162,7 @@ mod tests {
             Line { by, name: name.to_owned(), label: "", runs: [1e-1, 3e-5, 2e-7, 1e-10].map(finish).into() }
         };
         let lines = vec![line(Crate::Dmech, "own", 1.0, 4.0), line(Crate::Diffsol, "other", 20.0, 8.0)];
-        Report { name: "made", title: "Made up", encounters: false, lines }
+        Report { name: "made", title: "Made up", kind: Kind::Even, lines }
     }
 
     /// At the first three goals, 1e-3: 5.62 and 47.4; 1e-6: 31.6 and 112.5; 1e-9: 177.8 and 266.7 microseconds, then with the roles exchanged.

@@ -77,8 +77,8 @@ fn study<'a, M: Motion<D>, const D: usize, const N: usize>(
     entrants.extend(differential_equations::entrants::<M, D, N>(problem));
     entrants.extend(diffsol::entrants::<M, D, N>(problem));
     let lines = measure(&entrants, ROUNDS);
-    let Problem { name, title, encounters, .. } = *problem;
-    let report = Report { name, title, encounters, lines };
+    let Problem { name, title, kind, .. } = *problem;
+    let report = Report { name, title, kind, lines };
     println!("{}", report.table());
     println!("Picture: {}\n", diagram::draw(&report)?.display());
     Ok(report)

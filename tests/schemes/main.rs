@@ -10,5 +10,6 @@ mod composed;
 mod double_double;
 mod hard_cases;
 mod order;
+mod relaxed;
 mod round_off;
 mod splittings;

@@ -127,6 +127,7 @@
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
 //! | [`Composed`] | 4, 6, 8 | what the scheme keeps that it is composed of | 7, 13, 21 of its steps |
 //! | [`Nystrom`] | 4, 6, 8 | angular momentum; energy bounded | 6, 14, 19 forces |
+//! | [`Relaxed`] | 6, 8 | energy exactly; no momentum | 15, 20 forces |
 //! | [`ForceGradient`] | 4, 6, 8 | the same | 5, 5, 14 forces, and the change of 2, 3, 14 along themselves |
 //! | [`Gauss`] | 16 | angular momentum; energy bounded, mostly to rounding | 3 to 10 sweeps of 8 forces side by side |
 //! | [`LineIntegral`] | 4, 6, 8, 10 | energy exactly where the potential is a polynomial | the same |
@@ -236,7 +237,7 @@ pub use dmech_study::{Study, StudyError, StudyReport, verify, verify_scheme};
 #[doc(inline)]
 pub use dmech_core::{
     Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss, Implicit, Kanatani,
-    Leapfrog, LineIntegral, Nystrom, coefficients,
+    Leapfrog, LineIntegral, Nystrom, Relaxed, coefficients,
 };
 
 // For those who look closer.

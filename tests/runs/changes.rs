@@ -77,6 +77,7 @@ fn one_law_changes_under_every_scheme() {
     law(Kanatani);
     law(Kanatani.start(Start::BackwardStep));
     law(Nystrom::order6());
+    law(Relaxed::order8());
     law(ForceGradient::order6());
     law(Composed::order4(Leapfrog));
     law(Composed::order6(DiscreteGradient));
@@ -199,6 +200,7 @@ macro_rules! scene {
 fn scenes_change_under_every_kind_of_scheme() {
     scene!(Leapfrog);
     scene!(Nystrom::order6());
+    scene!(Relaxed::order6());
     scene!(Implicit);
     scene!(DiscreteGradient);
     scene!(Kanatani);

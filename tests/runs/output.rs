@@ -76,6 +76,7 @@ fn every_scheme_has_its_order_between_its_steps() {
         Kanatani, 0.02;
         Nystrom::order4(), 0.1;
         Nystrom::order6(), 0.15;
+        Relaxed::order6(), 0.15;
         ForceGradient::order4(), 0.1;
         ForceGradient::order6(), 0.15;
         Composed::order4(Leapfrog), 0.1;
@@ -83,7 +84,7 @@ fn every_scheme_has_its_order_between_its_steps() {
         Composed::order6(DiscreteGradient), 0.15;
         Composed::order4(Implicit), 0.1;
     };
-    assert_eq!(count, 13);
+    assert_eq!(count, 14);
 }
 
 #[test]

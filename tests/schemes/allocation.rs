@@ -7,6 +7,7 @@ use dmech::prelude::*;
 use dmech_tests::for_each_law;
 use dmech_tests::laws::*;
 use dmech_tests::memory::allocations;
+use dmech_tests::motion::RELAXED_6;
 
 /// A pulsating quartic bowl with drag: force, velocity, mass and time.
 #[derive(Clone, Copy, Debug)]
@@ -70,10 +71,11 @@ fn no_step_allocates() {
             one! { Implicit, $($law)* }
             one! { DiscreteGradient, $($law)* }
             one! { Kanatani, $($law)* }
+            one! { RELAXED_6, $($law)* }
         };
     }
     for_each_law!(every);
-    assert_eq!(checked, 6 * 12);
+    assert_eq!(checked, 7 * 12);
 }
 
 #[test]
@@ -122,6 +124,8 @@ fn no_step_of_a_scene_allocates() {
         check(all.clone(), Leapfrog, dt, "pairs, Leapfrog");
         check(all.clone(), Implicit, dt, "pairs, Implicit");
         check(all.clone(), DiscreteGradient, dt, "pairs, DiscreteGradient");
+        check(all.clone(), Relaxed::order6(), dt, "pairs, Relaxed");
+        check(bodies().chain(spring), Relaxed::order8(), dt, "chain, Relaxed");
         check(bodies().chain(spring), Kanatani, dt, "chain, Kanatani");
         check(bodies().chain(spring), DiscreteGradient, dt, "chain, DiscreteGradient");
     }

@@ -11,5 +11,6 @@ mod double_double;
 mod hard_cases;
 mod order;
 mod published;
+mod relaxed;
 mod round_off;
 mod splittings;

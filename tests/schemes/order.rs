@@ -18,6 +18,7 @@ macro_rules! for_each_scheme {
         $run! { Kanatani, $($rest)* }
         $run! { NYSTROM_4, $($rest)* }
         $run! { NYSTROM_6, $($rest)* }
+        $run! { RELAXED_6, $($rest)* }
         $run! { FORCE_GRADIENT_4, $($rest)* }
     };
 }
@@ -29,6 +30,7 @@ fn orders_are_as_declared() {
         // Above order 2 the error at t = 1 is rounding; `splittings` measures it on motions where it is not.
         (NYSTROM_4, $($rest:tt)*) => {};
         (NYSTROM_6, $($rest:tt)*) => {};
+        (RELAXED_6, $($rest:tt)*) => {};
         (FORCE_GRADIENT_4, $($rest:tt)*) => {};
         ($scheme:ident, $law:ident, $d:literal, $q:expr, $v:expr) => {{
             has_its_order::<_, _, $d>($law::new(), $scheme, State::new($q, $v), 0.05, stringify!($law));
@@ -72,6 +74,7 @@ fn symmetric_schemes_return_when_the_velocity_is_reversed() {
         // Kanatani's start is itself only of second order: it is a two-step scheme, reversed in its own variables.
         (Kanatani, $($rest:tt)*) => {};
         (Explicit, $($rest:tt)*) => {};
+        (RELAXED_6, $($rest:tt)*) => {};
         ($scheme:ident, $law:ident, $d:literal, $q:expr, $v:expr) => {{
             let miss = miss::<_, _, $d>($law::new(), $law::new(), $scheme, State::new($q, $v));
             assert!(miss < 2e-12, "{} on {}: {miss:e}", stringify!($scheme), stringify!($law));

@@ -6,6 +6,7 @@ use dmech::{Kept, Potential};
 /// The splittings as rows of tables.
 pub const NYSTROM_4: Nystrom<coefficients::BlanesMoan4S6, 6> = Nystrom::order4();
 pub const NYSTROM_6: Nystrom<coefficients::BlanesMoan6S14, 14> = Nystrom::order6();
+pub const RELAXED_6: Relaxed<coefficients::BlanesMoan6S14, 14> = Relaxed::order6();
 pub const FORCE_GRADIENT_4: ForceGradient<coefficients::Omelyan4S5, 5> = ForceGradient::order4();
 
 /// The mass that the suites use: not 1.

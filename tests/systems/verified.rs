@@ -32,6 +32,7 @@ fn every_scheme_passes() {
         Composed::order4(Implicit),
         Composed::order6(DiscreteGradient),
         Nystrom::order6(),
+        Relaxed::order6(),
         ForceGradient::order4(),
     ];
 }

@@ -14,6 +14,7 @@ mod leapfrog;
 mod memory;
 mod missing;
 mod nystrom;
+mod relaxed;
 mod splitting;
 
 pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
@@ -32,6 +33,7 @@ pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::Leapfrog;
 pub use missing::{NeverBegun, NoScheme, WithScheme};
 pub use nystrom::Nystrom;
+pub use relaxed::{Relaxed, RelaxedMemory, RelaxedRoom};
 pub use splitting::{First, SplittingMemory};
 
 use crate::error::Error;

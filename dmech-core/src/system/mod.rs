@@ -95,6 +95,9 @@ pub trait System: Sized {
     fn add_scaled(x: &mut Self::Vector, c: Self::Scalar, y: &Self::Vector);
     /// out ← Σ wⱼ xⱼ.
     fn weigh<const N: usize>(w: &[f64; N], x: &[Self::Vector; N], out: &mut Self::Vector);
+    /// x ← 0 for bodies that count in no energy.
+    #[inline(always)]
+    fn leave_uncounted(&self, _x: &mut Self::Vector) {}
     /// Every component is finite.
     fn is_finite(x: &Self::Vector) -> bool;
 

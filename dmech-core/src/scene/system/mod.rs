@@ -236,6 +236,11 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     #[inline]
+    fn leave_uncounted(&self, x: &mut Vectors<D>) {
+        self.tests.iter().for_each(|&i| x.set(i, [0.0; D]));
+    }
+
+    #[inline]
     fn is_finite(x: &Vectors<D>) -> bool {
         x.is_finite()
     }

@@ -12,6 +12,7 @@ mod step;
 mod conditions;
 
 pub use step::SplittingMemory;
+pub(super) use step::{drift, kick};
 
 use dmech_scalar::Real;
 

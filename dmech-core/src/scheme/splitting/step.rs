@@ -44,7 +44,7 @@ pub(in crate::scheme) enum Begun {
 
 /// The kick after drift k of a step that began at t.
 #[inline(always)]
-fn kick<S: Splitting<N>, const N: usize, R: Real>(k: usize, h: R, t: R) -> Kick<R> {
+pub(in crate::scheme) fn kick<S: Splitting<N>, const N: usize, R: Real>(k: usize, h: R, t: R) -> Kick<R> {
     let t = R::from_f64(S::ENDS[k]).mul_add(h, t);
     Kick { t, b: digits(S::JOINED[k], S::JOINED_LOW[k]), e: S::JOINED_GRADIENTS[k] }
 }
@@ -56,7 +56,7 @@ fn half_kick<S: Splitting<N>, const N: usize, R: Real>(t: R) -> Kick<R> {
 }
 
 #[inline(always)]
-fn drift<S: Splitting<N>, const N: usize, R: Real>(k: usize, h: R) -> R {
+pub(in crate::scheme) fn drift<S: Splitting<N>, const N: usize, R: Real>(k: usize, h: R) -> R {
     digits::<R>(S::DRIFTS[k], S::DRIFTS_LOW[k]) * h
 }
 

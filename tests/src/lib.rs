@@ -5,6 +5,7 @@
 //! | `papers` | what Greenspan and Kanatani computed |
 //! | `laws` | the language of a law; what is generated from one, against the law itself |
 //! | `schemes` | order, invariants, reversal, seams, round-off of every scheme |
+//! | `stages` | Gauss's method and line integrals: orders to 16, exact energies, published ends, where steps break |
 //! | `scenes` | many bodies |
 //! | `seams` | motions across seams: choices, contacts, kinks |
 //! | `runs` | what is saved, resumed, shown |

@@ -153,3 +153,8 @@ where
     let back = end(home, scheme, State::new(there.q, there.v).reversed(), 500).reversed();
     distance(back.q, start.q) + distance(back.v, start.v)
 }
+
+/// The order that a method declares.
+pub fn order_of_method<S: Method>(_: S) -> u32 {
+    S::ORDER
+}

@@ -78,6 +78,8 @@ fn one_law_changes_under_every_scheme() {
     law(Kanatani.start(Start::BackwardStep));
     law(Nystrom::order6());
     law(ForceGradient::order6());
+    law(Gauss::order16());
+    law(LineIntegral::order6());
     law(Composed::order4(Leapfrog));
     law(Composed::order6(DiscreteGradient));
     law(Composed::order4(Implicit));
@@ -203,6 +205,8 @@ fn scenes_change_under_every_kind_of_scheme() {
     scene!(DiscreteGradient);
     scene!(Kanatani);
     scene!(Composed::order4(DiscreteGradient));
+    scene!(Gauss::order16());
+    scene!(LineIntegral::order4());
 }
 
 /// A law that is there or not: free motion without it, and with it what it is alone.
@@ -288,6 +292,8 @@ fn every_scheme_waits_for_a_law_with_a_value() {
     broken(DiscreteGradient);
     broken(Kanatani);
     broken(Nystrom::order6());
+    broken(Gauss::order16());
+    broken(LineIntegral::order4());
     broken(Composed::order4(DiscreteGradient));
 }
 

@@ -14,6 +14,8 @@ use crate::system::stages::{self, Eight, Staged, weighed};
 const SMALL: f64 = 1.0 / 256.0;
 /// A body that is at the origin has this part of the size of the scene.
 const LEAST: f64 = 1e-18;
+/// The size of a scene in which all are at rest at the origin and nothing pushes them.
+const NO_SIZE: f64 = 1e-120;
 
 /// What stays the same from sweep to sweep, and room for it.
 #[derive(Clone, Debug)]
@@ -34,6 +36,8 @@ pub struct SceneAim<const D: usize> {
     per_unit: Vec<f64>,
     /// The largest change in the last sweep, in these units.
     change: Lanes,
+    /// All are at rest at the origin.
+    still: bool,
 }
 
 impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
@@ -57,8 +61,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let [base, q, slopes] = [(); 3].map(|()| Eights::zeros(bodies));
         let [speed, v] = [(); 2].map(|()| Eights::zeros(speeds));
         let apart = vec![Vectors::zeros(bodies); if A::OF_DISTANCE { STAGES } else { 1 }];
-        let (t, per_unit, change) = (Lanes::ZERO, vec![0.0; bodies], Lanes::ZERO);
-        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change }
+        let (t, per_unit, change, still) = (Lanes::ZERO, vec![0.0; bodies], Lanes::ZERO, false);
+        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change, still }
     }
 
     fn go_on(pushes: &mut Eights<D>, tableau: &Tableau, ratio: f64) {
@@ -98,7 +102,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
             aim.speed.flat_mut().iter_mut().zip(v).for_each(|(speed, &v)| *speed = Lanes::splat(v));
         }
         self.place_driven(aim);
-        let least = if largest == 0.0 { 1.0 } else { LEAST * largest };
+        aim.still = largest == 0.0;
+        let least = if aim.still { NO_SIZE } else { LEAST * largest };
         for unit in &mut aim.per_unit {
             *unit = (0.5 * f64::EPSILON * unit.max(least)).recip();
         }
@@ -106,7 +111,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
     }
 
     fn sweep(&self, tableau: &Tableau, stride: &SceneStride<D>, aim: &mut SceneAim<D>, pushes: &mut Eights<D>) -> bool {
-        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change } = aim;
+        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, change, .. } = aim;
         for (q, (push, base)) in q.flat_mut().iter_mut().zip(pushes.flat().iter().zip(base.flat())) {
             *q = weighed(&tableau.places, *push, *base);
         }
@@ -136,8 +141,13 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         most.comes_nearer(least, before)
     }
 
-    fn change(aim: &SceneAim<D>) -> f64 {
-        aim.change.largest()
+    fn change(aim: &SceneAim<D>, pushes: &Eights<D>) -> f64 {
+        let change = aim.change.largest();
+        if !aim.still || change == 0.0 {
+            return change;
+        }
+        let largest = pushes.flat().iter().fold(Lanes::ZERO, |most, &push| most.or_larger(push)).largest();
+        change * (NO_SIZE / largest)
     }
 
     fn settle_pushes(

@@ -73,7 +73,7 @@ fn sweeps<Y: Staged>(
         if !Y::are_finite(pushes) {
             return Err(Astray { sweeps: sweep, change: f64::NAN });
         }
-        let change = Y::change(aim);
+        let change = Y::change(aim, pushes);
         if change < ROUNDING {
             return Ok(sweep);
         }
@@ -82,7 +82,7 @@ fn sweeps<Y: Staged>(
             return Err(Astray { sweeps: sweep, change });
         }
     }
-    Err(Astray { sweeps: SWEEPS, change: Y::change(aim) })
+    Err(Astray { sweeps: SWEEPS, change: Y::change(aim, pushes) })
 }
 
 /// A step in two halves, of which each may be halved again: position and velocity at its end, its work and its sweeps. The

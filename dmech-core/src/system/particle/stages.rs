@@ -149,9 +149,17 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     }
 
     #[inline(always)]
-    fn change(aim: &Aim<D, R>) -> f64 {
+    fn change(aim: &Aim<D, R>, pushes: &[R::Eight; D]) -> f64 {
         let change = aim.change.largest().to_f64();
-        if change == 0.0 { 0.0 } else { change / aim.unit.to_f64() }
+        if change == 0.0 {
+            return 0.0;
+        }
+        let mut unit = aim.unit;
+        if unit.equal(R::ZERO).all() {
+            let largest = pushes.iter().fold(R::Eight::splat(R::ZERO), |most, &push| most.or_larger(push)).largest();
+            unit = largest * R::EPSILON * R::from_f64(0.5);
+        }
+        change / unit.to_f64()
     }
 
     #[inline(always)]

@@ -53,8 +53,9 @@ pub trait Staged: System {
     /// Positions from the pushes, and pushes from the positions. Whether some push has come nearer, and by the two last changes
     /// another sweep would bring it nearer still: by more than the position's rounding.
     fn sweep(&self, tableau: &Tableau, stride: &Self::Stride, aim: &mut Self::Aim, pushes: &mut Self::Pushes) -> bool;
-    /// The largest change of a push in the last sweep, in units of what counts.
-    fn change(aim: &Self::Aim) -> f64;
+    /// The largest change of a push in the last sweep, in units of what counts: where nothing moved and nothing pushed as the step
+    /// began, of these pushes.
+    fn change(aim: &Self::Aim, pushes: &Self::Pushes) -> f64;
     /// Moves position and velocity to the end of the step.
     fn settle_pushes(tableau: &Tableau, stride: &Self::Stride, pushes: &Self::Pushes, moves: [&mut Self::Sum; 2]);
     /// Σ F·Ṽ bᵢ h over the stages, of a step of length dt that began with the velocity v.

@@ -79,6 +79,8 @@ fn one_law_changes_under_every_scheme() {
     law(Nystrom::order6());
     law(Relaxed::order8());
     law(ForceGradient::order6());
+    law(Gauss::order16());
+    law(LineIntegral::order6());
     law(Composed::order4(Leapfrog));
     law(Composed::order6(DiscreteGradient));
     law(Composed::order4(Implicit));
@@ -205,6 +207,8 @@ fn scenes_change_under_every_kind_of_scheme() {
     scene!(DiscreteGradient);
     scene!(Kanatani);
     scene!(Composed::order4(DiscreteGradient));
+    scene!(Gauss::order16());
+    scene!(LineIntegral::order4());
 }
 
 /// A law that is there or not: free motion without it, and with it what it is alone.
@@ -290,6 +294,8 @@ fn every_scheme_waits_for_a_law_with_a_value() {
     broken(DiscreteGradient);
     broken(Kanatani);
     broken(Nystrom::order6());
+    broken(Gauss::order16());
+    broken(LineIntegral::order4());
     broken(Composed::order4(DiscreteGradient));
 }
 

@@ -95,8 +95,10 @@ fn a_driven_body_is_a_law_that_names_the_time() {
         Composed::order6(Leapfrog),
         Composed::order4(Implicit),
         Composed::order4(DiscreteGradient),
+        LineIntegral::order4(),
+        Gauss::order16(),
     );
-    assert_eq!(cells, 36);
+    assert_eq!(cells, 42);
 }
 
 /// Steps that follow the motion see it come, outputs between steps have it where it is, and events are found.

@@ -193,7 +193,7 @@ fn choices_are_counted() {
     assert!(run.report().rough() > 0 && run.report().rough() < 60, "{}", run.report().rough());
 }
 
-/// Where nothing moves nothing does.
+/// Where nothing moves nothing does, and what begins to move is followed in any unit of length.
 #[test]
 fn from_rest() {
     let start = State::new([0.0; 2], [0.0; 2]);
@@ -203,6 +203,39 @@ fn from_rest() {
         Scene::new().body(1.3, [0.0; 2], [0.0; 2]).body(0.6, [0.0; 2], [0.0; 2]).field(HenonHeiles { lambda: 0.9 });
     let run = Simulation::scene(two).scheme(LineIntegral::order6()).dt(0.3).run(9).unwrap();
     assert_eq!((run.last().q.concat(), run.report().rough()), (vec![0.0; 4], 0));
+
+    let pushed = |unit| Pushed { k: 0.9, push: 0.6, omega: 1.7, unit };
+    let law = |unit| {
+        let run =
+            Simulation::new(pushed(unit), State::new([0.0], [0.0])).scheme(Gauss::order16()).dt(0.5).run(20).unwrap();
+        assert_eq!(run.report().rough(), 0);
+        [run.last().q[0] / unit, run.last().v[0] / unit]
+    };
+    let scene = |unit| {
+        let bodies = Scene::new().body(1.0, [0.0], [0.0]).field(pushed(unit));
+        let run = Simulation::scene(bodies).scheme(Gauss::order16()).dt(0.5).run(20).unwrap();
+        assert_eq!(run.report().rough(), 0);
+        [run.last().q[0][0] / unit, run.last().v[0][0] / unit]
+    };
+    let exact = law(1.0);
+    assert!(exact[0].abs() > 0.05);
+    for unit in [1e-60, 1e-30, 1e-10, 1.0, 1e11] {
+        for found in [law(unit), scene(unit)] {
+            let miss = (found[0] - exact[0]).abs().max((found[1] - exact[1]).abs());
+            assert!(miss < 1e-14, "unit {unit:e}: {miss:e}");
+        }
+    }
+    // None of many such starts is taken for a step too long.
+    for i in 0..300 {
+        let wave = |rate: f64| (rate * f64::from(i)).sin().abs();
+        let law = Tugged { k: 0.1 + 3.0 * wave(0.37), push: 0.05 + 5.0 * wave(0.71), omega: 0.2 + 4.0 * wave(0.13) };
+        let dt = 0.02 + 0.6 * wave(0.917);
+        let step = Simulation::new(law, start).scheme(Gauss::order16()).dt(dt).run(1).unwrap();
+        assert_eq!(step.report().rough(), 0, "{law:?}");
+        let body = Scene::new().body(1.0, start.q, start.v).field(law);
+        let step = Simulation::scene(body).scheme(Gauss::order16()).dt(dt).run(1).unwrap();
+        assert_eq!(step.report().rough(), 0, "{law:?}, in a scene");
+    }
 }
 
 /// Lengths, times and masses in units that are powers of two: the same motion to the bit, whatever it is measured in.

@@ -86,6 +86,28 @@ impl Pushed {
     }
 }
 
+/// The same in a plane, with a potential, in a field that turns it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tugged {
+    pub(crate) k: f64,
+    pub(crate) push: f64,
+    pub(crate) omega: f64,
+}
+
+#[dmech::law]
+impl Tugged {
+    #[potential]
+    fn energy(&self, q: [f64; 2], t: f64) -> f64 {
+        let [x, y] = q;
+        self.k * (x * x + 0.3 * y * y + 0.2 * x * y.sin()) - (self.push * x + 0.1 * y) * (self.omega * t).sin()
+    }
+
+    #[force]
+    fn turn(&self, v: [f64; 2]) -> [f64; 2] {
+        [v[1] - 0.1 * v[0], -v[0]]
+    }
+}
+
 /// Declares wells that are polynomials.
 macro_rules! wells {
     ($($name:ident: $x:ident, $y:ident, $more:expr;)*) => {$(

@@ -33,6 +33,9 @@ fn every_scheme_passes() {
         Composed::order6(DiscreteGradient),
         Nystrom::order6(),
         ForceGradient::order4(),
+        LineIntegral::order4(),
+        LineIntegral::order10(),
+        Gauss::order16(),
     ];
 }
 

@@ -30,6 +30,9 @@ impl Damped {
     }
 }
 
+/// As a row of the table.
+const GAUSS: Gauss = Gauss::order16();
+
 /// Step by step, with the state read, and many at once.
 fn check<L, S, const D: usize>(simulation: Simulation<L, State<D>, S>, what: &str)
 where
@@ -72,10 +75,11 @@ fn no_step_allocates() {
             one! { DiscreteGradient, $($law)* }
             one! { Kanatani, $($law)* }
             one! { RELAXED_6, $($law)* }
+            one! { GAUSS, $($law)* }
         };
     }
     for_each_law!(every);
-    assert_eq!(checked, 7 * 12);
+    assert_eq!(checked, 8 * 12);
 }
 
 #[test]
@@ -83,6 +87,8 @@ fn no_step_under_a_force_allocates() {
     let motion = Simulation::new(Damped { k: 0.7, c: 0.2, omega: 1.9 }, State::new([0.7, -0.4], [0.3, 0.8])).mass(1.3);
     check(motion.clone().scheme(Explicit), "Explicit");
     check(motion.clone().scheme(Implicit), "Implicit");
+    check(motion.clone().scheme(LineIntegral::order6()), "LineIntegral");
+    check(motion.clone().scheme(Gauss::order16()), "Gauss");
     check(motion.scheme(DiscreteGradient), "DiscreteGradient");
 }
 
@@ -123,6 +129,8 @@ fn no_step_of_a_scene_allocates() {
         check(all.clone(), Explicit, dt, "pairs, Explicit");
         check(all.clone(), Leapfrog, dt, "pairs, Leapfrog");
         check(all.clone(), Implicit, dt, "pairs, Implicit");
+        check(all.clone(), GAUSS, dt, "pairs, Gauss");
+        check(bodies().chain(spring), LineIntegral::order6(), dt, "chain, LineIntegral");
         check(all.clone(), DiscreteGradient, dt, "pairs, DiscreteGradient");
         check(all.clone(), Relaxed::order6(), dt, "pairs, Relaxed");
         check(bodies().chain(spring), Relaxed::order8(), dt, "chain, Relaxed");

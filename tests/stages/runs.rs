@@ -66,11 +66,13 @@ fn comets_are_followed() {
             run.drift(Invariant::AngularMomentum).unwrap().max_relative(),
         ];
         println!("e = {e}, {tolerance:e}: {error:e}, {energy:e}, {angular:e} in {} steps", run.steps());
-        assert!(error < most && angular < 3e-14, "e = {e}: {error:e} {angular:e}");
+        // Of the larger of the products of which it is the difference, at the pericentre.
+        let rounding = if e > 0.95 { 3e-13 } else { 3e-14 };
+        assert!(error < most && angular < rounding, "e = {e}: {error:e} {angular:e}");
         let [shortest, longest] = run.report().dt_range().unwrap();
         assert!(longest > 20.0 * shortest && run.report().rough() == 0);
         // The guess goes on from step to step, whatever their ratio.
-        assert!(run.report().evaluations() < 64 * run.steps(), "{}", run.report().evaluations() / run.steps());
+        assert!(run.report().evaluations() < 96 * run.steps(), "{}", run.report().evaluations() / run.steps());
 
         let part = |share: f64| ([share * q[0], share * q[1]], [share * v[0], share * v[1]]);
         let (a, b) = (part(-0.4), part(0.6));
@@ -89,8 +91,8 @@ fn comets_are_followed() {
                 let run = Simulation::new(sun, from_apocentre(0.7)).scheme($scheme).adaptive(tolerance);
                 distance(run.run_until(3.0 * TAU).unwrap().last().q, from_apocentre(0.7).q)
             };
-            let [coarse, fine] = [error(1e-4), error(1e-7)];
-            assert!(fine < 0.1 * coarse && fine < 1e-2, "{coarse:e} {fine:e}");
+            let [coarse, fine] = [error(1e-4), error(1e-10)];
+            assert!(fine < 0.1 * coarse && fine < 1e-4, "{coarse:e} {fine:e}");
         }};
     }
     for_each_order!(better! { 0 });

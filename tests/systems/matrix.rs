@@ -31,13 +31,15 @@ macro_rules! schemes {
             measure(&$setup, Relaxed::order6()),
             measure(&$setup, ForceGradient::order4()),
             measure(&$setup, ForceGradient::order6()),
+            measure(&$setup, LineIntegral::order4()),
+            measure(&$setup, LineIntegral::order6()),
         ] {
             println!("{name:<44} {order} {measured:.3}");
             // A high order has few steps between too long ones and rounding.
             assert!((measured - f64::from(order)).abs() < 0.07 * f64::from(order), "{name}: order {measured}");
             cells += 1;
         }
-        assert_eq!(cells, 19);
+        assert_eq!(cells, 21);
     }};
 }
 

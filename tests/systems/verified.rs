@@ -34,6 +34,9 @@ fn every_scheme_passes() {
         Nystrom::order6(),
         Relaxed::order6(),
         ForceGradient::order4(),
+        LineIntegral::order4(),
+        LineIntegral::order10(),
+        Gauss::order16(),
     ];
 }
 

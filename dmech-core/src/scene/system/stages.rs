@@ -31,8 +31,6 @@ pub struct SceneAim<const D: usize> {
     reach: Vec<f64>,
     /// What the rounding of a position may make of a push, in these units.
     rounding: f64,
-    /// The largest push, or path.
-    largest: f64,
     /// 1, or 0 where nothing moves yet and nothing tells what counts.
     unit: f64,
     /// The largest change in the last sweep, in these units.
@@ -61,9 +59,9 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let [speed, v] = [(); 2].map(|()| Eights::zeros(speeds));
         let apart = vec![Vectors::zeros(bodies); if A::OF_DISTANCE { STAGES } else { 1 }];
         let (t, change) = (Lanes::ZERO, Lanes::ZERO);
-        let (rounding, largest, unit) = (0.0, 0.0, 0.0);
+        let (rounding, unit) = (0.0, 0.0);
         let [per_unit, reach] = [(); 2].map(|()| vec![0.0; bodies]);
-        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, rounding, largest, unit, change }
+        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, rounding, unit, change }
     }
 
     fn go_on(pushes: &mut Eights<D>, tableau: &Tableau, ratio: f64) {
@@ -103,7 +101,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
             aim.speed.flat_mut().iter_mut().zip(v).for_each(|(speed, &v)| *speed = Lanes::splat(v));
         }
         self.place_driven(aim);
-        (aim.largest, aim.rounding, aim.unit) = (largest, 0.0, f64::from(largest != 0.0));
+        (aim.rounding, aim.unit) = (0.0, f64::from(largest != 0.0));
         let least = if largest == 0.0 { 1.0 } else { stages::LEAST * largest };
         for (unit, reach) in aim.per_unit.iter_mut().zip(&aim.reach) {
             let counts = unit.max(least);
@@ -182,8 +180,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         pushes.flat().iter().fold(Lanes::ZERO, |sum, push| Lanes::ZERO.mul_add(*push, sum)).sum() == 0.0
     }
 
-    fn bends(tableau: &Tableau, aim: &SceneAim<D>, pushes: &Eights<D>) -> bool {
-        pushes.flat().iter().any(|push| stages::bends(tableau, aim.largest, *push))
+    fn bends(tableau: &Tableau, pushes: &Eights<D>) -> bool {
+        stages::bends::<f64>(tableau, pushes.flat())
     }
 }
 

@@ -64,8 +64,6 @@ pub struct Aim<const D: usize, R: Staging> {
     per_unit: [R; D],
     /// What the rounding of a position may make of a push, in these units.
     rounding: R,
-    /// The largest push, or path.
-    largest: R,
     /// The largest change of each stage in the last sweep, in these units.
     change: R::Eight,
     /// Its square counts from here on in the next.
@@ -94,7 +92,6 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
             push: none,
             per_unit: [zero; D],
             rounding: zero,
-            largest: zero,
             change: none,
             least: none,
             unit: zero,
@@ -140,7 +137,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         aim.t = nodes.fused(R::Eight::splat(stride.dt), R::Eight::splat(t));
         aim.push = R::Eight::row(&tableau.weights).times(R::Eight::splat(-stride.fall));
         let at_rest = largest.equal(R::ZERO);
-        (aim.rounding, aim.largest, aim.unit) = (R::ZERO, largest, R::either(at_rest, R::ZERO, R::ONE));
+        (aim.rounding, aim.unit) = (R::ZERO, R::either(at_rest, R::ZERO, R::ONE));
         let least = R::either(at_rest, R::ONE, R::from_f64(stages::LEAST) * largest);
         for k in 0..D {
             aim.per_unit[k] = (R::from_f64(stages::COUNTS) * R::EPSILON * counts[k].max(least)).recip();
@@ -224,7 +221,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     }
 
     #[cold]
-    fn bends(tableau: &Tableau, aim: &Aim<D, R>, pushes: &[R::Eight; D]) -> bool {
-        pushes.iter().any(|push| stages::bends(tableau, aim.largest, *push))
+    fn bends(tableau: &Tableau, pushes: &[R::Eight; D]) -> bool {
+        stages::bends::<R>(tableau, pushes)
     }
 }

@@ -68,7 +68,7 @@ pub trait Staged: System {
     fn are_finite(pushes: &Self::Pushes) -> bool;
     /// Whether the highest polynomial has a share in the force on some coordinate that tells of a bend or a jump: what eight
     /// stages cannot see is about as large.
-    fn bends(tableau: &Tableau, aim: &Self::Aim, pushes: &Self::Pushes) -> bool;
+    fn bends(tableau: &Tableau, pushes: &Self::Pushes) -> bool;
 }
 
 /// A row for each column of [`Tableau::continued`], for a step `ratio` times as long as the last: with ℓⱼ(1 + ρ cᵢ) by products
@@ -115,9 +115,13 @@ const SEAM: f64 = 0.01;
 /// Beyond so many ulp of the largest push it is no rounding.
 const NO_ROUNDING: f64 = 1e3;
 
-/// Whether the pushes of a coordinate tell of a bend, the largest of all being `largest`.
-pub(crate) fn bends<R: Staging>(tableau: &Tableau, largest: R, push: R::Eight) -> bool {
-    let highest = R::Eight::row(&tableau.highest).times(push).sum().to_f64().abs();
-    let all = R::Eight::splat(R::ZERO).or_larger(push).largest().to_f64();
-    highest > SEAM * all && highest > NO_ROUNDING * (R::EPSILON * largest).to_f64()
+/// Whether the pushes of some coordinate tell of a bend.
+pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> bool {
+    let largest =
+        |pushes: &[R::Eight]| pushes.iter().fold(R::Eight::splat(R::ZERO), |all, push| all.or_larger(*push)).largest();
+    let rounding = (R::from_f64(NO_ROUNDING) * R::EPSILON * largest(pushes)).to_f64();
+    pushes.iter().any(|push| {
+        let highest = R::Eight::row(&tableau.highest).times(*push).sum().to_f64().abs();
+        highest > rounding && highest > SEAM * largest(&[*push]).to_f64()
+    })
 }

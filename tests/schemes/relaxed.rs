@@ -29,7 +29,7 @@ fn ellipse() -> (State<2>, f64) {
 
 /// Nine masses on a line, the ends pinned, one of them struck.
 fn line() -> Scene<1> {
-    let at = |i: u32| if i % 8 == 0 { 0.0 } else { 0.03 * f64::from(i * i % 7) };
+    let at = |i: u32| if i.is_multiple_of(8) { 0.0 } else { 0.03 * f64::from(i * i % 7) };
     let all = (0..9).fold(Scene::new(), |scene, i| {
         scene.body(0.9 + 0.1 * f64::from(i % 3), [at(i)], [if i == 4 { 0.8 } else { 0.0 }])
     });

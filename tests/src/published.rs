@@ -84,7 +84,7 @@ pub fn four_loops() -> ClosedOrbit {
 /// Three loops, T = 11.124340337266085134999734047.
 pub fn three_loops() -> ClosedOrbit {
     ClosedOrbit {
-        start: State::new([0.994, 0.0], [0.0, -2.0317326295573368]),
+        start: State::new([0.994, 0.0], [0.0, -2.031_732_629_557_337]),
         period: 11.124340337266085,
         end: State::new([0.9939999999999826, -5.952430331684727e-14], [-9.738285478263268e-12, -2.03173262956001]),
     }

@@ -100,7 +100,7 @@ fn nothing_more_is_said() {
 fn chain(steps: u64) {
     let law = FermiPastaUlamTsingou { k: 1.2, alpha: 0.4, beta: 0.7 };
     let beads = (0..9).fold(Scene::new(), |scene, i: u32| {
-        let at = if i % 8 == 0 { 0.0 } else { 0.8 * (0.9 * f64::from(i)).sin() };
+        let at = if i.is_multiple_of(8) { 0.0 } else { 0.8 * (0.9 * f64::from(i)).sin() };
         scene.body(0.9 + 0.1 * f64::from(i % 3), [at], [0.0])
     });
     let scene = beads.pin(0).pin(8).chain(law);

@@ -97,7 +97,9 @@ fn single_precision_follows_double_precision() {
             let narrow = State::<$d, f32>::new($q.map(|x: f64| x as f32), $v.map(|x: f64| x as f32));
             let single = Simulation::new(law, narrow).scheme($scheme).dt(0.01).run(100).unwrap();
             let miss = distance(single.last().q.map(f64::from), double.last().q);
-            assert!(miss < 1e-5 && miss > 0.0, "{} on {}: {miss:e}", stringify!($scheme), stringify!($law));
+            // An energy that is put back to an ulp puts the velocity at a turning point back to an ulp over h.
+            let most = if stringify!($scheme) == "RELAXED_6" { 1e-4 } else { 1e-5 };
+            assert!(miss < most && miss > 0.0, "{} on {}: {miss:e}", stringify!($scheme), stringify!($law));
         }};
     }
     macro_rules! every {

@@ -13,7 +13,7 @@ pub(crate) struct Work {
     pub(crate) steps: u64,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
-    /// Steps in which a force was no polynomial.
+    /// Steps made in parts, or in which a force bent.
     pub(crate) rough: u64,
     pub(crate) elapsed: Duration,
     /// The shortest and the longest step, where they differ.
@@ -122,8 +122,8 @@ impl Report {
     }
 
     /// Steps of [`Gauss`](crate::Gauss) and [`LineIntegral`](crate::LineIntegral) that had to be made in parts, as they were too
-    /// long for their sweeps, or in which the force of a law with choices bent or jumped as the eight stages see it. They have not the
-    /// order of the scheme.
+    /// long for their sweeps, or in which a force bent or jumped as eight stages see it: at a seam of a law with choices, or as the step
+    /// was far too long. They have not the order of the scheme.
     pub fn rough(&self) -> u64 {
         self.work.rough
     }

@@ -121,8 +121,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     ///
     /// The scheme comes first. `DiscreteGradient` and its compositions keep the energy exactly for any sequence of steps;
     /// `Gauss` is the fastest where many digits are wanted; `Nystrom`, `ForceGradient` and compositions of `Leapfrog` are explicit
-    /// and fast where few are. As the rule for the steps is reversible, their energy error goes to and fro and does not drift: at e = 0.9 it is the same in 300
-    /// revolutions as in 3. `Implicit` and its compositions take it too. The rule is found with [`Adaptive`].
+    /// and fast where few are. As the rule for the steps is reversible, their energy error goes to and fro and does not drift: at
+    /// e = 0.9 it is the same in 300 revolutions as in 3. `Implicit` and its compositions take it too. The rule is found with [`Adaptive`].
     ///
     /// **The tolerance** is the error of the position that one revolution of a Kepler orbit of eccentricity 0.9 adds, over
     /// its half-axis; at every order, a tenth of it means a tenth of the error. Measured per revolution, in tolerances:
@@ -149,8 +149,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// energy-exact ones give at any.
     ///
     /// Other sets of its stages are within 0.07 to 1.5 at e = 0.9, but for `SuzukiUmeno8` (3) and `Yoshida8` (10). Steps are
-    /// never longer than a radian of the local motion, of `Gauss` and `LineIntegral` 1.25 radians, so that very large tolerances give smaller errors than that. On
-    /// other laws the errors relate to one another as the tolerances do; how large they are depends on the motion.
+    /// never longer than a radian of the local motion, of `Gauss` and `LineIntegral` 1.25 radians, so that very large tolerances
+    /// give smaller errors than that. On other laws the errors relate to one another as the tolerances do; how large they are depends on the motion.
     ///
     /// **`dt` beside it is the longest step.** A law that names the time, or whose force does not vary where the motion
     /// is (free flight before a wall), needs one; without it the run ends with

@@ -16,7 +16,7 @@ pub use newton::{Guess, Newton};
 pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, not_converged};
-pub use stages::{Eight, Staged, Staging};
+pub use stages::{Eight, Nearing, Staged, Staging};
 
 use dmech_scalar::Real;
 

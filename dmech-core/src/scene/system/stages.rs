@@ -8,7 +8,7 @@ use crate::scene::eights::Eights;
 use crate::scene::terms::{Acts, ActsAtStages, Moments};
 use crate::scene::vectors::Vectors;
 use crate::scheme::tableau::{GAUSS, STAGES, Tableau};
-use crate::system::stages::{self, Eight, Staged, weighed};
+use crate::system::stages::{Eight, Nearing, Staged, of_path, weighed};
 
 /// What stays the same from sweep to sweep, and room for it.
 #[derive(Clone, Debug)]
@@ -29,12 +29,8 @@ pub struct SceneAim<const D: usize> {
     per_unit: Vec<f64>,
     /// The larger of |q| and |h v|, of each body.
     reach: Vec<f64>,
-    /// What the rounding of a position may make of a push, in these units.
-    rounding: f64,
-    /// 1, or 0 where nothing moves yet and nothing tells what counts.
-    unit: f64,
-    /// The largest change in the last sweep, in these units.
-    change: Lanes,
+    /// How near the sweeps are.
+    nearing: Nearing<f64>,
 }
 
 impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
@@ -58,19 +54,17 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let [base, q, slopes] = [(); 3].map(|()| Eights::zeros(bodies));
         let [speed, v] = [(); 2].map(|()| Eights::zeros(speeds));
         let apart = vec![Vectors::zeros(bodies); if A::OF_DISTANCE { STAGES } else { 1 }];
-        let (t, change) = (Lanes::ZERO, Lanes::ZERO);
-        let (rounding, unit) = (0.0, 0.0);
+        let (t, nearing) = (Lanes::ZERO, Nearing::none());
         let [per_unit, reach] = [(); 2].map(|()| vec![0.0; bodies]);
-        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, rounding, unit, change }
+        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, nearing }
     }
 
-    fn go_on(pushes: &mut Eights<D>, tableau: &Tableau, ratio: f64) {
-        if ratio == 1.0 {
-            pushes.flat_mut().iter_mut().for_each(|push| *push = weighed(&tableau.continued, *push, Lanes::ZERO));
-        } else {
-            let columns = stages::continued(tableau, ratio);
-            pushes.flat_mut().iter_mut().for_each(|push| *push = stages::mixed(&columns, *push));
-        }
+    fn eights(pushes: &Eights<D>) -> &[Lanes] {
+        pushes.flat()
+    }
+
+    fn eights_mut(pushes: &mut Eights<D>) -> &mut [Lanes] {
+        pushes.flat_mut()
     }
 
     fn aim(
@@ -92,7 +86,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         for (i, base) in aim.base.flat_mut().iter_mut().enumerate() {
             let drift = stride.dt * v[i];
             *base = nodes.mul_add(Lanes::splat(drift), Lanes::splat(q[i]));
-            let least = (stages::PATH * drift.abs()).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
+            let least = of_path(drift).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
             let (unit, reach) = (&mut aim.per_unit[i % bodies], &mut aim.reach[i % bodies]);
             (*unit, *reach) = (unit.max(least), reach.max(q[i].abs()).max(drift.abs()));
             largest = largest.max(least);
@@ -101,18 +95,14 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
             aim.speed.flat_mut().iter_mut().zip(v).for_each(|(speed, &v)| *speed = Lanes::splat(v));
         }
         self.place_driven(aim);
-        (aim.rounding, aim.unit) = (0.0, f64::from(largest != 0.0));
-        let least = if largest == 0.0 { 1.0 } else { stages::LEAST * largest };
+        aim.nearing = Nearing::begin(largest);
         for (unit, reach) in aim.per_unit.iter_mut().zip(&aim.reach) {
-            let counts = unit.max(least);
-            aim.rounding = aim.rounding.max(stages::BY_PLACE * reach / (stages::COUNTS * counts));
-            *unit = (stages::COUNTS * f64::EPSILON * counts).recip();
+            *unit = aim.nearing.per_unit(*unit, *reach);
         }
-        aim.change = Lanes::splat(f64::INFINITY);
     }
 
     fn sweep(&self, tableau: &Tableau, stride: &SceneStride<D>, aim: &mut SceneAim<D>, pushes: &mut Eights<D>) -> bool {
-        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, unit, change, .. } = aim;
+        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, nearing, .. } = aim;
         for (q, (push, base)) in q.flat_mut().iter_mut().zip(pushes.flat().iter().zip(base.flat())) {
             *q = weighed(&tableau.places, *push, *base);
         }
@@ -137,21 +127,11 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
                 *push = new;
             }
         }
-        let before = core::mem::replace(change, most);
-        let least = if before[0] == f64::INFINITY { Lanes::ONE } else { before } * Lanes::splat(*unit);
-        most.comes_nearer(least, before)
+        nearing.comes_nearer(most)
     }
 
-    fn is_near(aim: &SceneAim<D>, pushes: &Eights<D>, units: f64) -> bool {
-        let mut largest = 1.0;
-        if aim.unit == 0.0 {
-            largest = pushes.flat().iter().fold(Lanes::ZERO, |all, push| all.or_larger(*push)).largest();
-        }
-        aim.change.at_most(Lanes::splat(aim.rounding.max(units * largest)))
-    }
-
-    fn change(aim: &SceneAim<D>) -> f64 {
-        aim.change.largest()
+    fn nearing(aim: &SceneAim<D>) -> &Nearing<f64> {
+        &aim.nearing
     }
 
     fn settle_pushes(
@@ -173,15 +153,6 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
             self.weights[i % bodies] * ((speed * *push).sum() / dt)
         });
         works.sum()
-    }
-
-    fn are_finite(pushes: &Eights<D>) -> bool {
-        // 0·x is 0 for a finite x and NaN for any other.
-        pushes.flat().iter().fold(Lanes::ZERO, |sum, push| Lanes::ZERO.mul_add(*push, sum)).sum() == 0.0
-    }
-
-    fn bends(tableau: &Tableau, pushes: &Eights<D>) -> bool {
-        stages::bends::<f64>(tableau, pushes.flat())
     }
 }
 

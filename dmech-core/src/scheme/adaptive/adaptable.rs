@@ -68,31 +68,26 @@ impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Boris, C, N> {
 
 impl<C: NystromCoefficients<N>, const N: usize> Adaptable for Nystrom<C, N> {
     fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>(C::TURN, tolerance)
+        turn::<Self>(C::TURN, tolerance, MOST[0])
     }
 }
 
 impl<C: ForceGradientCoefficients<N>, const N: usize> Adaptable for ForceGradient<C, N> {
     fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>(C::TURN, tolerance)
+        turn::<Self>(C::TURN, tolerance, MOST[0])
     }
 }
 
 impl Adaptable for Gauss {
     fn angle(&self, tolerance: f64) -> f64 {
-        of_stages::<Self>(1.59, tolerance)
+        turn::<Self>(1.59, tolerance, LONG)
     }
 }
 
 impl<const S: usize> Adaptable for LineIntegral<S> {
     fn angle(&self, tolerance: f64) -> f64 {
-        of_stages::<Self>([0.086, 0.35, 0.70, 1.06][S - 2], tolerance)
+        turn::<Self>([0.086, 0.35, 0.70, 1.06][S - 2], tolerance, LONG)
     }
-}
-
-/// ε of eight stages, which see more of ω in a step, from that at a tolerance of 10⁻⁶.
-fn of_stages<M: Method>(at_a_millionth: f64, tolerance: f64) -> f64 {
-    (at_a_millionth * (1e6 * tolerance).powf(1.0 / f64::from(M::ORDER))).min(1.25 * MOST[0])
 }
 
 /// What the steps of the trapezoidal rule are to those of the energy-exact step at the same error.
@@ -101,6 +96,8 @@ const TRAPEZOID: f64 = 0.6;
 /// The longest step, and the longest stage: beyond, the steps do not see ω change, and Newton finds no solution at a
 /// pericentre.
 const MOST: [f64; 2] = [1.0, 0.55];
+/// The longest step of eight stages, which see more of ω.
+const LONG: f64 = 1.25;
 
 /// (tolerance/10)^(1/p)/(0.16 + 0.13 γ), with the longest stage γ.
 ///
@@ -110,9 +107,9 @@ fn angle<M: Method>(tolerance: f64, stage: f64) -> f64 {
     wanted.min(MOST[0]).min(MOST[1] / stage)
 }
 
-/// ε, from that at a tolerance of 10⁻⁶.
-fn turn<M: Method>(at_a_millionth: f64, tolerance: f64) -> f64 {
-    (at_a_millionth * (1e6 * tolerance).powf(1.0 / f64::from(M::ORDER))).min(MOST[0])
+/// ε, from that at a tolerance of 10⁻⁶, and at most so much.
+fn turn<M: Method>(at_a_millionth: f64, tolerance: f64, most: f64) -> f64 {
+    (at_a_millionth * (1e6 * tolerance).powf(1.0 / f64::from(M::ORDER))).min(most)
 }
 
 fn longest<const N: usize>(gamma: [f64; N]) -> f64 {

@@ -8,6 +8,7 @@ use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::scheme::memory::memory;
 use crate::scheme::{Effort, Method, Scheme};
+use crate::system::stages;
 use crate::system::{Beginning, Staged};
 
 memory! {
@@ -77,6 +78,11 @@ impl<Y: Staged> core::fmt::Debug for Sweeps<Y> {
     }
 }
 
+#[inline(always)]
+fn finite<Y: Staged>(pushes: &Y::Pushes) -> bool {
+    stages::are_finite::<Y::Scalar>(Y::eights(pushes))
+}
+
 /// A step from the pushes of the last, `ratio` times as long, or from a guess if that is 0; where its sweeps end, position and
 /// velocity are moved. Whether the force was seen to bend in it.
 #[inline(always)]
@@ -89,13 +95,13 @@ fn whole<Y: Staged>(
     sweeps: &mut Sweeps<Y>,
 ) -> Result<bool, Astray> {
     if ratio != 0.0 {
-        Y::go_on(pushes, tableau, Y::Scalar::from_f64(ratio));
+        stages::go_on(Y::eights_mut(pushes), tableau, Y::Scalar::from_f64(ratio));
     }
     let Sweeps { aim, watched, made } = sweeps;
     system.aim(tableau, stride, t, q, v, pushes, aim);
     until_rounding(system, tableau, stride, aim, pushes, made)?;
     Y::settle_pushes(tableau, stride, pushes, [q, v]);
-    Ok((Y::PIECEWISE || *watched) && Y::bends(tableau, pushes))
+    Ok((Y::PIECEWISE || *watched) && stages::bends::<Y::Scalar>(tableau, Y::eights(pushes)))
 }
 
 /// The same with copies of which nobody else knows, so that they stay in registers.
@@ -131,20 +137,20 @@ fn until_rounding<Y: Staged>(
         if system.sweep(tableau, stride, aim, pushes) {
             continue;
         }
-        if !Y::are_finite(pushes) {
+        if !finite::<Y>(pushes) {
             return Err(Astray(f64::NAN));
         }
-        if Y::is_near(aim, pushes, ROUNDING) {
+        if Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING) {
             return Ok(());
         }
         stalls += 1;
         if stalls == STALLS {
-            return Err(Astray(Y::change(aim)));
+            return Err(Astray(Y::nearing(aim).change()));
         }
     }
     // Where nothing tells what counts, rounding itself may go to and fro.
-    let near = Y::are_finite(pushes) && Y::is_near(aim, pushes, ROUNDING);
-    if near { Ok(()) } else { Err(Astray(Y::change(aim))) }
+    let near = finite::<Y>(pushes) && Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING);
+    if near { Ok(()) } else { Err(Astray(Y::nearing(aim).change())) }
 }
 
 /// A step in two halves, of which each may be halved again. Returns the work done; the pushes become those of a force that stays
@@ -171,7 +177,7 @@ fn in_parts<Y: Staged>(
                 continue;
             }
             // Where a force jumps between two sides there may be no solution: the last guess is as good as any.
-            if !(Y::PIECEWISE && Y::are_finite(pushes)) {
+            if !(Y::PIECEWISE && finite::<Y>(pushes)) {
                 return Err(astray);
             }
             Y::settle_pushes(tableau, &half, pushes, [&mut *q, &mut *v]);

@@ -1,12 +1,13 @@
 //! Eight stages of a particle, in registers.
 
-use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Mask, Real};
+use core::array::from_fn;
+
+use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Real};
 
 use super::{Particle, Stride};
 use crate::law::{Field, Law, Potential};
-use crate::system::stages::{self, Eight, Staged, Staging, Tableau, weighed};
-use crate::vector::{by_component, finite, weighted};
-use core::array::from_fn;
+use crate::system::stages::{Eight, Nearing, Staged, Staging, Tableau, of_path, weighed};
+use crate::vector::{by_component, weighted};
 
 /// A law that can be asked for eight slopes at once: every law over `f64` that is one over eight lanes too, as those are that a
 /// macro writes.
@@ -62,14 +63,8 @@ pub struct Aim<const D: usize, R: Staging> {
     push: R::Eight,
     /// 1 over the change of a push that counts, of each coordinate.
     per_unit: [R; D],
-    /// What the rounding of a position may make of a push, in these units.
-    rounding: R,
-    /// The largest change of each stage in the last sweep, in these units.
-    change: R::Eight,
-    /// Its square counts from here on in the next.
-    least: R::Eight,
-    /// 1, or 0 where nothing moves yet and nothing tells what counts.
-    unit: R,
+    /// How near the sweeps are.
+    nearing: Nearing<R>,
 }
 
 impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R> {
@@ -85,31 +80,17 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
 
     fn aims(&self) -> Aim<D, R> {
         let (zero, none) = (R::ZERO, R::Eight::splat(R::ZERO));
-        Aim {
-            base: [none; D],
-            v: [zero; D],
-            t: none,
-            push: none,
-            per_unit: [zero; D],
-            rounding: zero,
-            change: none,
-            least: none,
-            unit: zero,
-        }
+        Aim { base: [none; D], v: [zero; D], t: none, push: none, per_unit: [zero; D], nearing: Nearing::none() }
     }
 
     #[inline(always)]
-    fn go_on(pushes: &mut [R::Eight; D], tableau: &Tableau, ratio: R) {
-        if ratio.equal(R::ONE).all() {
-            for x in pushes {
-                *x = weighed(&tableau.continued, *x, R::Eight::splat(R::ZERO));
-            }
-        } else {
-            let columns = stages::continued(tableau, ratio);
-            for x in pushes {
-                *x = stages::mixed(&columns, *x);
-            }
-        }
+    fn eights(pushes: &[R::Eight; D]) -> &[R::Eight] {
+        pushes
+    }
+
+    #[inline(always)]
+    fn eights_mut(pushes: &mut [R::Eight; D]) -> &mut [R::Eight] {
+        pushes
     }
 
     #[inline(always)]
@@ -128,7 +109,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         for k in 0..D {
             let drift = stride.dt * v.hi[k];
             aim.base[k] = nodes.fused(R::Eight::splat(drift), R::Eight::splat(q.hi[k]));
-            let path = R::Eight::splat(R::from_f64(stages::PATH) * drift.abs());
+            let path = R::Eight::splat(of_path(drift));
             counts[k] = path.or_larger(pushes[k]).largest();
             reach[k] = q.hi[k].abs().max(drift.abs());
             largest = largest.max(counts[k]);
@@ -136,16 +117,10 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         aim.v = v.hi;
         aim.t = nodes.fused(R::Eight::splat(stride.dt), R::Eight::splat(t));
         aim.push = R::Eight::row(&tableau.weights).times(R::Eight::splat(-stride.fall));
-        let at_rest = largest.equal(R::ZERO);
-        (aim.rounding, aim.unit) = (R::ZERO, R::either(at_rest, R::ZERO, R::ONE));
-        let least = R::either(at_rest, R::ONE, R::from_f64(stages::LEAST) * largest);
+        aim.nearing = Nearing::begin(largest);
         for k in 0..D {
-            aim.per_unit[k] = (R::from_f64(stages::COUNTS) * R::EPSILON * counts[k].max(least)).recip();
-            let by_place = R::from_f64(stages::BY_PLACE) * R::EPSILON * reach[k];
-            aim.rounding = aim.rounding.max(by_place * aim.per_unit[k]);
+            aim.per_unit[k] = aim.nearing.per_unit(counts[k], reach[k]);
         }
-        aim.change = R::Eight::splat(R::from_f64(f64::INFINITY));
-        aim.least = R::Eight::splat(aim.unit);
     }
 
     #[inline(always)]
@@ -168,25 +143,12 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
             change = change.or_larger(push.minus(pushes[k]).times(R::Eight::splat(aim.per_unit[k])));
             pushes[k] = push;
         }
-        let nearer = change.comes_nearer(aim.least, aim.change);
-        aim.change = change;
-        aim.least = change.times(R::Eight::splat(aim.unit));
-        nearer
+        aim.nearing.comes_nearer(change)
     }
 
     #[inline(always)]
-    fn is_near(aim: &Aim<D, R>, pushes: &[R::Eight; D], units: f64) -> bool {
-        let mut units = R::from_f64(units);
-        if aim.unit.equal(R::ZERO).any() {
-            let pushed = pushes.iter().fold(R::Eight::splat(R::ZERO), |all, push| all.or_larger(*push));
-            units = R::either(aim.unit.equal(R::ZERO), units * pushed.largest(), units);
-        }
-        aim.change.at_most(R::Eight::splat(aim.rounding.max(units)))
-    }
-
-    #[cold]
-    fn change(aim: &Aim<D, R>) -> f64 {
-        aim.change.largest().to_f64()
+    fn nearing(aim: &Aim<D, R>) -> &Nearing<R> {
+        &aim.nearing
     }
 
     #[inline(always)]
@@ -213,15 +175,5 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
             speed.times(pushes[k]).sum() / dt
         });
         self.mass * weighted(self.law.mass_ratios(), work, [R::ONE; D])
-    }
-
-    #[inline(always)]
-    fn are_finite(pushes: &[R::Eight; D]) -> bool {
-        finite(by_component!(|k| pushes[k].sum()))
-    }
-
-    #[cold]
-    fn bends(tableau: &Tableau, pushes: &[R::Eight; D]) -> bool {
-        stages::bends::<R>(tableau, pushes)
     }
 }

@@ -21,8 +21,6 @@ pub trait Eight<R>: Copy + Debug + Send + Sync {
     fn row(row: &Row) -> Self;
     /// Number i, of a row that is known.
     fn to_array(self) -> [R; STAGES];
-    /// Eight numbers.
-    fn from_array(x: [R; STAGES]) -> Self;
     /// Component by component.
     fn plus(self, other: Self) -> Self;
     /// Component by component.
@@ -77,10 +75,6 @@ impl Eight<f64> for Lanes {
     #[inline(always)]
     fn to_array(self) -> [f64; STAGES] {
         Lanes::to_array(self)
-    }
-    #[inline(always)]
-    fn from_array(x: [f64; STAGES]) -> Self {
-        Lanes::from_array(x)
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
@@ -146,10 +140,6 @@ macro_rules! one_by_one {
             #[inline]
             fn to_array(self) -> Self {
                 self
-            }
-            #[inline]
-            fn from_array(x: Self) -> Self {
-                x
             }
             #[inline]
             fn plus(self, other: Self) -> Self {

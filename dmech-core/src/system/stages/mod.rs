@@ -1,11 +1,14 @@
 //! Stages side by side: the instructions of schemes that know the force at eight moments of a step together.
 
 mod eight;
+mod nearing;
 
 pub(crate) use eight::weighed;
 pub use eight::{Eight, Staging};
+pub use nearing::Nearing;
+pub(crate) use nearing::of_path;
 
-use dmech_scalar::Real;
+use dmech_scalar::{Mask, Real};
 
 use super::System;
 pub(crate) use super::{Columns, Row, STAGES, Tableau};
@@ -19,7 +22,7 @@ pub(crate) use super::{Columns, Row, STAGES, Tableau};
 /// Qᵢ = q + cᵢ h v + Σⱼ νᵢⱼ Lⱼ,   Vᵢ = v + Σⱼ μᵢⱼ Lⱼ/h
 /// q′ = q + h v + Σ (1 − cⱼ) Lⱼ,   v′ = v + Σ Lⱼ/h
 /// ```
-pub trait Staged: System {
+pub trait Staged: System<Scalar: Staging> {
     /// The pushes of a step: eight numbers for each coordinate.
     type Pushes: Clone + core::fmt::Debug;
     /// What stays the same from sweep to sweep.
@@ -32,8 +35,10 @@ pub trait Staged: System {
     fn pushes(&self, stride: &Self::Stride, slope: &Self::Vector) -> Self::Pushes;
     /// Room for [`aim`](Staged::aim).
     fn aims(&self) -> Self::Aim;
-    /// The polynomial through the pushes of the last step, `ratio` times as long as the next is, continued into it.
-    fn go_on(pushes: &mut Self::Pushes, tableau: &Tableau, ratio: Self::Scalar);
+    /// Those of each coordinate.
+    fn eights(pushes: &Self::Pushes) -> &[<Self::Scalar as Staging>::Eight];
+    /// The same, to be written to.
+    fn eights_mut(pushes: &mut Self::Pushes) -> &mut [<Self::Scalar as Staging>::Eight];
     /// Prepares the sweeps of a step.
     #[expect(clippy::too_many_arguments, reason = "all that a step begins with")]
     fn aim(
@@ -49,11 +54,8 @@ pub trait Staged: System {
     /// Positions from the pushes, and pushes from the positions. Whether some push has come nearer, and by the two last changes
     /// another sweep would bring it nearer still: by more than the position's rounding.
     fn sweep(&self, tableau: &Tableau, stride: &Self::Stride, aim: &mut Self::Aim, pushes: &mut Self::Pushes) -> bool;
-    /// Whether no push has changed in the last sweep by more than so many units of what counts; where nothing moved before, by
-    /// more than so many of the largest.
-    fn is_near(aim: &Self::Aim, pushes: &Self::Pushes, units: f64) -> bool;
-    /// The largest change of a push in the last sweep, in these units.
-    fn change(aim: &Self::Aim) -> f64;
+    /// How near the last sweep has come.
+    fn nearing(aim: &Self::Aim) -> &Nearing<Self::Scalar>;
     /// Moves position and velocity to the end of the step.
     fn settle_pushes(tableau: &Tableau, stride: &Self::Stride, pushes: &Self::Pushes, moves: [&mut Self::Sum; 2]);
     /// Σ F·Ṽ bᵢ h over the stages, of a step of length dt that began with the velocity v.
@@ -64,11 +66,21 @@ pub trait Staged: System {
         v: &Self::Vector,
         pushes: &Self::Pushes,
     ) -> Self::Scalar;
-    /// Whether every push is finite.
-    fn are_finite(pushes: &Self::Pushes) -> bool;
-    /// Whether the highest polynomial has a share in the force on some coordinate that tells of a bend or a jump: what eight
-    /// stages cannot see is about as large.
-    fn bends(tableau: &Tableau, pushes: &Self::Pushes) -> bool;
+}
+
+/// The polynomial through the pushes of the last step, continued into the next, `ratio` times as long.
+#[inline(always)]
+pub(crate) fn go_on<R: Staging>(pushes: &mut [R::Eight], tableau: &Tableau, ratio: R) {
+    if ratio.equal(R::ONE).all() {
+        for push in pushes {
+            *push = weighed(&tableau.continued, *push, R::Eight::splat(R::ZERO));
+        }
+    } else {
+        let columns = continued(tableau, ratio);
+        for push in pushes {
+            *push = mixed(&columns, *push);
+        }
+    }
 }
 
 /// A row for each column of [`Tableau::continued`], for a step `ratio` times as long as the last: with ℓⱼ(1 + ρ cᵢ) by products
@@ -92,7 +104,7 @@ pub(crate) fn continued<R: Staging>(tableau: &Tableau, ratio: R) -> [R::Eight; S
 
 /// Σⱼ columnⱼ xⱼ.
 #[inline(always)]
-pub(crate) fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
+fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
     let x = x.to_array();
     let mut sum = columns[0].times(E::splat(x[0]));
     for j in 1..STAGES {
@@ -101,27 +113,31 @@ pub(crate) fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
     sum
 }
 
-/// A change of a push counts from this part of an ulp of it on: what sweeps leave has one sign, and adds up from step to step.
-pub(crate) const COUNTS: f64 = 1.0 / 32.0;
-/// A path h v counts as a push that is this part of it.
-pub(crate) const PATH: f64 = 1.0 / 256.0;
-/// What hardly moves beside the others has this part of their moves.
-pub(crate) const LEAST: f64 = 1e-18;
-/// The rounding of a position changes a push by a few parts of it.
-pub(crate) const BY_PLACE: f64 = 4.0;
-
 /// A force has this share in the highest of eight polynomials where something bends or jumps in a step.
 const SEAM: f64 = 0.01;
 /// Beyond so many ulp of the largest push it is no rounding.
 const NO_ROUNDING: f64 = 1e3;
 
-/// Whether the pushes of some coordinate tell of a bend.
+/// Whether the highest polynomial has a share in the force on some coordinate that tells of a bend or a jump: what eight stages
+/// cannot see is about as large.
+#[cold]
 pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> bool {
-    let largest =
-        |pushes: &[R::Eight]| pushes.iter().fold(R::Eight::splat(R::ZERO), |all, push| all.or_larger(*push)).largest();
-    let rounding = (R::from_f64(NO_ROUNDING) * R::EPSILON * largest(pushes)).to_f64();
+    let rounding = (R::from_f64(NO_ROUNDING) * R::EPSILON * largest_of::<R>(pushes)).to_f64();
     pushes.iter().any(|push| {
         let highest = R::Eight::row(&tableau.highest).times(*push).sum().to_f64().abs();
-        highest > rounding && highest > SEAM * largest(&[*push]).to_f64()
+        highest > rounding && highest > SEAM * largest_of::<R>(&[*push]).to_f64()
     })
+}
+
+/// The largest of all.
+#[inline(always)]
+fn largest_of<R: Staging>(pushes: &[R::Eight]) -> R {
+    pushes.iter().fold(R::Eight::splat(R::ZERO), |all, push| all.or_larger(*push)).largest()
+}
+
+/// Whether every push is finite: 0·x is 0 for a finite x and NaN for any other.
+#[inline(always)]
+pub(crate) fn are_finite<R: Staging>(pushes: &[R::Eight]) -> bool {
+    let none = R::Eight::splat(R::ZERO);
+    pushes.iter().fold(none, |sum, push| none.fused(*push, sum)).sum().equal(R::ZERO).all()
 }

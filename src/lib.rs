@@ -224,8 +224,8 @@ pub mod models;
 pub use dmech_core::Checkpoint;
 #[doc(inline)]
 pub use dmech_core::{
-    Conservative, Crossing, Csv, Derivation, DoubleDouble, Drift, Error, Event, Force, Interrupted, Invariant, Kept,
-    Law, Npy, Potential, Report, Run, Simulation, State, Stepper,
+    Conservative, Crossing, Csv, Derivation, DoubleDouble, Drift, Ensemble, EnsembleRun, Error, Event, Force,
+    Interrupted, Invariant, Kept, Law, Npy, Potential, Report, Run, Simulation, State, Stepper,
 };
 #[cfg(feature = "scene")]
 #[doc(inline)]
@@ -260,8 +260,8 @@ pub mod prelude {
 pub mod __private {
     pub mod v1 {
         pub use dmech_core::extend::{
-            Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, Mask, MassIndependent, PairLaw,
-            Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
+            Between, Conservative, Derivation, Field, Fields, Force, Law, LinearInVelocity, Mask, MassIndependent,
+            PairLaw, Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
         };
         pub use dmech_core::{rotation, written};
     }

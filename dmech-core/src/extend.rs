@@ -121,17 +121,19 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
+pub use crate::ensemble::{Block, Checksum, Each, InLanes, Outcome, Ride, Rides, Together};
 #[cfg(feature = "serde")]
 pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};
 pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;
-pub use crate::law::Masses;
 pub use crate::law::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
 pub use crate::law::{
-    Conservative, Derivation, Field, Force, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent,
+    Conservative, Derivation, Field, Fields, Force, Law, LinearInVelocity, MassIndependent, Potential,
+    VelocityIndependent,
 };
+pub use crate::law::{Masses, Numbered};
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
 pub use crate::run::{
@@ -139,10 +141,10 @@ pub use crate::run::{
 };
 #[cfg(feature = "scene")]
 pub use crate::scene::Encounter;
-pub use crate::scheme::NoScheme;
 pub use crate::scheme::{
     Adaptable, Adaptive, Effort, LinearVelocities, Method, OneStep, Scheme, Steps, WithoutVelocities,
 };
+pub use crate::scheme::{ByLane, NoScheme};
 pub use crate::setup::Setup;
 pub use crate::span::steps_until;
 pub use crate::system::{Ahead, AtStages, Beginning, Kick, Particle, Staged, Step, Stride, System, TimeScale};

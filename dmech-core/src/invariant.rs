@@ -1,5 +1,7 @@
 //! What a motion must keep, and how well it was kept.
 
+use dmech_scalar::{Mask, Real};
+
 /// A quantity that a motion, or a scheme, keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -100,40 +102,57 @@ impl OwnDrifts {
 /// For the angular momentum of more than two coordinates the values are norms of a tensor, and deviations the norm of
 /// the difference from the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drift {
-    start: f64,
-    last: f64,
-    max_abs: f64,
-    samples: u64,
+pub struct Drift<R = f64> {
+    start: R,
+    last: R,
+    max_abs: R,
+    samples: R,
     // Running means and moments of (t, value − start), after B. P. Welford, Technometrics 4 (1962) 419.
-    mean_t: f64,
-    mean_x: f64,
-    moment_tt: f64,
-    moment_tx: f64,
+    mean_t: R,
+    mean_x: R,
+    moment_tt: R,
+    moment_tx: R,
 }
 
-impl Drift {
-    pub(crate) fn new(t: f64, start: f64) -> Self {
-        let (mean_t, mean_x) = (t, 0.0);
-        Drift { start, last: start, max_abs: 0.0, samples: 1, mean_t, mean_x, moment_tt: 0.0, moment_tx: 0.0 }
+impl<R: Real> Drift<R> {
+    pub(crate) fn new(t: R, start: R) -> Self {
+        let (mean_t, [mean_x, max_abs, moment_tt, moment_tx]) = (t, [R::ZERO; 4]);
+        Drift { start, last: start, max_abs, samples: R::ONE, mean_t, mean_x, moment_tt, moment_tx }
     }
 
     /// A later value whose distance from the start is `deviation` (signed where that has a meaning).
-    pub(crate) fn observe(&mut self, t: f64, value: f64, deviation: f64) {
+    #[inline]
+    pub(crate) fn observe(&mut self, t: R, value: R, deviation: R) {
         self.last = value;
-        // max() would drop a NaN.
-        if deviation.is_nan() || deviation.abs() > self.max_abs {
-            self.max_abs = deviation.abs();
-        }
-        self.samples += 1;
-        let weight = 1.0 / self.samples as f64;
+        // max() would drop a NaN, which once seen is kept.
+        let is_number = self.max_abs.equal(self.max_abs);
+        let within = deviation.abs().less_or_equal(self.max_abs).or(is_number.not());
+        self.max_abs = R::either(within, self.max_abs, deviation.abs());
+        self.samples += R::ONE;
+        let weight = R::ONE / self.samples;
         let from_t = t - self.mean_t;
         self.mean_t += weight * from_t;
         self.mean_x += weight * (deviation - self.mean_x);
         self.moment_tt += from_t * (t - self.mean_t);
         self.moment_tx += from_t * (deviation - self.mean_x);
     }
+}
 
+impl<R: Copy> Drift<R> {
+    /// Its numbers, in order.
+    pub(crate) fn fields(&self) -> [R; 8] {
+        let Drift { start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx } = *self;
+        [start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx]
+    }
+
+    /// Of its numbers.
+    pub(crate) fn by_field(number: impl FnMut(usize) -> R) -> Self {
+        let [start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx] = core::array::from_fn(number);
+        Drift { start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx }
+    }
+}
+
+impl Drift {
     /// The value in the first state.
     pub fn start(&self) -> f64 {
         self.start
@@ -163,7 +182,7 @@ impl Drift {
 
     /// The number of states observed.
     pub fn samples(&self) -> u64 {
-        self.samples
+        self.samples as u64
     }
 }
 

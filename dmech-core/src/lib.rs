@@ -12,6 +12,7 @@ mod approx;
 mod changes;
 #[cfg(feature = "serde")]
 mod checkpoint;
+mod ensemble;
 mod error;
 mod invariant;
 mod law;
@@ -38,6 +39,7 @@ pub mod system;
 #[cfg(feature = "serde")]
 pub use checkpoint::{Carried, Checkpoint, Saved};
 pub use dmech_scalar::{DoubleDouble, Mask, Real};
+pub use ensemble::{Ensemble, EnsembleRun};
 #[cfg(feature = "serde")]
 pub use error::Difference;
 #[cfg(feature = "scene")]
@@ -79,8 +81,8 @@ pub mod prelude {
         Implicit, Kanatani, Leapfrog, LineIntegral, Method, Newton, Nystrom, Relaxed, Scheme, Start, coefficients,
     };
     pub use crate::{
-        Crossing, Csv, Drift, Error, Event, Interrupted, Invariant, Kept, Npy, Particle, Run, Simulation, State,
-        Stepper,
+        Crossing, Csv, Drift, Ensemble, EnsembleRun, Error, Event, Interrupted, Invariant, Kept, Npy, Particle, Run,
+        Simulation, State, Stepper,
     };
     pub use dmech_scalar::{DoubleDouble, Real as _};
 }

@@ -1,6 +1,31 @@
 //! How many steps lie between two times.
 
 use crate::error::Error;
+use crate::scheme::Scheme;
+use crate::stepper::Stepper;
+use crate::system::System;
+
+/// How far a run goes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Span {
+    /// So many steps.
+    Steps(u64),
+    /// Until a time.
+    Until(f64),
+}
+
+impl Span {
+    /// The steps that it takes.
+    pub(crate) fn steps<Y: System, S: Scheme<Y>>(self, stepper: &Stepper<Y, S>) -> Result<u64, Error> {
+        match self {
+            Span::Steps(steps) => stepper.possible(steps),
+            Span::Until(end) if stepper.scheme.tolerance().is_none() => steps_until(stepper.t(), end, stepper.dt()),
+            Span::Until(end) if !end.is_finite() => Err(Error::EndTime { end, dt: stepper.dt() }),
+            Span::Until(end) if end < stepper.t() => Err(Error::Span { start: stepper.t(), end }),
+            Span::Until(_) => Ok(UNCOUNTED),
+        }
+    }
+}
 
 /// As many steps as it takes to arrive.
 pub(crate) const UNCOUNTED: u64 = u64::MAX;

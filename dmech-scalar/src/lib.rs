@@ -25,6 +25,8 @@ mod lanes;
 mod polynomial;
 mod primitive;
 mod real;
+#[cfg(feature = "lanes")]
+mod rows;
 mod sinc;
 mod sinhc;
 
@@ -34,3 +36,5 @@ pub use double::{DoubleDouble, ParseDoubleDoubleError};
 pub use lanes::{Lanes, LanesMask};
 pub use primitive::FUSED;
 pub use real::{Mask, Real};
+#[cfg(feature = "lanes")]
+pub use rows::{Rows, RowsMask};

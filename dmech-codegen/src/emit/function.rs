@@ -11,6 +11,14 @@ use super::names::{ident, receiver, underscored};
 use super::rank::Rank;
 use crate::lower::Source;
 
+/// How a function reaches what it reads of the law.
+pub(super) enum Reached {
+    /// By the law, which is this.
+    Law(TokenStream),
+    /// As numbers, in the order of the parameters: `self.law[2]`.
+    Numbers,
+}
+
 impl Printer<'_> {
     pub(super) fn function(
         &self,
@@ -90,14 +98,25 @@ impl Printer<'_> {
 
     pub(super) fn bind_parameters(&self, used: &[Symbol], time_is_given: bool) -> TokenStream {
         let scalar = &self.scalar;
-        let used = self.parameters.iter().filter(|p| used.contains(&p.symbol));
-        used.map(|parameter| {
+        let numbers = self.parameters.iter().scan(0, |next, parameter| {
+            let number = *next;
+            *next += usize::from(matches!(parameter.source, Source::Law(_)));
+            Some((number, parameter))
+        });
+        let used = numbers.filter(|(_, p)| used.contains(&p.symbol));
+        used.map(|(number, parameter)| {
             let name = self.names.symbol(parameter.symbol);
             match &parameter.source {
-                Source::Law(tokens) => {
-                    let value = on_law(tokens.clone(), &self.law);
-                    quote!(let #name = #scalar::from_f64(#value);)
-                }
+                Source::Law(tokens) => match &self.law {
+                    Reached::Law(law) => {
+                        let value = on_law(tokens.clone(), law);
+                        quote!(let #name = #scalar::from_f64(#value);)
+                    }
+                    Reached::Numbers => {
+                        let (receiver, number) = (receiver(), proc_macro2::Literal::usize_unsuffixed(number));
+                        quote!(let #name = #receiver.law[#number];)
+                    }
+                },
                 Source::Mass => {
                     let receiver = receiver();
                     quote!(let #name = #receiver.mass;)

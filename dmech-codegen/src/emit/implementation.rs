@@ -1,20 +1,24 @@
 //! The impl block, and what stands in for it where the law has errors.
 
 use dmech_symbolic::expression::Expr;
+use dmech_symbolic::kernel::Kernels;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 use syn::{GenericParam, Lifetime};
 
+use super::document::pointwise_texts;
+use super::function::Reached;
 use super::kernels::Printer;
-use super::names::{Names, ident, runtime};
+use super::names::{Names, ident, receiver, runtime};
+use super::rank::{POINTWISE, Rank};
 use crate::Derivation;
-use crate::lower::{Lowered, Source};
+use crate::lower::{Lowered, Parameter, Source};
 use crate::model::Model;
 
 /// The traits of mechanics for the user's type, with everything derived from its potential and force.
 ///
-/// A conservative law is a `Potential`, and its own field at all times. One that names `m` or `t`, or has a force, is a law whose field at a
-/// moment is a hidden struct; what can be had without mass and time is implemented for the type itself too.
+/// What acts at one moment, for one mass, is a hidden struct of the numbers that the law reads of itself, so that they may be those of
+/// eight laws side by side. What can be had without mass and time is implemented for the type itself too, by that struct.
 pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let Derivation { model, lowered, kernels, forced, invariants } = derivation;
     let Lowered { graph, variables, potential, force, parameters, .. } = lowered;
@@ -29,14 +33,12 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let phi = [*potential];
     let forces = force.as_deref().unwrap_or_default();
     let potential_is_bare = !names(&phi, is_mass) && !names(&phi, is_time);
-    let conservative = forced.is_none() && potential_is_bare;
-    let receiver = Ident::new("self", Span::call_site());
+    let receiver = receiver();
     let self_ty = &model.self_ty;
-    let declared = model.fields.is_none().then(|| model.formulas().map(|f| &f.ident).collect::<Vec<_>>());
-    let mention: Vec<_> = declared.iter().flatten().map(|method| quote!(<#self_ty>::#method)).collect();
-    let printer = |law: TokenStream| Printer {
+    let where_clause = &model.generics.where_clause;
+    let printer = |law: Reached| Printer {
         graph,
-        declared: mention.clone(),
+        declared: vec![],
         names: Names::new(graph, variables, None, parameters),
         variables,
         parameters,
@@ -47,9 +49,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         layout: &[],
         law,
     };
-    let (bare, momentary) = (printer(quote!(#receiver)), printer(quote!(#receiver.law)));
-    // The field is a reference to the law: with its `self` read as that, a wrong name in the law is told once.
-    let itself = printer(quote!((*#receiver)));
+    let momentary = printer(Reached::Numbers);
     let central = kernels.structure.central.is_some() && forced.is_none();
     let linear = kernels.structure.constant_hessian && forced.is_none();
     let piecewise = forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise);
@@ -65,97 +65,31 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         #piecewise
         #degree
     };
-    let where_clause = &model.generics.where_clause;
-    let text = super::document::derivation(derivation);
-    let derivation = |own_generics: &TokenStream| {
-        let receiver = Ident::new("self", Span::call_site());
-        quote! {
-            #[automatically_derived]
-            impl #own_generics #runtime::Derivation for #self_ty #where_clause {
-                fn derivation(&#receiver) -> &'static ::core::primitive::str {
-                    #text
-                }
-            }
-        }
-    };
-    let own = parameters_of(model);
+    let own: Vec<_> = parameters_of(model).collect();
     let own_generics = quote!(<#(#own),*>);
-    let items = super::author::items(model, graph, parameters, &quote!(#d), None);
-    let author = quote! {
-        #[automatically_derived]
-        impl #own_generics #runtime::written::Author<#d> for #self_ty #where_clause {
-            #items
-        }
-    };
-    let written = quote! {
-        fn written(&self) -> ::core::option::Option<&dyn #runtime::written::Written<#d>> {
-            ::core::option::Option::Some(self)
-        }
-    };
-    let kept = bare.invariants(&model.invariants, invariants);
-    let own = parameters_of(model);
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
-    let derivation = derivation(&own_generics);
+    let items = super::author::items(model, graph, parameters, &quote!(#d), None);
+    let marker = |name: &str, holds: bool| {
+        let name = ident(name);
+        holds.then(|| {
+            quote! {
+                #[automatically_derived]
+                impl #own_generics #runtime::#name for #self_ty #where_clause {}
+            }
+        })
+    };
     let velocity_independent = !forced.as_ref().is_some_and(|forced| forced.depends_on_velocity);
-    let velocity_independent = velocity_independent.then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #own_generics #runtime::VelocityIndependent for #self_ty #where_clause {}
-        }
-    });
-    let linear_in_velocity = forced.as_ref().is_none_or(|forced| forced.linear_in_velocity).then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #own_generics #runtime::LinearInVelocity for #self_ty #where_clause {}
-        }
-    });
-    let mass_independent = (!names(&phi, is_mass) && !names(forces, is_mass)).then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #own_generics #runtime::MassIndependent for #self_ty #where_clause {}
-        }
-    });
-    if conservative {
-        let (functions, steps) = (bare.pointwise(kernels), itself.steps(kernels));
-        let (held, mass, t) = (hidden_lifetime(model), ident("_mass"), ident("_t"));
-        return quote! {
-            #[allow(clippy::approx_constant)]
-            const _: () = {
-                use #module as #runtime;
-
-                #derivation
-
-                #velocity_independent
-                #linear_in_velocity
-                #mass_independent
-                #author
-
-                #[automatically_derived]
-                impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
-                    #constants
-                    #functions
-                }
-
-                #[automatically_derived]
-                impl #generics #runtime::Field<#d, #scalar> for &#self_ty #where_clause {
-                    #steps
-                }
-
-                #[automatically_derived]
-                impl #generics #runtime::Law<#d, #scalar> for #self_ty #where_clause {
-                    type Field<#held> = &#held Self where Self: #held;
-                    #[inline(always)]
-                    fn field(&self, #mass: #scalar, #t: #scalar) -> &Self {
-                        self
-                    }
-                    #kept
-                    #written
-                }
-            };
-        };
-    }
+    let linear_in_velocity = forced.as_ref().is_none_or(|forced| forced.linear_in_velocity);
+    let markers = [
+        marker("VelocityIndependent", velocity_independent),
+        marker("LinearInVelocity", linear_in_velocity),
+        marker("MassIndependent", !names(&phi, is_mass) && !names(forces, is_mass)),
+    ];
+    let moment = generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment");
+    let law_at =
+        |time: TokenStream| quote!(<Self as #runtime::Law<#d, #scalar>>::field(#receiver, #scalar::ONE, #time));
     let of_itself = (model.potential.is_some() && potential_is_bare).then(|| {
-        let functions = bare.pointwise(kernels);
+        let functions = momentary.of_moment(kernels, &law_at(quote!(#scalar::ZERO)));
         quote! {
             #[automatically_derived]
             impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
@@ -164,8 +98,9 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             }
         }
     });
-    let force_of_itself = forced.as_ref().filter(|_| !names(forces, is_mass)).map(|forced| {
-        let functions = bare.force_functions(forced);
+    let force_of_itself = forced.as_ref().filter(|_| !names(forces, is_mass)).map(|_| {
+        let t = ident("t");
+        let functions = momentary.force_of_moment(&law_at(quote!(#t)), &t);
         quote! {
             #[automatically_derived]
             impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
@@ -187,53 +122,135 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
         None => momentary.steps(kernels),
     };
     let potential_functions = momentary.pointwise(kernels);
+    let kept = printer(Reached::Law(quote!(#receiver))).invariants(&model.invariants, invariants);
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
-    let moment = generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment");
-    let (held, law, mass, t) = (hidden_lifetime(model), ident("Law"), ident("mass"), ident("t"));
+    let read: Vec<_> = numbers(parameters).collect();
+    let count = Literal::usize_unsuffixed(read.len());
+    let (held, law, mass, t) = (hidden_lifetime(model), ident("law"), ident("mass"), ident("t"));
+    // A law that is only run counts as used.
+    let declared = model.fields.is_none().then(|| model.formulas().map(|f| &f.ident).collect::<Vec<_>>());
+    let declared = declared.iter().flatten();
+    let text = super::document::derivation(derivation);
     quote! {
         #[allow(clippy::approx_constant)]
-            const _: () = {
+        const _: () = {
             use #module as #runtime;
 
-            #derivation
-            #of_itself
-            #force_of_itself
-            #velocity_independent
-            #linear_in_velocity
-            #mass_independent
-            #author
+            #[automatically_derived]
+            impl #own_generics #runtime::Derivation for #self_ty #where_clause {
+                fn derivation(&#receiver) -> &'static ::core::primitive::str {
+                    #text
+                }
+            }
+            #(#markers)*
+
+            #[automatically_derived]
+            impl #own_generics #runtime::written::Author<#d> for #self_ty #where_clause {
+                #items
+            }
 
             /// The law at one moment, for one mass.
             #[allow(dead_code)]
-            pub struct #moment<#held, #law, #scalar> {
-                law: &#held #law,
+            #[derive(Clone, Copy)]
+            pub struct #moment<#scalar> {
+                /// What is read of the law.
+                law: [#scalar; #count],
                 mass: #scalar,
                 t: #scalar,
             }
 
             #[automatically_derived]
             impl #generics #runtime::Law<#d, #scalar> for #self_ty #where_clause {
-                type Field<#held> = #moment<#held, Self, #scalar> where Self: #held;
+                type Field<#held> = #moment<#scalar> where Self: #held;
                 const AUTONOMOUS: bool = #autonomous;
                 #[inline(always)]
-                fn field(&self, #mass: #scalar, #t: #scalar) -> Self::Field<'_> {
-                    #moment { law: self, mass: #mass, t: #t }
+                fn field(&#receiver, #mass: #scalar, #t: #scalar) -> #moment<#scalar> {
+                    #(let _ = <#self_ty>::#declared;)*
+                    #moment { law: [#(#scalar::from_f64(#read)),*], #mass, #t }
                 }
                 #kept
-                #written
+                fn written(&#receiver) -> ::core::option::Option<&dyn #runtime::written::Written<#d>> {
+                    ::core::option::Option::Some(#receiver)
+                }
             }
 
             #[automatically_derived]
-            impl #generics #runtime::Potential<#d, #scalar> for #moment<'_, #self_ty, #scalar> #where_clause {
+            impl #own_generics #runtime::Fields<#d> for #self_ty #where_clause {
+                type Numbers = [::core::primitive::f64; #count];
+                type Moment<#scalar: #runtime::Real> = #moment<#scalar>;
+                fn numbers(&#receiver) -> [::core::primitive::f64; #count] {
+                    [#(#read),*]
+                }
+                #[inline(always)]
+                fn moment<#scalar: #runtime::Real>(
+                    #law: [#scalar; #count],
+                    #mass: #scalar,
+                    #t: #scalar,
+                ) -> #moment<#scalar> {
+                    #moment { #law, #mass, #t }
+                }
+            }
+
+            #of_itself
+            #force_of_itself
+
+            #[automatically_derived]
+            impl<#scalar: #runtime::Real> #runtime::Potential<#d, #scalar> for #moment<#scalar> {
                 #constants
                 #potential_functions
             }
 
             #[automatically_derived]
-            impl #generics #runtime::Field<#d, #scalar> for #moment<'_, #self_ty, #scalar> #where_clause {
+            impl<#scalar: #runtime::Real> #runtime::Field<#d, #scalar> for #moment<#scalar> {
                 #field_functions
             }
         };
+    }
+}
+
+/// What the kernels read of the law, in order.
+fn numbers(parameters: &[Parameter]) -> impl Iterator<Item = &TokenStream> {
+    parameters.iter().filter_map(|parameter| match &parameter.source {
+        Source::Law(tokens) => Some(tokens),
+        _ => None,
+    })
+}
+
+impl Printer<'_> {
+    /// The functions of `Potential` for the law itself, by its moment.
+    fn of_moment(&self, kernels: &Kernels, moment: &TokenStream) -> TokenStream {
+        let (scalar, d, runtime, receiver) = (&self.scalar, &self.dimension, &self.runtime, receiver());
+        let documents = pointwise_texts(self.graph, kernels);
+        let functions = POINTWISE.iter().zip(&documents).map(|(&(name, rank), text)| {
+            let arguments = if name.starts_with("discrete") { &["a", "b"][..] } else { &["q"] };
+            let arguments: Vec<_> = arguments.iter().map(|argument| ident(argument)).collect();
+            let (name, result) = (ident(name), rank.array(scalar, d));
+            quote! {
+                #(#[doc = #text])*
+                #[inline(always)]
+                fn #name(&#receiver, #(#arguments: [#scalar; #d]),*) -> #result {
+                    #runtime::Potential::#name(&#moment, #(#arguments),*)
+                }
+            }
+        });
+        functions.collect()
+    }
+
+    /// The functions of `Force` for the law itself.
+    fn force_of_moment(&self, moment: &TokenStream, t: &Ident) -> TokenStream {
+        let (scalar, d, runtime, receiver) = (&self.scalar, &self.dimension, &self.runtime, receiver());
+        let [q, v] = ["q", "v"].map(ident);
+        let list = [("force", Rank::Vector), ("force_dq", Rank::Matrix), ("force_dv", Rank::Matrix)];
+        let functions = list.map(|(name, rank)| {
+            let (name, result) = (ident(name), rank.array(scalar, d));
+            quote! {
+                #[inline(always)]
+                fn #name(&#receiver, #q: [#scalar; #d], #v: [#scalar; #d], #t: #scalar) -> #result {
+                    #runtime::Field::#name(&#moment, #q, #v, #t)
+                }
+            }
+        });
+        functions.into_iter().collect()
     }
 }
 

@@ -7,6 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::document::{force_texts, increment, pointwise_texts, step_texts};
+use super::function::Reached;
 use super::names::{Names, ident, underscored};
 use super::rank::{POINTWISE, Rank};
 use crate::lower::{Parameter, Read, Source};
@@ -28,8 +29,8 @@ pub(super) struct Printer<'a> {
     pub(super) layout: &'a [Read],
     /// The user's methods.
     pub(super) declared: Vec<TokenStream>,
-    /// How a method of the implementation reaches the law itself: `self` or `self.law`.
-    pub(super) law: TokenStream,
+    /// How a method of the implementation reaches what it reads of the law.
+    pub(super) law: Reached,
 }
 
 impl Printer<'_> {

@@ -8,6 +8,7 @@ use quote::quote;
 use syn::parse_quote;
 
 use super::body::{Printed, body};
+use super::function::Reached;
 use super::implementation::{degree, dimension, generic_name, hidden_lifetime, module, parameters_of, scalar_name};
 use super::kernels::Printer;
 use super::names::{Names, ident, receiver, runtime, underscored};
@@ -40,7 +41,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         dimension: dimension.clone(),
         between: true,
         layout,
-        law: quote!(#receiver.law),
+        law: Reached::Law(quote!(#receiver.law)),
     };
     let text = pair_document::derivation(derivation);
     let (constants, functions) = potential(&printer, derivation);

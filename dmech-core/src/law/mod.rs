@@ -1,6 +1,7 @@
 //! What a scheme needs to know of a law.
 
 mod field;
+mod fields;
 mod masses;
 mod optional;
 mod pair;
@@ -13,6 +14,7 @@ mod within;
 pub mod written;
 
 pub use field::Field;
+pub use fields::{Fields, Numbered};
 pub use masses::Masses;
 #[cfg(feature = "scene")]
 pub use pair::LinkLaw;

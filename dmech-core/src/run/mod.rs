@@ -23,12 +23,15 @@ mod zero;
 pub use attend::{Attend, Within};
 pub use between::{Blend, Weights};
 pub use csv::Columns;
+pub(crate) use due::Due;
 pub use event::{Crossing, Event};
 pub use interrupted::Interrupted;
+pub(crate) use motion::Log;
 pub use observe::Observer;
 pub use passage::Passage;
 pub use quantity::Quantity;
 pub use report::Report;
+pub(crate) use simulation::Prepared;
 pub use simulation::{Attended, Simulation};
 pub use stream::{Csv, Npy, Sink, Stream};
 pub use watch::Watch;
@@ -117,6 +120,11 @@ impl<X> Run<X> {
     /// Invariants, work and time; `Display` shows it as a table.
     pub fn report(&self) -> &Report {
         &self.report
+    }
+
+    /// Where the work of the steps was not summed.
+    pub(crate) fn forget_work(&mut self) {
+        self.report.forget_work();
     }
 
     fn record(&mut self, state: X) {

@@ -1,6 +1,6 @@
 //! The loop that records a motion.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::attend::{Attend, Happened, Within, in_order};
 use super::due::Due;
@@ -23,7 +23,6 @@ pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
     shown: Shown,
 ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     let mut log = Log::new(&stepper, run, due, attend);
-    log.run.report.keep(Invariant::ALL.map(|invariant| S::kept(&stepper.system, invariant)));
     // A stream keeps none.
     let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps, stepper.dt) };
     if let Err(cause) = log.run.expect(states, Y::size(&stepper.start)) {
@@ -33,19 +32,19 @@ pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
 }
 
 /// What is written down of a motion.
-struct Log<Y: System, O> {
+pub(crate) struct Log<Y: System, O> {
     run: Run<Y::State>,
-    watch: Watch<Y>,
+    pub(crate) watch: Watch<Y>,
     due: Due,
     /// The time of the start, and of the next state that is recorded by time.
     start: f64,
-    next: Option<f64>,
+    pub(crate) next: Option<f64>,
     /// States recorded by time so far.
     recorded: u64,
     /// Steps until a state is recorded by number.
-    until_record: u64,
+    pub(crate) until_record: u64,
     /// The steps after which the invariants were looked at last.
-    looked_at: u64,
+    pub(crate) looked_at: u64,
     attend: O,
     happened: Vec<Happened<Y::State>>,
     /// What states between steps have cost.
@@ -74,7 +73,8 @@ impl Spent {
 }
 
 impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
-    fn new<S: Scheme<Y>>(stepper: &Stepper<Y, S>, run: Run<Y::State>, due: Due, attend: O) -> Self {
+    pub(crate) fn new<S: Scheme<Y>>(stepper: &Stepper<Y, S>, mut run: Run<Y::State>, due: Due, attend: O) -> Self {
+        run.report.keep(Invariant::ALL.map(|invariant| S::kept(&stepper.system, invariant)));
         let t = stepper.t();
         let until_record = if let Due::Every(n) = due { n } else { u64::MAX };
         let (next, watch) = (due.time(t, 0), Watch::begin(stepper));
@@ -98,18 +98,28 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             }
             Ok(stopped)
         });
+        follow.end(stepper.steps(), outcome.is_ok());
+        self.close(&stepper, outcome, clock.elapsed())
+    }
+
+    /// What a run gives back: where it was stopped, if it was, or why it failed.
+    pub(crate) fn close<S: Scheme<Y>>(
+        mut self,
+        stepper: &Stepper<Y, S>,
+        outcome: Result<Option<Y::State>, Error>,
+        elapsed: Duration,
+    ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
         let ended = self.attend.end();
         let outcome = outcome.and_then(|stopped| ended.map(|()| stopped));
-        follow.end(stepper.steps(), outcome.is_ok());
         if self.looked_at != stepper.steps() {
             let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| stepper.state());
-            self.look_at(&stepper, &last);
+            self.look_at(stepper, &last);
         }
         let Log { mut run, watch, attend, between: Spent { evaluations, iterations }, .. } = self;
         let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());
         let (steps, range) = (stepper.steps(), stepper.scheme.range(&stepper.memory));
         let rough = stepper.scheme.rough(&stepper.memory);
-        let work = Work { steps, evaluations, iterations, rough, elapsed: clock.elapsed(), range };
+        let work = Work { steps, evaluations, iterations, rough, elapsed, range };
         let (stopped, failure) = match outcome {
             Ok(stopped) => (stopped, None),
             Err(cause) => (None, Some(cause)),
@@ -124,7 +134,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
     }
 
     /// Looks at the first state and records it.
-    fn begin<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
+    pub(crate) fn begin<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
         let state = stepper.state();
         const { assert!(O::QUANTITIES <= MAX_OWN, "a run watches eight quantities at most") };
         self.attend.begin(&state)?;
@@ -177,13 +187,13 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
     }
 
     /// Whether a state is to be recorded that the next step may reach.
-    fn is_due_before<S: Scheme<Y>>(&self, stepper: &Stepper<Y, S>) -> bool {
+    pub(crate) fn is_due_before<S: Scheme<Y>>(&self, stepper: &Stepper<Y, S>) -> bool {
         // A step may come out longer by rounding.
         self.next.is_some_and(|next| next <= stepper.t() + 1.01 * stepper.next_dt())
     }
 
     /// Events, and states that are due, in the step that was made; where the run was stopped in it.
-    fn look_into_the_step<S: Scheme<Y>>(
+    pub(crate) fn look_into_the_step<S: Scheme<Y>>(
         &mut self,
         stepper: &Stepper<Y, S>,
         before: &Y::State,
@@ -218,7 +228,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         Ok(stopped)
     }
 
-    fn look_at<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
+    pub(crate) fn look_at<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
         self.watch.observe(stepper, state);
         self.attend.look(Y::time(state), state);
         self.looked_at = stepper.steps();
@@ -238,7 +248,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
     }
 
     /// Times that only rounding keeps from having been reached.
-    fn record_at_the_end<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
+    pub(crate) fn record_at_the_end<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>) -> Result<(), Error> {
         let last = stepper.state();
         let reached = Y::time(&last);
         let rounding = 4.0 * f64::EPSILON * reached.abs().max(self.start.abs());

@@ -46,6 +46,10 @@ impl Report {
         self.kept = kept;
     }
 
+    pub(crate) fn forget_work(&mut self) {
+        self.drifts[Invariant::WorkEnergy as usize] = None;
+    }
+
     pub(crate) fn finish(&mut self, drifts: Drifts, own: OwnDrifts, work: Work) {
         self.drifts = drifts;
         self.own = own;

@@ -10,9 +10,10 @@ use super::{Interrupted, Run};
 use crate::error::Error;
 use crate::law::Masses;
 use crate::law::{Law, MassIndependent};
+use crate::method::Method;
 use crate::scheme::{Adaptable, Adaptive, NoScheme, Scheme};
 use crate::setup::Setup;
-use crate::span::{UNCOUNTED, steps_until};
+use crate::span::Span;
 use crate::state::State;
 use crate::stepper::{Stepper, check_step};
 use crate::system::System;
@@ -97,6 +98,27 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// Law, start and mass alone, for another scheme.
     pub fn without_scheme(self) -> Simulation<L, X> {
         Simulation::of(self.law, self.start).with(|settings| settings.mass = self.settings.mass)
+    }
+
+    /// The same of a law, from a start.
+    pub(crate) fn moving<N, Y>(self, law: N, start: Y) -> Simulation<N, Y, S, O> {
+        let Simulation { scheme, settings, attend, .. } = self;
+        Simulation { law, start, scheme, settings, attend }
+    }
+
+    pub(crate) fn due(&self) -> &Due {
+        &self.settings.due
+    }
+
+    /// The length of the steps, if it is one.
+    pub(crate) fn step_length<R: Real>(&self) -> Result<f64, Error>
+    where
+        S: Method,
+    {
+        let tolerance = self.scheme.tolerance();
+        let dt = self.settings.dt.or(tolerance.map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
+        check_step::<R>(tolerance, dt)?;
+        Ok(dt)
     }
 
     pub(crate) fn with(mut self, set: impl FnOnce(&mut Settings)) -> Self {
@@ -254,11 +276,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         X: Setup<L>,
         S: Scheme<X::System>,
     {
-        let Settings { mass, dt, .. } = self.settings;
-        let dt = dt.or(self.scheme.tolerance().map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
-        check_step::<<X::System as System>::Scalar>(self.scheme.tolerance(), dt)?;
+        let dt = self.step_length::<<X::System as System>::Scalar>()?;
         let start = self.start.start();
-        let system = self.start.system(self.law, mass, dt)?;
+        let system = self.start.system(self.law, self.settings.mass, dt)?;
         Stepper::new(system, self.scheme, start, dt)
     }
 
@@ -273,7 +293,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
-        self.record(|stepper| stepper.possible(steps))
+        self.record(Span::Steps(steps))
     }
 
     /// Makes as many steps as it takes to reach the time `end`: ⌈n⌉ with n = (end − t₀)/dt, where an n that is a whole
@@ -288,41 +308,52 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
-        if self.scheme.tolerance().is_none() {
-            return self.record(|stepper| steps_until(stepper.t(), end, stepper.dt()));
-        }
-        let scheme = self.scheme.until(end);
-        Simulation { scheme, ..self }.record(|stepper| match stepper.t() {
-            _ if !end.is_finite() => Err(Error::EndTime { end, dt: stepper.dt() }),
-            start if end < start => Err(Error::Span { start, end }),
-            _ => Ok(UNCOUNTED),
-        })
+        self.record(Span::Until(end))
     }
 
-    fn record(
-        self,
-        count: impl FnOnce(&Stepper<X::System, S>) -> Result<u64, Error>,
-    ) -> Result<Run<X::State>, Interrupted<X::State>>
+    pub(crate) fn record(self, span: Span) -> Result<Run<X::State>, Interrupted<X::State>>
     where
         X: Setup<L>,
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
+        let (due, shown) = (self.settings.due.clone(), self.settings.shown.clone());
+        let Prepared { stepper, run, steps, attend } = self.prepare(span)?;
+        record(stepper, run, steps, (due, attend), shown)
+    }
+
+    /// Everything that a run begins with.
+    pub(crate) fn prepare(self, span: Span) -> Preparation<L, X, S, O>
+    where
+        X: Setup<L>,
+        S: Scheme<X::System>,
+    {
         let Simulation { law, start, scheme, settings, attend } = self;
+        let scheme = if let Span::Until(end) = span { scheme.until(end) } else { scheme };
         let (first, mass) = (start.start(), start.mass(settings.mass));
         let run = Run::empty(first, &scheme, settings.dt.unwrap_or(f64::NAN), mass);
-        let (due, shown) = (settings.due.clone(), settings.shown.clone());
-        let prepared = due.check(<X::System as System>::time(run.last())).and_then(|()| {
+        let prepared = settings.due.check(<X::System as System>::time(run.last())).and_then(|()| {
             let stepper = Simulation { law, start, scheme, settings, attend: () }.stepper()?;
             stepper.system.check_potential(&stepper.start)?;
-            Ok((count(&stepper)?, stepper))
+            Ok((span.steps(&stepper)?, stepper))
         });
         match prepared {
-            Ok((steps, stepper)) => record(stepper, run, steps, (due, attend), shown),
+            Ok((steps, stepper)) => Ok(Prepared { stepper, run, steps, attend }),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }
 }
+
+/// A run before its first step.
+pub(crate) struct Prepared<Y: System, S: Scheme<Y>, O> {
+    pub(crate) stepper: Stepper<Y, S>,
+    pub(crate) run: Run<Y::State>,
+    pub(crate) steps: u64,
+    attend: O,
+}
+
+pub(crate) type Preparation<L, X, S, O> =
+    Result<Prepared<<X as Setup<L>>::System, S, O>, Interrupted<<X as Setup<L>>::State>>;
 
 /// A simulation that is accompanied by one thing more.
 pub type Attended<L, X, S, O, A> = Simulation<L, X, S, (O, A)>;

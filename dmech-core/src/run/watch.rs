@@ -88,6 +88,21 @@ impl<Y: System> Watch<Y> {
                 drift.observe(Y::time(state), value, deviation);
             }
         }
+        self.observe_own(stepper, state);
+    }
+
+    /// Takes them from elsewhere; those of the law itself are looked at here.
+    pub(crate) fn set_drifts(&mut self, drifts: Drifts) {
+        self.drifts = drifts;
+    }
+
+    /// Where the work of the steps is not summed.
+    pub(crate) fn forget_work(&mut self) {
+        self.drifts[Invariant::WorkEnergy as usize] = None;
+    }
+
+    /// Looks at the invariants that the law declares itself.
+    pub(crate) fn observe_own<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
         for (k, drift) in self.own.drifts.iter_mut().flatten().enumerate() {
             let value = stepper.system.own_invariant(k, state);
             drift.observe(Y::time(state), value.to_f64(), (value - self.own_start[k]).to_f64());
@@ -130,6 +145,8 @@ impl<Y: System> Watch<Y> {
     ) -> Option<(f64, f64)> {
         let is_momentum = matches!(invariant, Invariant::LinearMomentum | Invariant::AngularMomentum);
         let system = &stepper.system;
-        (is_momentum && system.conserves(invariant)).then(|| system.momentum(invariant, state, &stepper.start))
+        let seen =
+            (is_momentum && system.conserves(invariant)).then(|| system.momentum(invariant, state, &stepper.start));
+        seen.map(|(value, deviation)| (value.to_f64(), deviation.to_f64()))
     }
 }

@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::by_lane::by_lane;
 use super::memory::memory;
 use super::{Effort, Method, Scheme, WithoutVelocities};
 use crate::invariant::{Invariant, Kept};
@@ -67,6 +68,8 @@ memory! {
     lists {}
     uncarried {}
 }
+
+by_lane! { CompensatedLeapfrogMemory { q, v_after, change }; }
 
 impl Method for CompensatedLeapfrog {
     const NAME: &'static str = "CompensatedLeapfrog";

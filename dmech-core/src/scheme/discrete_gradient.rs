@@ -1,5 +1,6 @@
 //! The energy-exact one-step scheme.
 
+use super::by_lane::by_lane;
 use super::memory::memory;
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
@@ -61,6 +62,8 @@ memory! {
     }
     uncarried {}
 }
+
+by_lane! { DiscreteGradientMemory { q, v, slopes }; }
 
 impl<Y: System> DiscreteGradientMemory<Y> {
     /// ∇̄Φ less the mean force of the last step; ∇Φ − F before the first.

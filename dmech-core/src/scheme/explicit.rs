@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::by_lane::by_lane;
 use super::memory::memory;
 use super::{Effort, Method, Scheme};
 use crate::invariant::{Invariant, Kept};
@@ -42,6 +43,8 @@ memory! {
         v_before: Y::Vector,
     }
 }
+
+by_lane! { ExplicitMemory { q, v, v_before }; }
 
 impl Method for Explicit {
     const NAME: &'static str = "Explicit";

@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::by_lane::by_lane;
 use super::memory::memory;
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
@@ -57,6 +58,8 @@ memory! {
     }
     uncarried {}
 }
+
+by_lane! { ImplicitMemory { q, v, slopes }; }
 
 impl Method for Implicit {
     const NAME: &'static str = "Implicit";

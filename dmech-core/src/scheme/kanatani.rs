@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::by_lane::by_lane;
 use super::memory::memory;
 use super::{DiscreteGradient, Effort, Method, Newton, Scheme, WithoutVelocities, remember, single_step};
 use crate::invariant::{Invariant, Kept};
@@ -79,6 +80,8 @@ memory! {
     }
     uncarried {}
 }
+
+by_lane! { KanataniMemory { q_before, q, z, slopes }; }
 
 impl<Y: System> KanataniMemory<Y> {
     /// Starts from two positions a step apart, with ∇Φ − F at the second.

@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod boris;
+mod by_lane;
 mod compensated_leapfrog;
 mod composed;
 mod discrete_gradient;
@@ -19,6 +20,7 @@ mod splitting;
 
 pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
 pub use boris::Boris;
+pub use by_lane::ByLane;
 pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
 pub use composed::{
     Coefficients, Composable, Composed, OneStep, Stage, StagesMemory, Steps, StepsMemory, StepsRoom, coefficients,

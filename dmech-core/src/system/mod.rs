@@ -302,7 +302,7 @@ pub trait System: Sized {
         Self::Scalar::ZERO
     }
     /// A momentum of a state, and how far it is from that of the start.
-    fn momentum(&self, invariant: Invariant, state: &Self::State, start: &Self::State) -> (f64, f64);
+    fn momentum(&self, invariant: Invariant, state: &Self::State, start: &Self::State) -> (Self::Scalar, Self::Scalar);
 }
 
 /// A system that tells how fast it moves, for steps that follow the motion.

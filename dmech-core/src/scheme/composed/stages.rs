@@ -7,6 +7,7 @@ use dmech_scalar::Real;
 use super::predictor::{Resample, SlopeAt, weights};
 use super::{Coefficients, Composable, Composed};
 use crate::newton::NotConverged;
+use crate::scheme::by_lane::by_lane;
 use crate::scheme::memory::memory;
 use crate::scheme::{DiscreteGradient, Effort, Implicit, Scheme};
 use crate::system::{Ahead, Beginning, Step, System};
@@ -28,6 +29,8 @@ memory! {
         work: Y::Scalar,
     }
 }
+
+by_lane! { StagesMemory<const N> { q, v, slopes, work }; }
 
 /// A scheme that solves an equation in each stage.
 #[diagnostic::on_unimplemented(

@@ -4,6 +4,7 @@ use dmech_scalar::Real;
 
 use super::{First, Splitting, digits};
 use crate::newton::NotConverged;
+use crate::scheme::by_lane::by_lane;
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::memory::memory;
 use crate::scheme::{
@@ -30,6 +31,8 @@ memory! {
         begun: Begun,
     }
 }
+
+by_lane! { SplittingMemory { q, v_before, v_after, work } all { begun }; }
 
 /// Work of the kick that two steps of different lengths share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -43,6 +43,11 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         Particle { law, mass: R::from_f64(mass) }
     }
 
+    /// The same with a mass of the scalar.
+    pub(crate) fn with_mass(law: L, mass: R) -> Self {
+        Particle { law, mass }
+    }
+
     /// The law.
     pub fn law(&self) -> &L {
         &self.law
@@ -393,10 +398,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         self.law.invariant(k, state.q, state.v, R::from_f64(state.t))
     }
 
-    fn momentum(&self, _: Invariant, state: &State<D, R>, start: &State<D, R>) -> (f64, f64) {
+    fn momentum(&self, _: Invariant, state: &State<D, R>, start: &State<D, R>) -> (R, R) {
         if D == 2 {
             let [now, first] = [state, start].map(|state| self.angular_momentum(state, 0, 1));
-            return (now.to_f64(), (now - first).to_f64());
+            return (now, now - first);
         }
         let (mut squares, mut turned) = (R::ZERO, R::ZERO);
         for (i, j) in (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j))) {
@@ -405,7 +410,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
             squares += now * now;
             turned += change * change;
         }
-        (squares.sqrt().to_f64(), turned.sqrt().to_f64())
+        (squares.sqrt(), turned.sqrt())
     }
 }
 

@@ -1,0 +1,144 @@
+//! What comes back from an ensemble.
+
+use core::fmt;
+use std::time::Duration;
+
+use crate::error::Error;
+use crate::invariant::{Drift, Invariant};
+use crate::run::{Columns, Interrupted, Run};
+
+/// The members of an ensemble after their motions, in their order.
+#[derive(Clone, Debug)]
+pub struct EnsembleRun<X> {
+    members: Vec<Result<Run<X>, Interrupted<X>>>,
+    elapsed: Duration,
+}
+
+impl<X: Clone> EnsembleRun<X> {
+    pub(super) fn new(members: Vec<Result<Run<X>, Interrupted<X>>>, elapsed: Duration) -> Self {
+        EnsembleRun { members, elapsed }
+    }
+
+    /// How many members there are.
+    pub fn len(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    /// The run of a member; of one that failed, what it had come to, with the cause.
+    ///
+    /// # Errors
+    /// [`Interrupted`]
+    ///
+    /// # Panics
+    /// If there are not so many members.
+    pub fn member(&self, k: usize) -> Result<&Run<X>, &Interrupted<X>> {
+        self.members[k].as_ref()
+    }
+
+    /// Every member, in order.
+    pub fn members(&self) -> impl ExactSizeIterator<Item = Result<&Run<X>, &Interrupted<X>>> {
+        self.members.iter().map(Result::as_ref)
+    }
+
+    /// The last state of a member, or why it has none.
+    ///
+    /// # Errors
+    /// What ended the run of this member.
+    ///
+    /// # Panics
+    /// If there are not so many members.
+    pub fn last(&self, k: usize) -> Result<X, Error> {
+        self.member(k).map(|run| run.last().clone()).map_err(Interrupted::cause)
+    }
+
+    /// How an invariant of a member moved, up to where it failed if it did; `None` where the law, or the scheme, has no such
+    /// invariant. The work of steps is not summed in an ensemble, so that there is no [`Invariant::WorkEnergy`].
+    ///
+    /// # Panics
+    /// If there are not so many members.
+    pub fn drift(&self, k: usize, invariant: Invariant) -> Option<Drift> {
+        self.member(k).unwrap_or_else(Interrupted::run).drift(invariant)
+    }
+
+    /// The members that failed, each with the cause.
+    pub fn failures(&self) -> impl Iterator<Item = (usize, Error)> {
+        self.members.iter().enumerate().filter_map(|(k, member)| Some((k, member.as_ref().err()?.cause())))
+    }
+
+    /// Time that it took.
+    pub fn elapsed(&self) -> Duration {
+        self.elapsed
+    }
+}
+
+impl<X: Columns> EnsembleRun<X> {
+    /// A number that tells two sets of results apart: it depends on every bit of the last states, in their order, and on which members
+    /// failed, not on how many lanes and threads have moved them.
+    ///
+    /// # Reference
+    /// FNV-1a of 64 bits, over the bytes of the numbers (G. Fowler, L. C. Noll, K.-P. Vo, RFC 9923).
+    pub fn checksum(&self) -> u64 {
+        let mut sum = Checksum::default();
+        self.members.iter().for_each(|member| sum.add(member.as_ref()));
+        sum.value()
+    }
+}
+
+/// [`EnsembleRun::checksum`] of members as they come, for those that are not all kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Checksum(u64);
+
+impl Default for Checksum {
+    /// Of no member.
+    fn default() -> Self {
+        Checksum(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Checksum {
+    /// Adds a member; they must come in order.
+    pub fn add<X: Columns>(&mut self, member: Result<&Run<X>, &Interrupted<X>>) {
+        let (run, failed) = match member {
+            Ok(run) => (run, 0),
+            Err(interrupted) => (interrupted.run(), 1),
+        };
+        self.word(failed);
+        self.word(run.steps());
+        run.last().numbers(&mut |x| self.word(x.to_bits()));
+    }
+
+    /// Of all that were added.
+    pub fn value(self) -> u64 {
+        self.0
+    }
+
+    fn word(&mut self, word: u64) {
+        for byte in word.to_le_bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+}
+
+/// How many members, how many failed, and the largest deviation of each invariant.
+impl<X> fmt::Display for EnsembleRun<X> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let failed = self.members.iter().filter(|member| member.is_err()).count();
+        let steps: u64 = self.members.iter().flatten().map(Run::steps).sum();
+        writeln!(f, "{} members, {failed} failed", self.members.len())?;
+        let seconds = self.elapsed.as_secs_f64();
+        writeln!(f, "{steps} steps in {seconds:.3} s, {:.2} ns each", 1e9 * seconds / steps.max(1) as f64)?;
+        for invariant in Invariant::ALL {
+            let drifts = self.members.iter().flatten().filter_map(|run| run.drift(invariant));
+            let worst = drifts.map(|drift| drift.max_relative()).reduce(|a, b| if a.is_nan() || a > b { a } else { b });
+            if let Some(worst) = worst {
+                writeln!(f, "{invariant:<20} relative deviation at most {worst:.2e}")?;
+            }
+        }
+        Ok(())
+    }
+}

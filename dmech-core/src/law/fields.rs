@@ -1,0 +1,67 @@
+//! Laws side by side.
+
+use dmech_scalar::Real;
+
+use super::{Field, Law, LinearInVelocity, Numbers, VelocityIndependent};
+
+/// A law that can be taken apart into the numbers that it reads of itself, so that those of many may stand side by side in the
+/// lanes of a register, or be numbers of more digits.
+///
+/// `#[dmech::law]` and `#[derive(dmech::Law)]` write it.
+#[diagnostic::on_unimplemented(
+    message = "the numbers of `{Self}` cannot stand side by side with those of other members",
+    label = "not a law of {D} coordinates that `#[dmech::law]` has written",
+    note = "members that are laws written by hand, `Option`s of laws, laws with a mass for each coordinate or scenes ride alone: `Ensemble::each(n, |k| Simulation::new(…)…)`"
+)]
+pub trait Fields<const D: usize>: Law<D> {
+    /// `[f64; N]`.
+    type Numbers: Numbers;
+    /// What acts at one moment, by numbers of any scalar.
+    type Moment<R: Real>: Field<D, R>;
+
+    /// What is read of the law.
+    fn numbers(&self) -> Self::Numbers;
+
+    /// What acts on a particle of a mass at a time, by these numbers.
+    fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, mass: R, t: R) -> Self::Moment<R>;
+}
+
+/// Laws side by side, one in each lane; or one, in another scalar.
+#[derive(Clone, Copy)]
+pub struct Numbered<L: Fields<D>, const D: usize, R: Real> {
+    numbers: <L::Numbers as Numbers>::Of<R>,
+}
+
+impl<L: Fields<D>, const D: usize, R: Real> Numbered<L, D, R> {
+    /// Of the numbers by index.
+    pub(crate) fn new(number: impl FnMut(usize) -> R) -> Self {
+        Numbered { numbers: L::Numbers::gather(number) }
+    }
+}
+
+impl<L: Fields<D>, const D: usize, R: Real> core::fmt::Debug for Numbered<L, D, R> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Numbered").finish_non_exhaustive()
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<L: Fields<D>, const D: usize, R: Real> Law<D, R> for Numbered<L, D, R> {
+    type Field<'a>
+        = L::Moment<R>
+    where
+        Self: 'a;
+
+    const AUTONOMOUS: bool = <L as Law<D>>::AUTONOMOUS;
+
+    #[inline(always)]
+    fn field(&self, mass: R, t: R) -> L::Moment<R> {
+        L::moment(self.numbers, mass, t)
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<L: Fields<D> + VelocityIndependent, const D: usize, R: Real> VelocityIndependent for Numbered<L, D, R> {}
+
+#[diagnostic::do_not_recommend]
+impl<L: Fields<D> + LinearInVelocity, const D: usize, R: Real> LinearInVelocity for Numbered<L, D, R> {}

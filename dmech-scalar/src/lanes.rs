@@ -261,6 +261,8 @@ impl fmt::Debug for LanesMask {
 }
 
 impl Mask for LanesMask {
+    const LANES: usize = Lanes::COUNT;
+
     #[inline(always)]
     fn all(self) -> bool {
         self.0.all()

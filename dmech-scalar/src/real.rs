@@ -5,6 +5,9 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// The outcome of a comparison: `bool` for one number, one bit per lane for several.
 pub trait Mask: Copy + Debug {
+    /// How many numbers were compared.
+    const LANES: usize = 1;
+
     /// True if the comparison holds in every lane.
     fn all(self) -> bool;
     /// True if the comparison holds in some lane.

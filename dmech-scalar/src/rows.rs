@@ -90,6 +90,8 @@ impl<const N: usize> RowsMask<N> {
 }
 
 impl<const N: usize> Mask for RowsMask<N> {
+    const LANES: usize = Rows::<N>::COUNT;
+
     #[inline(always)]
     fn all(self) -> bool {
         self.0.into_iter().all(Mask::all)

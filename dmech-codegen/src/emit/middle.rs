@@ -15,13 +15,12 @@ impl Printer<'_> {
     /// let slope = { … [G] };
     /// let [rhs0, rhs1] = equation.residual(delta, slope);
     /// let (change, turned) = { … ([δ], [J δ]) };
-    /// let (found, lost) = Correction::sum(change, slope, turned);
+    /// Correction::sum(change, slope, turned)
     /// ```
     pub(super) fn middle_step(&self, slope: &Program, change: &Program, linear: bool) -> TokenStream {
         let Self { scalar, runtime, variables, dimension: d, .. } = self;
         let [equation, a, delta, b] = ["equation", "a", "delta", "b"].map(ident);
         let [first, turned, moved] = ["slope", "turned", "change"].map(ident);
-        let [rest, lost, found] = ["rest", "lost", "found"].map(ident);
         let receiver = receiver();
         let used: Vec<_> = slope.symbols().into_iter().chain(change.symbols()).collect();
         let parameters = self.bind_parameters(&used, false);
@@ -55,40 +54,32 @@ impl Printer<'_> {
             fn workless_increment(
                 &#receiver,
                 #equation: &#runtime::newton::Equation<#d, #scalar>,
-            ) -> ::core::result::Result<
-                (#runtime::newton::Increment<#d, #scalar>, [#scalar; #d]),
-                #runtime::newton::NotConverged,
-            > {
+            ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
                 #parameters
-                let mut #rest = [<#scalar as #runtime::Real>::ZERO; #d];
-                let #found = #runtime::newton::#solver(#equation, |#equation, #closure_a, #delta, #closure_b| {
+                #runtime::newton::#solver(#equation, |#equation, #closure_a, #delta, #closure_b| {
                     #(#unpack)*
                     #(#scalars)*
                     let #first = { #statements [#(#outputs),*] };
                     #residual
                     let (#moved, #turned) = { #solve ([#(#changes),*], [#(#turns),*]) };
-                    let (#found, #lost) = #runtime::newton::Correction::sum(#moved, #first, #turned);
-                    #rest = #lost;
-                    #found
-                })?;
-                ::core::result::Result::Ok((#found, #rest))
+                    #runtime::newton::Correction::sum(#moved, #first, #turned)
+                })
             }
         }
     }
 
-    /// The same without what its rounding leaves out.
+    /// The same as the increment of the energy-exact step.
     pub(super) fn rounded_middle_step(&self) -> TokenStream {
         let Self { scalar, runtime, dimension: d, .. } = self;
-        let (receiver, equation, found) = (receiver(), ident("equation"), ident("found"));
+        let (receiver, equation) = (receiver(), ident("equation"));
         quote! {
-            /// The increment of `workless_increment` alone.
+            /// That of `workless_increment`.
             #[inline(always)]
             fn discrete_increment(
                 &#receiver,
                 #equation: &#runtime::newton::Equation<#d, #scalar>,
             ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
-                let (#found, _) = #runtime::Field::workless_increment(#receiver, #equation)?;
-                ::core::result::Result::Ok(#found)
+                #runtime::Field::workless_increment(#receiver, #equation)
             }
         }
     }

@@ -8,7 +8,7 @@ use super::rides::{Block, InLanes, Outcome};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant};
 use crate::law::{Fields, Numbered, Numbers};
-use crate::run::{Due, Log, Prepared};
+use crate::run::{Due, Interrupted, Log, Prepared};
 use crate::scheme::{ByLane, Scheme};
 use crate::state::State;
 use crate::stepper::Stepper;
@@ -48,7 +48,7 @@ where
         {
             match Member::begin(block, k) {
                 Ok(member) => seats.push(member),
-                Err(refused) => outcomes[k - block.members.start] = Some(refused),
+                Err(refused) => outcomes[k - block.members.start] = Some(Err(refused)),
             }
         }
         if seats.is_empty() {
@@ -104,10 +104,10 @@ struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> {
 }
 
 impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Member<L, S, D> {
-    fn begin(block: &Block<'_, L, S, D>, k: usize) -> Result<Self, Outcome<State<D>>> {
+    fn begin(block: &Block<'_, L, S, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
         let simulation = (block.member)(k);
         let due = simulation.due().clone();
-        let Prepared { mut stepper, run, steps: left, .. } = simulation.prepare(block.span).map_err(Err)?;
+        let Prepared { mut stepper, run, steps: left, .. } = simulation.prepare(block.span)?;
         stepper.scheme.watch(false, &mut stepper.workspace);
         let every = if let Due::Every(n) = due { Some(n) } else { None };
         let mut log = Log::new(&stepper, run, due, ());

@@ -100,7 +100,7 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
             return newton::dense_discrete(equation, |a, b| secant(self, a, b));
         }
         if Self::CONSERVES_ENERGY {
-            return Ok(self.workless_increment(equation)?.0);
+            return self.workless_increment(equation);
         }
         newton::dense_forced(equation, |equation, _, b, v| self.secant_slope(equation.a, b, v, equation.t_end))
     }
@@ -111,12 +111,13 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         newton::dense_discrete(equation, |a, b| secant(self, a, b))
     }
 
-    /// As [`discrete_increment`](Field::discrete_increment), and what the rounding of G has left out: called where the force
-    /// does no work, when an error that is the same in each step would be the largest of the energy.
+    /// As [`discrete_increment`](Field::discrete_increment), with G and what its rounding has left out for its parts: called where
+    /// the force does no work, when an error that is the same in each step would be the largest of the energy.
     #[inline(always)]
-    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
+    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         if !Self::FORCED {
-            return Ok((self.discrete_increment(equation)?, [R::ZERO; D]));
+            let found = self.discrete_increment(equation)?;
+            return Ok(Increment { parts: [found.gradient, [R::ZERO; D]], ..found });
         }
         newton::dense_middle(equation, |equation, delta, b| {
             // The mean velocity is along Δ: by way of v′ the rounding of 2/h would be a force that works.

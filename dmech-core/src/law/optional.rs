@@ -128,8 +128,8 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Option<F> {
     fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         self.as_ref().map_or_else(|| free(equation), |field| field.potential_increment(equation))
     }
-    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
-        self.as_ref().map_or_else(|| Ok((free(equation)?, [R::ZERO; D])), |field| field.workless_increment(equation))
+    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.as_ref().map_or_else(|| free(equation), |field| field.workless_increment(equation))
     }
     fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
         self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.end_slope(b, v, t))

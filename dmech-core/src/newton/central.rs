@@ -12,6 +12,7 @@
 
 use dmech_scalar::{Mask, Real};
 
+use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
 use crate::vector::dot;
 use crate::vector::exact_product;
@@ -61,6 +62,7 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
     let (aa, aw) = if BETWEEN { (dot(a, a), dot(a, w)) } else { (R::ZERO, R::ZERO) };
     let mut delta = equation.guess;
     let mut last = R::ZERO;
+    let mut all = Settled::none();
     for iteration in 1..=PATIENCE {
         let x = equation.end(delta);
         let s = dot(x, x);
@@ -121,11 +123,12 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
         if iteration > 1 {
             steady = steady.and(size.less_or_equal(half * last).or(exact));
         }
-        if !steady.all() {
+        if !all.or(steady).all() {
             return Increment::apart(lengthen::<BETWEEN, D, R>(*equation, iteration, factor));
         }
-        if exact.all() {
-            return Ok(Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration });
+        let next = Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration };
+        if let Some(found) = all.add(exact, next) {
+            return Ok(found);
         }
         last = size;
     }
@@ -141,6 +144,9 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
     spent: u32,
     mut factor: impl FnMut(R, R) -> [R; 3],
 ) -> Result<Increment<D, R>, NotConverged> {
+    if Settled::<D, R>::MANY {
+        return Err(NotConverged { iterations: spent.into(), residual: f64::NAN });
+    }
     continuation::follow::<false, D, R>(equation, spent, |equation, delta, x| {
         let sum: [R; D] = if BETWEEN { core::array::from_fn(|i| equation.a[i] + x[i]) } else { x };
         let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));

@@ -52,25 +52,21 @@ pub fn dense_forced<const D: usize, R: Real>(
     })
 }
 
-/// As [`dense_forced`], for a force that does no work: with increments rounded once, and what the rounding of G has left
-/// out.
+/// As [`dense_forced`], for a force that does no work: with increments rounded once; the parts of G are
+/// G itself and what its rounding has left out.
 ///
 /// # Errors
 /// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
 pub fn dense_middle<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
-) -> Result<(Increment<D, R>, [R; D]), NotConverged> {
-    let mut rest = [R::ZERO; D];
-    let found = drive_middle(equation, |equation, _, delta, b| {
+) -> Result<Increment<D, R>, NotConverged> {
+    drive_middle(equation, |equation, _, delta, b| {
         let (slope, by_position, by_velocity) = force(equation, delta, b);
         let jacobian: [[R; D]; D] = by_entry!(|i, j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j]));
         let change = elimination::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
-        let (correction, lost) = Correction::sum(change, slope, turned(&jacobian, change));
-        rest = lost;
-        correction
-    })?;
-    Ok((found, rest))
+        Correction::sum(change, slope, turned(&jacobian, change))
+    })
 }
 
 /// As [`dense`], for a force that is linear in b: one correction from Δ = 0 is the solution.

@@ -3,6 +3,7 @@
 use dmech_scalar::Real;
 
 use super::settle::settle;
+use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
 
 /// Solves the equation by Newton corrections δ = `correct`(equation, Δ, b) with b = q + Δ, to round-off on Δ.
@@ -20,6 +21,7 @@ pub fn drive<const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     match settle::<false, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
+        Err(astray) if Settled::<D, R>::MANY => Err(astray),
         Err(astray) => {
             Increment::apart(continuation::follow::<false, D, R>(*equation, astray.iterations as u32, correct))
         }
@@ -50,6 +52,7 @@ pub fn drive_middle<const D: usize, R: Real>(
     let mut correct = |equation: &Equation<D, R>, delta, b| correct(equation, equation.a, delta, b);
     match settle::<true, D, R>(equation, &mut correct) {
         Ok(increment) => Ok(increment),
+        Err(astray) if Settled::<D, R>::MANY => Err(astray),
         Err(astray) => {
             Increment::apart(continuation::follow::<true, D, R>(*equation, astray.iterations as u32, correct))
         }

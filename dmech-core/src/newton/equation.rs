@@ -180,14 +180,14 @@ impl<const D: usize, R: Real> Correction<D, R> {
         Correction { delta: change, gradient, parts: [slope, turned] }
     }
 
-    /// The correction δ = `change`, with G + J δ in its two parts; and what the rounding of that sum leaves out.
+    /// The correction δ = `change` with G + J δ rounded, and what the rounding of that sum leaves out: for forces that do no work.
     #[inline(always)]
-    pub fn sum(change: [R; D], slope: [R; D], turned: [R; D]) -> (Self, [R; D]) {
+    pub fn sum(change: [R; D], slope: [R; D], turned: [R; D]) -> Self {
         let (mut gradient, mut rest) = (slope, turned);
         for i in 0..D {
             (gradient[i], rest[i]) = two_sum(slope[i], turned[i]);
         }
-        (Correction::rounded(change, gradient), rest)
+        Correction { delta: change, gradient, parts: [gradient, rest] }
     }
 }
 

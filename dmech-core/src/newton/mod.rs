@@ -13,6 +13,7 @@ pub(crate) mod elimination;
 mod equation;
 mod once;
 mod settle;
+mod settled;
 
 pub mod central;
 

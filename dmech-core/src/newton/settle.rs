@@ -2,6 +2,7 @@
 
 use dmech_scalar::{Mask, Real};
 
+use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged};
 
 /// Corrections before the loop gives up on a starting point; quadratic convergence needs 3 to 6.
@@ -32,6 +33,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let half = R::from_f64(0.5);
     let mut delta = equation.guess;
     let mut last = R::ZERO;
+    let mut all = Settled::none();
     let patience = if equation.piecewise { 3 * PATIENCE } else { PATIENCE }.min(equation.max_iterations);
     for iteration in 1..=patience {
         let Correction { delta: change, gradient, parts } = correct(equation, delta, equation.end(delta));
@@ -57,10 +59,12 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             // Past a seam the slope is another, and a correction may be longer than the last for once.
             astray = if equation.piecewise { (last + last).less(size) } else { halved.not() };
         }
-        if settled.all() {
-            return Ok(Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration });
+        let settled = all.or(settled);
+        let next = Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration };
+        if let Some(found) = all.add(settled, next) {
+            return Ok(found);
         }
-        if astray.and(settled.not()).any() || !size.finite().all() {
+        if astray.and(settled.not()).any() || !all.or(size.finite()).all() {
             return Err(NotConverged { iterations: iteration.into(), residual: largest(&change) });
         }
         last = size;

@@ -28,7 +28,8 @@ pub(super) fn solve<L: Law<D, R>, const D: usize, R: Real>(
         t_end: t + stride.dt,
         ..equation(step, drift, g, [R::ZERO; D])
     };
-    let (increment, rest) = field.workless_increment(&equation)?;
+    let increment = field.workless_increment(&equation)?;
+    let [_, rest] = increment.parts;
     let left = equation.residual(increment.delta, increment.gradient);
     Ok(ParticleFound { increment, left: [by_component!(|i| (-g).mul_add(rest[i], left[i])), rest] })
 }

@@ -1,0 +1,51 @@
+//! Equations side by side: each keeps the solution of its own last correction.
+
+use dmech_scalar::{Mask, Real};
+
+use super::Increment;
+
+/// The solutions of the lanes that have settled.
+///
+/// One number has no use for it, and none of it is left there: it settles, and is returned.
+pub(super) struct Settled<const D: usize, R: Real> {
+    found: Increment<D, R>,
+    which: R::Mask,
+}
+
+impl<const D: usize, R: Real> Settled<D, R> {
+    /// Whether several equations are solved side by side. What is rare, a longer way to the root, is then left to each alone.
+    pub(super) const MANY: bool = R::Mask::LANES > 1;
+
+    /// No lane.
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = [R::ZERO; D];
+        let found = Increment { delta: zero, gradient: zero, parts: [zero; 2], evaluations: 0, iterations: 0 };
+        Settled { found, which: R::ONE.less(R::ZERO) }
+    }
+
+    /// With those that have settled before.
+    #[inline(always)]
+    pub(super) fn or(&self, which: R::Mask) -> R::Mask {
+        if Self::MANY { which.or(self.which) } else { which }
+    }
+
+    /// Adds those that settle at `next`; all of them, if they are.
+    #[inline(always)]
+    pub(super) fn add(&mut self, settled: R::Mask, next: Increment<D, R>) -> Option<Increment<D, R>> {
+        if !Self::MANY {
+            return settled.all().then_some(next);
+        }
+        let before = &self.found;
+        let either = |x: [R; D], y: [R; D]| core::array::from_fn(|i| R::either(self.which, x[i], y[i]));
+        let Increment { delta, gradient, parts: [main, rest], .. } = next;
+        self.found = Increment {
+            delta: either(before.delta, delta),
+            gradient: either(before.gradient, gradient),
+            parts: [either(before.parts[0], main), either(before.parts[1], rest)],
+            ..next
+        };
+        self.which = self.which.or(settled);
+        self.which.all().then_some(self.found)
+    }
+}

@@ -193,6 +193,68 @@ fn choices_are_counted() {
     assert!(run.report().rough() > 0 && run.report().rough() < 60, "{}", run.report().rough());
 }
 
+/// Steps in which a force jumps are counted, and no others: in those a law with choices is as smooth as a polynomial, however
+/// long they are.
+#[test]
+fn a_jump_is_seen_and_a_polynomial_is_none() {
+    #[derive(Clone, Copy, Debug)]
+    struct Jump {
+        by: f64,
+        at: f64,
+    }
+    #[dmech::law]
+    impl Jump {
+        #[potential]
+        fn energy(&self, q: f64) -> f64 {
+            0.5 * q * q + 0.1 * q.powi(4) + self.by * (q - self.at).max(0.0)
+        }
+    }
+    #[derive(Clone, Copy, Debug)]
+    struct Rod {
+        by: f64,
+        at: f64,
+    }
+    #[dmech::law]
+    impl Rod {
+        #[pair]
+        fn energy(&self, r: f64) -> f64 {
+            0.5 * (r - 1.0) * (r - 1.0) + self.by * (r - self.at).max(0.0)
+        }
+    }
+    /// Of a step of several of these some is on the one side before it and on the other after.
+    fn steps_across(at: f64, places: impl Iterator<Item = Vec<f64>>) -> u64 {
+        let sides = places.map(|q| q.into_iter().map(|q| q > at).collect()).collect::<Vec<Vec<bool>>>();
+        sides.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64
+    }
+    macro_rules! counted {
+        ($scheme:expr, $at:ident, $jumps:ident) => {{
+            let (by, steps, dt) = (0.6, 90, 0.4);
+            let alone = Simulation::new(Jump { by, at: $at }, State::new([0.7], [0.1])).scheme($scheme).dt(dt);
+            let alone = alone.run(steps).unwrap();
+            let bodies = || Scene::new().body(1.3, [0.9], [0.1]).body(0.8, [-0.6], [-0.2]);
+            let placed = Simulation::scene(bodies().field(Jump { by, at: $at })).scheme($scheme).dt(dt);
+            let placed = placed.run(steps).unwrap();
+            let linked = Simulation::scene(bodies().pairs(Rod { by, at: $at + 1.0 })).scheme($scheme).dt(dt);
+            let linked = linked.run(steps).unwrap();
+            for (across, rough) in [
+                (steps_across($at, alone.states().iter().map(|s| s.q.to_vec())), alone.report().rough()),
+                (steps_across($at, placed.states().iter().map(|s| s.q.concat())), placed.report().rough()),
+                (
+                    steps_across($at + 1.0, linked.states().iter().map(|s| vec![s.q[0][0] - s.q[1][0]])),
+                    linked.report().rough(),
+                ),
+            ] {
+                println!("{rough} of {across}");
+                assert!((across > 5) == $jumps && rough.abs_diff(across) <= across / 4, "{rough} of {across}");
+            }
+        }};
+    }
+    for (at, jumps) in [(0.2, true), (50.0, false)] {
+        counted!(Gauss::order16(), at, jumps);
+        counted!(LineIntegral::order6(), at, jumps);
+    }
+}
+
 /// Where nothing moves nothing does, and what begins to move is followed in any unit of length.
 #[test]
 fn from_rest() {

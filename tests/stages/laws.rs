@@ -30,29 +30,6 @@ impl Geodesic {
     }
 }
 
-/// Two heavy bodies rest in a frame that turns with them, the lighter of mass μ at (1 − μ, 0).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Turning {
-    pub(crate) mu: f64,
-}
-
-#[dmech::law]
-impl Turning {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        let [x, y] = q;
-        let rest = 1.0 - self.mu;
-        let heavy = ((x + self.mu) * (x + self.mu) + y * y).sqrt();
-        let light = ((x - rest) * (x - rest) + y * y).sqrt();
-        -0.5 * (x * x + y * y) - rest / heavy - self.mu / light
-    }
-
-    #[force]
-    fn coriolis(&self, v: [f64; 2]) -> [f64; 2] {
-        [2.0 * v[1], -2.0 * v[0]]
-    }
-}
-
 /// A pair that attracts each other and may meet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Soft {

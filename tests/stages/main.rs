@@ -5,6 +5,7 @@ mod energies;
 mod laws;
 mod orders;
 mod published;
+mod rounding;
 mod runs;
 mod scenes;
 mod symplectic;

@@ -55,7 +55,9 @@ fn comets_are_followed() {
     let sun = Kepler { gm: 1.0 };
     let (e, turns) = (0.9, 20.0);
     // A few tolerances a revolution.
-    for (e, tolerance, most) in [(e, 1e-9, 4.0), (e, 1e-12, 4.0), (0.99, 1e-9, 30.0), (0.99, 1e-12, 30.0)] {
+    for (e, tolerance, most, evaluations) in
+        [(e, 1e-9, 4.0, 78), (e, 1e-12, 4.0, 66), (0.99, 1e-9, 30.0, 76), (0.99, 1e-12, 30.0, 66)]
+    {
         let most = most * turns * tolerance;
         let State { q, v, .. } = from_apocentre(e);
         let run = Simulation::new(sun, from_apocentre(e)).scheme(Gauss::order16()).adaptive(tolerance);
@@ -71,8 +73,9 @@ fn comets_are_followed() {
         assert!(error < most && angular < rounding, "e = {e}: {error:e} {angular:e}");
         let [shortest, longest] = run.report().dt_range().unwrap();
         assert!(longest > 20.0 * shortest && run.report().rough() == 0);
-        // The guess goes on from step to step, whatever their ratio.
-        assert!(run.report().evaluations() < 96 * run.steps(), "{}", run.report().evaluations() / run.steps());
+        // The guess goes on from step to step, whatever their ratio: with another one it takes half a sweep more at least.
+        let taken = run.report().evaluations() as f64 / run.steps() as f64;
+        assert!(taken < f64::from(evaluations), "e = {e}, {tolerance:e}: {taken} a step");
 
         let part = |share: f64| ([share * q[0], share * q[1]], [share * v[0], share * v[1]]);
         let (a, b) = (part(-0.4), part(0.6));

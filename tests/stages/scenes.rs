@@ -215,6 +215,21 @@ fn bodies_that_do_not_act_and_bodies_on_a_path() {
     assert!(miss < 1e-12 && moved.q[0] == sun, "{miss:e}");
 }
 
+/// A body without an edge.
+#[derive(Clone, Copy, Debug)]
+struct Blob {
+    k: f64,
+    end: f64,
+}
+
+#[dmech::law]
+impl Blob {
+    #[pair]
+    fn energy(&self, r: f64) -> f64 {
+        self.k * (1.0 - r * r / (self.end * self.end)).powi(12)
+    }
+}
+
 /// A gas in a box, cut off where its law ends smoothly and where it does not.
 #[test]
 fn a_gas_in_a_box() {
@@ -234,6 +249,18 @@ fn a_gas_in_a_box() {
     assert!(miss < 1e-5 && energy < 1e-5, "{miss:e} {energy:e}");
     let linear = run.drift(Invariant::LinearMomentum).unwrap().max_abs();
     assert!(linear < 1e-13, "{linear:e}");
+
+    // Of a law that ends as smoothly as a step is long nothing is seen.
+    let blobs = || gas(1.3).pairs(Blob { k: 2.0, end: 2.6 }).cutoff(2.6).periodic([6.5, 6.5]);
+    let run = Simulation::scene(blobs()).scheme(Gauss::order16()).dt(0.05).run(100).unwrap();
+    let fine = Simulation::scene(blobs()).scheme(Nystrom::order8()).dt(0.005).record_every(1000).run(1000).unwrap();
+    let (miss, energy) = (apart(&run.last().q, &fine.last().q), run.drift(Invariant::Energy).unwrap().max_relative());
+    println!("blobs: {miss:e}, energy {energy:e}, rough {}", run.report().rough());
+    assert!(miss < 1e-12 && energy < 1e-14 && run.report().rough() == 0, "{miss:e} {energy:e}");
+    // The image next but one is not looked for.
+    let told = Simulation::scene(gas(1.3).pairs(law).cutoff(3.3).periodic([6.5, 6.5])).scheme(Gauss::order16());
+    let told = told.dt(0.05).run(1).unwrap_err().cause().to_string();
+    assert!(told.contains("cut-off") && told.contains("3.3") && told.contains("6.5"), "{told}");
 
     // Too near and too fast: it ends, and says how.
     let atoms = LennardJones { epsilon: 0.9, sigma: 1.1 };

@@ -62,7 +62,7 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
     let (aa, aw) = if BETWEEN { (dot(a, a), dot(a, w)) } else { (R::ZERO, R::ZERO) };
     let mut delta = equation.guess;
     let mut last = R::ZERO;
-    let mut all = Settled::none();
+    let mut all = Settled::<D, R>::none();
     for iteration in 1..=PATIENCE {
         let x = equation.end(delta);
         let s = dot(x, x);

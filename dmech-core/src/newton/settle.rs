@@ -33,7 +33,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let half = R::from_f64(0.5);
     let mut delta = equation.guess;
     let mut last = R::ZERO;
-    let mut all = Settled::none();
+    let mut all = Settled::<D, R>::none();
     let patience = if equation.piecewise { 3 * PATIENCE } else { PATIENCE }.min(equation.max_iterations);
     for iteration in 1..=patience {
         let Correction { delta: change, gradient, parts } = correct(equation, delta, equation.end(delta));

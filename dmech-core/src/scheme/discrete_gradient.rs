@@ -1,7 +1,7 @@
 //! The energy-exact one-step scheme.
 
 use super::by_lane::by_lane;
-use super::memory::memory;
+use super::memory::{memory, q_and_v};
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
@@ -129,24 +129,7 @@ impl<Y: System> Scheme<Y> for DiscreteGradient {
         Ok(Y::effort(&found))
     }
 
-    #[inline]
-    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
-        Y::value(&memory.q)
-    }
-
-    #[inline]
-    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-        Y::value(&memory.v).clone()
-    }
-
-    #[inline]
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v))
-    }
-
-    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
-        system.kinetic_energy(Y::value(&memory.v))
-    }
+    q_and_v! { Y::value }
 
     /// (−∇̄Φ(q, q′) + (F + F′)/2)·Δq.
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

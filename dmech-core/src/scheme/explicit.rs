@@ -1,9 +1,11 @@
 //! The explicit formulas.
 
+use core::convert::identity;
+
 use dmech_scalar::Real;
 
 use super::by_lane::by_lane;
-use super::memory::memory;
+use super::memory::{memory, q_and_v};
 use super::{Effort, Method, Scheme};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
@@ -94,24 +96,7 @@ impl<Y: System> Scheme<Y> for Explicit {
         Ok(Effort { evaluations: 1, iterations: 0 })
     }
 
-    #[inline]
-    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
-        &memory.q
-    }
-
-    #[inline]
-    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-        memory.v.clone()
-    }
-
-    #[inline]
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        Y::is_finite(&memory.q) && Y::is_finite(&memory.v)
-    }
-
-    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
-        system.kinetic_energy(&memory.v)
-    }
+    q_and_v! { identity }
 
     /// F_k·(q_{k+1} − q_k), with F_k as the kick applied it.
     fn work(&self, system: &Y, _: &Y::Stride, _: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::by_lane::by_lane;
-use super::memory::memory;
+use super::memory::{memory, q_and_v};
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
@@ -120,24 +120,7 @@ impl<Y: System> Scheme<Y> for Implicit {
         Ok(Y::effort(&found))
     }
 
-    #[inline]
-    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
-        Y::value(&memory.q)
-    }
-
-    #[inline]
-    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-        Y::value(&memory.v).clone()
-    }
-
-    #[inline]
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v))
-    }
-
-    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
-        system.kinetic_energy(Y::value(&memory.v))
-    }
+    q_and_v! { Y::value }
 
     /// (F + F′)/2·Δq (2.7).
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

@@ -75,4 +75,29 @@ macro_rules! memory {
     };
 }
 
-pub(crate) use memory;
+/// What a scheme tells of a memory that has position and velocity as `q` and `v`; their values by `Y::value` where they are sums,
+/// by `identity` where they are vectors.
+macro_rules! q_and_v {
+    ($value:path) => {
+        #[inline]
+        fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
+            $value(&memory.q)
+        }
+
+        #[inline]
+        fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
+            $value(&memory.v).clone()
+        }
+
+        #[inline]
+        fn finite(&self, memory: &Self::Memory) -> bool {
+            Y::is_finite($value(&memory.q)) && Y::is_finite($value(&memory.v))
+        }
+
+        fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
+            system.kinetic_energy($value(&memory.v))
+        }
+    };
+}
+
+pub(crate) use {memory, q_and_v};

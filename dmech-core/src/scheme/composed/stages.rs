@@ -8,7 +8,7 @@ use super::predictor::{Resample, SlopeAt, weights};
 use super::{Coefficients, Composable, Composed};
 use crate::newton::NotConverged;
 use crate::scheme::by_lane::by_lane;
-use crate::scheme::memory::memory;
+use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::{DiscreteGradient, Effort, Implicit, Scheme};
 use crate::system::{Ahead, Beginning, Step, System};
 
@@ -203,24 +203,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         0
     }
 
-    #[inline]
-    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
-        Y::value(&memory.q)
-    }
-
-    #[inline]
-    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-        Y::value(&memory.v).clone()
-    }
-
-    #[inline]
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v))
-    }
-
-    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
-        system.kinetic_energy(Y::value(&memory.v))
-    }
+    q_and_v! { Y::value }
 
     /// Σ F·Δq over the stages, with the force that each of them takes.
     fn work(&self, _: &Y, _: &Y::Stride, _: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

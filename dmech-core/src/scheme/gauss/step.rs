@@ -6,7 +6,7 @@ use super::tableau::Tableau;
 use super::{Gauss, LineIntegral};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::scheme::memory::memory;
+use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::{Effort, Method, Scheme};
 use crate::system::stages;
 use crate::system::{Beginning, Staged};
@@ -261,24 +261,7 @@ macro_rules! stepped_by_stages {
                 0
             }
 
-            #[inline]
-            fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
-                Y::value(&memory.q)
-            }
-
-            #[inline]
-            fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-                Y::value(&memory.v).clone()
-            }
-
-            #[inline]
-            fn finite(&self, memory: &Self::Memory) -> bool {
-                Y::is_finite(Y::value(&memory.q)) && Y::is_finite(Y::value(&memory.v))
-            }
-
-            fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
-                system.kinetic_energy(Y::value(&memory.v))
-            }
+            q_and_v! { Y::value }
 
             /// Σ bᵢ h F(Qᵢ)·Ṽᵢ.
             fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

@@ -1,12 +1,14 @@
 //! A step of drifts and kicks from one state to the next, and its correction.
 
+use core::convert::identity;
+
 use dmech_scalar::Real;
 
 use super::{Relaxed, RelaxedRoom, corrects};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::scheme::coefficients::NystromCoefficients;
-use crate::scheme::memory::memory;
+use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::splitting::{First, Splitting, digits, drift, kick};
 use crate::scheme::{Effort, Scheme, WithoutVelocities};
 use crate::system::{Beginning, System};
@@ -97,24 +99,7 @@ impl<C: NystromCoefficients<N>, const N: usize, Y: System + WithoutVelocities> S
         Ok(Effort { evaluations: N as u32 + corrections, iterations: corrections })
     }
 
-    #[inline]
-    fn position<'m>(&self, memory: &'m Self::Memory) -> &'m Y::Vector {
-        &memory.q
-    }
-
-    #[inline]
-    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-        memory.v.clone()
-    }
-
-    #[inline]
-    fn finite(&self, memory: &Self::Memory) -> bool {
-        Y::is_finite(&memory.q) && Y::is_finite(&memory.v)
-    }
-
-    fn kinetic_energy(&self, system: &Y, memory: &Self::Memory) -> Y::Scalar {
-        system.kinetic_energy(&memory.v)
-    }
+    q_and_v! { identity }
 
     /// Φ(q) − Φ(q′), or Σ F·h (v₋ + v₊)/2 over the kicks where nothing is corrected.
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

@@ -85,7 +85,7 @@ pub(crate) fn go_on<R: Staging>(pushes: &mut [R::Eight], tableau: &Tableau, rati
 
 /// A row for each column of [`Tableau::continued`], for a step `ratio` times as long as the last: with ℓⱼ(1 + ρ cᵢ) by products
 /// of the distances from the nodes, none of which is divided by.
-pub(crate) fn continued<R: Staging>(tableau: &Tableau, ratio: R) -> [R::Eight; STAGES] {
+fn continued<R: Staging>(tableau: &Tableau, ratio: R) -> [R::Eight; STAGES] {
     let eight = |x: f64| R::Eight::splat(R::from_f64(x));
     let at = R::Eight::row(&tableau.nodes).fused(R::Eight::splat(ratio), eight(1.0));
     let away = tableau.nodes.hi.map(|node| at.minus(eight(node)));

@@ -1,0 +1,49 @@
+//! What a velocity and a position round off.
+
+use dmech::extend::Real;
+use dmech::prelude::*;
+
+/// A force that is the same everywhere.
+#[derive(Clone, Copy, Debug)]
+struct Uniform {
+    g: f64,
+}
+
+#[dmech::law]
+impl Uniform {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        -self.g * q
+    }
+}
+
+/// A force so weak that over the whole run it changes the velocity by less than its rounding: the position goes on by what the
+/// velocity has not, all the same.
+#[test]
+fn what_a_velocity_rounds_off_moves_too() {
+    const STEPS: u64 = 2000;
+    // The product is a number: of dt v nothing is rounded off, fused or not.
+    let (v, dt) = (65.0 / 64.0, 31.0 / 32.0);
+    let law = Uniform { g: 0.49 * f64::EPSILON / (STEPS as f64 * dt) };
+    // It comes to the origin, where a position shows all of its digits.
+    let time = DoubleDouble::from(STEPS as f64) * DoubleDouble::from(dt);
+    let way = time * DoubleDouble::from(v) + DoubleDouble::from(0.5 * law.g) * time * time;
+    let start = -way.to_f64();
+    let exact = (DoubleDouble::from(start) + way).to_f64();
+    // Of a move of dt v, which lies between 1/2 and 1, the rounding.
+    let rounding = 0.5 * f64::EPSILON * STEPS as f64;
+    macro_rules! goes_on {
+        ($scheme:expr) => {{
+            let alone = Simulation::new(law, State::new([start], [v])).mass(1.0).scheme($scheme).dt(dt);
+            let alone = *alone.run(STEPS).unwrap().last();
+            let body = Simulation::scene(Scene::new().body(1.0, [start], [v]).field(law)).scheme($scheme).dt(dt);
+            let body = body.run(STEPS).unwrap().last().clone();
+            for [q, at] in [[alone.q[0], alone.v[0]], [body.q[0][0], body.v[0][0]]] {
+                println!("{:.4}", (q - exact) / rounding);
+                assert!(at == v && (q - exact).abs() < 0.1 * rounding, "{q:e} for {exact:e}");
+            }
+        }};
+    }
+    goes_on!(Gauss::order16());
+    goes_on!(LineIntegral::order6());
+}

@@ -119,18 +119,18 @@ ride! {
     Composed<Boris, C, N>, [C: Coefficients<N>, const N: usize];
     Nystrom<C, N>, [C: NystromCoefficients<N>, const N: usize];
     ForceGradient<C, N>, [C: ForceGradientCoefficients<N>, const N: usize];
+    Composed<DiscreteGradient, C, N>, [C: Coefficients<N>, const N: usize];
+    Composed<Implicit, C, N>, [C: Coefficients<N>, const N: usize];
+    Kanatani, [];
+    DiscreteGradient, [];
+    Implicit, [];
 }
 
-// The stages of Gauss fill the lanes themselves; the others solve equations, or choose their steps.
+// The stages of Gauss fill the lanes themselves.
 ride! {
     alone:
     Gauss, [];
     LineIntegral<N>, [const N: usize];
-    Implicit, [];
-    DiscreteGradient, [];
-    Kanatani, [];
-    Composed<Implicit, C, N>, [C: Coefficients<N>, const N: usize];
-    Composed<DiscreteGradient, C, N>, [C: Coefficients<N>, const N: usize];
     Relaxed<C, N>, [C: NystromCoefficients<N>, const N: usize];
     Adaptive<S>, [S: Adaptable];
 }

@@ -1,0 +1,91 @@
+//! The same bits as alone: schemes × laws.
+
+use dmech::extend::{Fields, Rides};
+use dmech::prelude::*;
+
+use crate::laws::{Bottle, Contact, Damped, Driven, Many, Orbit, Plummer, Saddle};
+
+/// More than twice as many as ride side by side, and no multiple of any power of two.
+const MEMBERS: usize = 83;
+
+fn mass(k: usize) -> f64 {
+    1.1 + 0.01 * (k % 7) as f64
+}
+
+/// Members of which each has its own law, mass, start and time of the start, and so its own number of steps.
+fn as_alone<L, S, const D: usize>(scheme: S, name: &str, prepare: impl Fn(Settings) -> Settings)
+where
+    L: Many<D> + Fields<D>,
+    S: Rides<L, D> + Sync,
+{
+    let Settings { dt, every, end } = prepare(Settings { dt: Some(0.05), every: 3, end: 2.0 });
+    let ensemble = Ensemble::of(MEMBERS).law(L::member).start(L::start).mass(mass).scheme(scheme);
+    let ensemble = match dt {
+        Some(dt) => ensemble.dt(dt),
+        None => ensemble,
+    };
+    let run = ensemble.clone().look_every(every).run_until(end).unwrap();
+    let few = ensemble.lanes(3).threads(1).look_every(every).run_until(end).unwrap();
+    assert_eq!(run.checksum(), few.checksum(), "{name}");
+    for k in 0..MEMBERS {
+        let alone = Simulation::new(L::member(k), L::start(k)).mass(mass(k)).scheme(scheme).record_every(every);
+        let alone = match dt {
+            Some(dt) => alone.dt(dt),
+            None => alone,
+        };
+        let alone = alone.run_until(end).unwrap();
+        assert!(alone.steps() > 10, "{name}: {} steps", alone.steps());
+        for run in [&run, &few] {
+            let member = run.member(k).unwrap();
+            assert_eq!((member.steps(), member.last()), (alone.steps(), alone.last()), "{name}, member {k}");
+            for invariant in Invariant::ALL.into_iter().filter(|&invariant| invariant != Invariant::WorkEnergy) {
+                assert_eq!(run.drift(k, invariant), alone.drift(invariant), "{name}, member {k}: {invariant}");
+            }
+            assert_eq!(member.drift_of("twice"), alone.drift_of("twice"), "{name}, member {k}");
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Settings {
+    dt: Option<f64>,
+    every: u64,
+    end: f64,
+}
+
+macro_rules! table {
+    ($($test:ident: $scheme:expr, [$($law:ty),*];)*) => {$(
+        #[test]
+        fn $test() {
+            $(as_alone::<$law, _, _>($scheme, stringify!($test $law), |settings| settings);)*
+        }
+    )*};
+}
+
+table! {
+    leapfrog: Leapfrog, [Orbit, Saddle, Contact, Driven, Plummer];
+    compensated_leapfrog: CompensatedLeapfrog, [Saddle];
+    composed_leapfrog: Composed::order4(Leapfrog), [Orbit, Driven];
+    nystrom: Nystrom::order6(), [Orbit, Plummer, Contact];
+    force_gradient: ForceGradient::order4(), [Saddle];
+    explicit: Explicit, [Orbit, Damped, Bottle];
+    boris: Boris, [Bottle];
+    composed_boris: Composed::order4(Boris), [Bottle];
+    implicit: Implicit, [Orbit, Saddle, Contact, Driven, Damped, Bottle];
+    discrete_gradient: DiscreteGradient, [Orbit, Saddle, Contact, Driven, Damped, Bottle, Plummer];
+    kanatani: Kanatani, [Orbit, Saddle, Contact];
+    composed_implicit: Composed::order4(Implicit), [Saddle, Damped];
+    composed_discrete_gradient: Composed::order6(DiscreteGradient), [Orbit, Saddle, Bottle];
+    gauss: Gauss::order16(), [Saddle, Damped];
+    line_integral: LineIntegral::order6(), [Orbit];
+    relaxed: Relaxed::order6(), [Orbit];
+}
+
+/// A look after every step, and none but at the end.
+#[test]
+fn looks_that_are_many_or_few() {
+    for every in [1, 7, 1000] {
+        as_alone::<Orbit, _, 2>(Leapfrog, "look", |settings| Settings { every, ..settings });
+        as_alone::<Saddle, _, 2>(DiscreteGradient, "look", |settings| Settings { every, ..settings });
+    }
+}

@@ -1,0 +1,116 @@
+//! Members that fail, that do nothing, that are none; simulations of any kind.
+
+use dmech::models::pairs::Gravity;
+use dmech::prelude::*;
+
+use crate::laws::{Contact, Many, Orbit, Saddle};
+
+/// Members that cannot start, that fall into the centre, that fly off to infinity: told as alone, and the others as they are.
+#[test]
+fn failures_are_told_and_cost_the_others_nothing() {
+    let start = |k: usize| match k {
+        3 => State::new([0.0, 0.0], [0.0, 0.0]),
+        17 => State::new([f64::NAN, 0.0], [0.0, 0.0]),
+        30 => State::new([1.0, 0.0], [0.0, f64::MAX]),
+        44 => State::new([1e-200, 0.0], [0.0, 0.0]),
+        _ => Orbit::start(k),
+    };
+    fn check<S: dmech::extend::Rides<Orbit, 2> + Sync>(scheme: S, start: impl Fn(usize) -> State<2> + Sync) {
+        let run = Ensemble::of(50).law(Orbit::member).start(&start).scheme(scheme).dt(0.02).run(200).unwrap();
+        let mut failed = 0;
+        for k in 0..50 {
+            let alone = Simulation::new(Orbit::member(k), start(k)).scheme(scheme).dt(0.02).run(200);
+            match (&alone, run.member(k)) {
+                (Ok(alone), Ok(member)) => assert_eq!(alone.last(), member.last(), "{k}"),
+                (Err(alone), Err(member)) => {
+                    // A cause may hold NaN, which is not itself.
+                    assert_eq!(format!("{:?}", alone.cause()), format!("{:?}", member.cause()), "{k}");
+                    assert_eq!(alone.run().steps(), member.run().steps(), "{k}");
+                    failed += 1;
+                }
+                (alone, member) => panic!("{k}: {} alone, {} together", alone.is_ok(), member.is_ok()),
+            }
+        }
+        assert_eq!(run.failures().count(), failed);
+        assert!(failed >= 3 && failed < 10, "{failed}");
+    }
+    check(Leapfrog, start);
+    check(Nystrom::order6(), start);
+    check(DiscreteGradient, start);
+    check(Implicit, start);
+    check(Gauss::order16(), start);
+}
+
+/// Steps so long that Newton cannot go the usual way: each goes the long one by itself.
+#[test]
+fn long_steps_are_solved_by_each_alone() {
+    let law = |k: usize| Contact::member(k);
+    for dt in [0.3, 0.9, 2.5] {
+        let run = Ensemble::of(40).law(law).start(Contact::start).scheme(DiscreteGradient).dt(dt).run(60).unwrap();
+        let implicit = Ensemble::of(40).law(law).start(Contact::start).scheme(Implicit).dt(dt).run(60).unwrap();
+        for k in 0..40 {
+            let alone = Simulation::new(law(k), Contact::start(k)).dt(dt);
+            let exact = alone.clone().scheme(DiscreteGradient).run(60);
+            assert_eq!(run.last(k).ok(), exact.ok().map(|run| *run.last()), "{k}, dt = {dt}");
+            let trapezoid = alone.scheme(Implicit).run(60);
+            assert_eq!(implicit.last(k).ok(), trapezoid.ok().map(|run| *run.last()), "{k}, dt = {dt}");
+        }
+    }
+}
+
+#[test]
+fn none_and_one_and_no_steps() {
+    let ensemble = |n| Ensemble::of(n).law(Saddle::member).start(Saddle::start).scheme(Leapfrog).dt(0.1);
+    assert!(ensemble(0).run(10).unwrap().is_empty());
+    assert_eq!(ensemble(1).run(10).unwrap().len(), 1);
+    let run = ensemble(9).run(0).unwrap();
+    assert!((0..9).all(|k| run.last(k).unwrap() == Saddle::start(k)));
+    assert!(run.drift(0, Invariant::Energy).is_some() && run.drift(0, Invariant::WorkEnergy).is_none());
+    // What is wrong for all is told at once.
+    assert_eq!(ensemble(9).dt(-1.0).run(1).unwrap_err(), Error::TimeStep { dt: -1.0 });
+    let missing = Ensemble::of(9).law(Saddle::member).start(Saddle::start).scheme(Leapfrog).run(1);
+    assert_eq!(missing.unwrap_err(), Error::MissingTimeStep);
+    let tolerance = ensemble(9).scheme(DiscreteGradient).adaptive(0.0).run_until(1.0);
+    assert_eq!(tolerance.unwrap_err(), Error::Tolerance { tolerance: 0.0 });
+}
+
+/// Steps of their own length.
+#[test]
+fn adaptive_members() {
+    let ensemble = Ensemble::of(21).law(Orbit::member).start(Orbit::start).scheme(Composed::order6(DiscreteGradient));
+    let run = ensemble.adaptive(1e-8).look_every(4).run_until(3.0).unwrap();
+    for k in 0..21 {
+        let alone = Simulation::new(Orbit::member(k), Orbit::start(k)).scheme(Composed::order6(DiscreteGradient));
+        let alone = alone.adaptive(1e-8).record_every(4).run_until(3.0).unwrap();
+        assert_eq!(
+            (run.last(k).unwrap(), run.drift(k, Invariant::Energy)),
+            (*alone.last(), alone.drift(Invariant::Energy))
+        );
+    }
+}
+
+/// Scenes, each of another size, with events that stop some of them.
+#[test]
+fn scenes_and_events() {
+    let member = |k: usize| {
+        let mut scene = Scene::<2>::new().body(1.0, [0.0, 0.0], [0.0, 0.0]);
+        for i in 0..=k % 4 {
+            scene = scene.body(0.01, [1.0 + i as f64, 0.0], [0.0, 1.0 / (1.0 + i as f64).sqrt()]);
+        }
+        Simulation::scene(scene.pairs(Gravity { g: 1.0 }))
+            .scheme(Leapfrog)
+            .dt(0.01)
+            .record_every(100)
+            .stop_when(move |state: &SceneState<2>| state.q[1][1] - 0.1 * k as f64, Crossing::Rising)
+    };
+    let run = Ensemble::each(30, member).threads(2).run_until(2.0).unwrap();
+    let mut stopped = 0;
+    for k in 0..30 {
+        let alone = member(k).run_until(2.0).unwrap();
+        let together = run.member(k).unwrap();
+        assert_eq!((together.last(), together.states()), (alone.last(), alone.states()));
+        stopped += usize::from(together.stopped());
+    }
+    assert!(stopped > 3 && stopped < 30, "{stopped}");
+    assert_eq!(run.checksum(), Ensemble::each(30, member).threads(1).run_until(2.0).unwrap().checksum());
+}

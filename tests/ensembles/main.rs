@@ -1,0 +1,6 @@
+//! Ensembles: every member is, to the bit, what it is alone.
+
+mod as_alone;
+mod edges;
+mod laws;
+mod output;

@@ -2,6 +2,7 @@
 
 use dmech::extend::{Fields, Rides};
 use dmech::prelude::*;
+use dmech::scheme::Adaptive;
 
 use crate::laws::{Bottle, Contact, Damped, Driven, Many, Orbit, Plummer, Saddle};
 
@@ -27,6 +28,7 @@ where
     let run = ensemble.clone().look_every(every).run_until(end).unwrap();
     let few = ensemble.lanes(3).threads(1).look_every(every).run_until(end).unwrap();
     assert_eq!(run.checksum(), few.checksum(), "{name}");
+    let mut steps = 0;
     for k in 0..MEMBERS {
         let alone = Simulation::new(L::member(k), L::start(k)).mass(mass(k)).scheme(scheme).record_every(every);
         let alone = match dt {
@@ -34,16 +36,18 @@ where
             None => alone,
         };
         let alone = alone.run_until(end).unwrap();
-        assert!(alone.steps() > 10, "{name}: {} steps", alone.steps());
+        steps += alone.steps();
         for run in [&run, &few] {
             let member = run.member(k).unwrap();
             assert_eq!((member.steps(), member.last()), (alone.steps(), alone.last()), "{name}, member {k}");
+            assert_eq!(member.report().dt_range(), alone.report().dt_range(), "{name}, member {k}");
             for invariant in Invariant::ALL.into_iter().filter(|&invariant| invariant != Invariant::WorkEnergy) {
                 assert_eq!(run.drift(k, invariant), alone.drift(invariant), "{name}, member {k}: {invariant}");
             }
             assert_eq!(member.drift_of("twice"), alone.drift_of("twice"), "{name}, member {k}");
         }
     }
+    assert!(steps > 10 * MEMBERS as u64, "{name}: {steps} steps in all");
 }
 
 #[derive(Clone, Copy)]
@@ -88,4 +92,29 @@ fn looks_that_are_many_or_few() {
         as_alone::<Orbit, _, 2>(Leapfrog, "look", |settings| Settings { every, ..settings });
         as_alone::<Saddle, _, 2>(DiscreteGradient, "look", |settings| Settings { every, ..settings });
     }
+}
+
+/// Steps that follow each motion, in rows of equal ones and each another, with a longest and without.
+#[test]
+fn adaptive() {
+    fn follow<L: Many<D> + Fields<D>, S: Rides<L, D> + Sync, const D: usize>(scheme: S, name: &str) {
+        as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: None, end: 13.0, ..settings });
+        as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: Some(0.07), end: 1.5, ..settings });
+    }
+    for tolerance in [1e-5, 1e-9] {
+        follow::<Orbit, _, 2>(Adaptive::new(Composed::order6(DiscreteGradient), tolerance), "composed");
+        follow::<Saddle, _, 2>(Adaptive::new(Nystrom::order6(), tolerance), "Nystrom");
+        follow::<Saddle, _, 2>(Adaptive::new(Composed::order4(Leapfrog), 1e3 * tolerance), "leap-frog");
+    }
+    follow::<Plummer, _, 3>(Adaptive::new(DiscreteGradient, 1e-3), "exact");
+    follow::<Saddle, _, 2>(Adaptive::new(ForceGradient::order4(), 1e-5), "force-gradient");
+    follow::<Bottle, _, 2>(Adaptive::new(Composed::order4(Boris), 1e-4), "Boris");
+    follow::<Bottle, _, 2>(Adaptive::new(DiscreteGradient, 1e-2), "workless");
+    follow::<Orbit, _, 2>(Adaptive::new(Implicit, 1e-4), "implicit");
+    follow::<Orbit, _, 2>(Adaptive::new(Gauss::order16(), 1e-10), "Gauss");
+    as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", |settings| Settings {
+        dt: Some(0.1),
+        end: 3.0,
+        ..settings
+    });
 }

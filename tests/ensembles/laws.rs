@@ -3,7 +3,7 @@
 use dmech::prelude::*;
 
 /// A law whose members differ in every number.
-pub trait Many<const D: usize>: Copy + Sync {
+pub(crate) trait Many<const D: usize>: Copy + Sync {
     fn member(k: usize) -> Self;
     fn start(k: usize) -> State<D>;
 }
@@ -16,7 +16,7 @@ fn part(k: usize, of: f64) -> f64 {
 macro_rules! many {
     ($name:ident { $($field:ident: $value:expr),* }, $d:literal, |$k:ident| [$q:expr, $v:expr]; $($block:tt)*) => {
         #[derive(Clone, Copy)]
-        pub struct $name { $($field: f64),* }
+        pub(crate) struct $name { $($field: f64),* }
 
         #[dmech::law]
         $($block)*

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use dmech_scalar::{Mask, Real, Rows};
 
-use super::rides::{Block, InLanes, Outcome};
+use super::rides::{Block, Outcome};
+use super::steps::{Cost, InLanes};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant};
 use crate::law::{Fields, Numbered, Numbers};
@@ -137,16 +138,20 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Member<L, S, D> {
 
     /// So many steps alone, where together they could not be made.
     fn advance(&mut self, steps: u64) {
-        if let Err(cause) = self.stepper.advance(steps) {
-            self.failure = Some(cause);
-            return;
+        let mut made = 0;
+        while made < steps && !self.stepper.arrived() {
+            if let Err(cause) = self.stepper.step() {
+                self.failure = Some(cause);
+                return;
+            }
+            made += 1;
         }
-        self.left -= steps;
+        self.left = if self.stepper.arrived() { 0 } else { self.left - made };
         if self.before.is_some() {
             self.look_into_the_step();
         }
         if let Some(every) = self.every {
-            self.log.until_record -= steps;
+            self.log.until_record -= made;
             if self.log.until_record == 0 {
                 self.log.until_record = every;
                 self.log.look_at(&self.stepper, &self.stepper.state());
@@ -174,11 +179,7 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Member<L, S, D> {
 struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
     scheme: S,
     system: Together<L, D>,
-    stride: <Together<L, D> as System>::Stride,
-    memory: <S as Scheme<Together<L, D>>>::Memory,
-    workspace: <S as Scheme<Together<L, D>>>::Workspace,
-    /// The times of the starts, the lengths of the steps, and how many were made.
-    times: [Ride; 3],
+    all: S::All,
     first: State<D, Ride>,
     drifts: [Option<Drift<Ride>>; Invariant::ALL.len()],
     /// Steps until each has ended.
@@ -189,9 +190,7 @@ struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
     /// Steps that were made, and how many there were at the last look.
     made: u64,
     looked_at: [Option<u64>; Ride::COUNT],
-    /// What they have cost each.
-    evaluations: u64,
-    iterations: u64,
+    cost: Cost,
 }
 
 impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
@@ -203,15 +202,8 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         let numbers: Vec<L::Numbers> = seats.iter().map(|member| member.stepper.law().numbers()).collect();
         let law = Numbered::new(|n| Ride::from_fn(|lane| numbers.get(lane).unwrap_or(&numbers[0]).as_slice()[n]));
         let system = Particle::with_mass(law, Ride::from_fn(|lane| stepper(lane).system.mass()));
-        let times = [
-            Ride::from_fn(|lane| stepper(lane).start.t),
-            Ride::from_fn(|lane| stepper(lane).dt),
-            Ride::from_fn(|lane| stepper(lane).steps as f64),
-        ];
         let scheme = seats[0].stepper.scheme;
-        let stride = system.stride(times[1], <S as Scheme<Together<L, D>>>::SHARE);
-        let mut workspace = scheme.workspace(&system, &stride);
-        <S as Scheme<Together<L, D>>>::watch(&scheme, false, &mut workspace);
+        let all = scheme.gather(&system, &stepper);
         let first = State::new(ByLane::of(&|lane| &stepper(lane).start.q), ByLane::of(&|lane| &stepper(lane).start.v));
         let watched: Vec<Drifts> = seats.iter().map(|member| member.log.watch.drifts()).collect();
         let drifts = core::array::from_fn(|i| {
@@ -222,10 +214,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         Convoy {
             scheme,
             system,
-            stride,
-            memory: ByLane::of(&|lane| &stepper(lane).memory),
-            workspace,
-            times,
+            all,
             first,
             drifts,
             left: count(&|member| member.left),
@@ -233,14 +222,8 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
             every: count(&|member| member.every.unwrap_or(u64::MAX)),
             made: 0,
             looked_at: [None; Ride::COUNT],
-            evaluations: 0,
-            iterations: 0,
+            cost: Cost::NONE,
         }
-    }
-
-    fn t(&self) -> Ride {
-        let [start, dt, made] = self.times;
-        start + made * dt
     }
 
     fn has_ended(&self) -> bool {
@@ -252,28 +235,17 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         self.left.iter().chain(&self.until_look).fold(ROW, |least, &steps| least.min(steps))
     }
 
-    /// So many steps; none, and false, where they cannot be made together.
+    /// So many steps, or fewer if one arrives; none, and false, where they cannot be made together.
     fn advance(&mut self, steps: u64) -> bool {
-        let Convoy { scheme, system, stride, workspace, .. } = self;
-        let ([start, dt, mut made], mut memory) = (self.times, self.memory.clone());
-        let mut cost = [0; 2];
-        for _ in 0..steps {
-            let Ok(effort) = scheme.step(system, stride, start + made * dt, &mut memory, workspace) else {
-                return false;
-            };
-            cost[0] += u64::from(effort.evaluations);
-            cost[1] += u64::from(effort.iterations);
-            made += Ride::ONE;
-        }
-        if !<S as Scheme<Together<L, D>>>::finite(scheme, &memory) {
-            return false;
-        }
-        (self.memory, self.times[2]) = (memory, made);
-        self.evaluations += cost[0];
-        self.iterations += cost[1];
-        self.made += steps;
+        let Some(made) = self.scheme.advance(&self.system, &mut self.all, steps, &mut self.cost) else { return false };
+        self.made += made;
         for column in [&mut self.left, &mut self.until_look] {
-            column.iter_mut().for_each(|left| *left -= steps);
+            column.iter_mut().for_each(|left| *left -= made);
+        }
+        for (lane, left) in self.left.iter_mut().enumerate() {
+            if self.scheme.has_arrived(&self.all, lane) {
+                *left = 0;
+            }
         }
         true
     }
@@ -286,16 +258,16 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
                 log.looked_at = stepper.steps() + steps;
             }
             stepper.steps += self.made;
-            stepper.evaluations += self.evaluations;
-            stepper.iterations += self.iterations;
-            stepper.memory = self.memory.lane(lane);
+            stepper.evaluations += self.cost.evaluations[lane];
+            stepper.iterations += self.cost.iterations;
+            stepper.memory = self.scheme.lane(&self.all, lane);
             log.watch.set_drifts(self.drifts.map(|drift| drift.map(|drift| drift.lane(lane))));
             if member.every.is_some() {
                 log.until_record = self.until_look[lane];
             }
             member.left = self.left[lane];
         }
-        (self.made, self.evaluations, self.iterations) = (0, 0, 0);
+        (self.made, self.cost) = (0, Cost::NONE);
         self.looked_at = [None; Ride::COUNT];
     }
 
@@ -305,17 +277,15 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         if !due.any() {
             return;
         }
-        let t = self.t();
-        let Convoy { scheme, system, stride, memory, .. } = self;
-        let q = *<S as Scheme<Together<L, D>>>::position(scheme, memory);
-        let v = scheme.velocity(system, stride, t, memory);
+        let system = &self.system;
+        let (t, [q, v], discrete) = self.scheme.state(system, &self.all);
         let state = State::new(q, v);
         for invariant in Invariant::ALL {
             let Some(drift) = &mut self.drifts[invariant as usize] else { continue };
             let start = drift.fields()[0];
             let seen = match invariant {
                 Invariant::Energy => Some(system.potential(t, &q) + system.kinetic_energy(&v)),
-                Invariant::DiscreteEnergy => scheme.discrete_energy(system, t, memory),
+                Invariant::DiscreteEnergy => discrete,
                 _ => None,
             };
             let seen = match invariant {

@@ -4,6 +4,7 @@ mod lanes;
 mod rides;
 mod run;
 mod share;
+mod steps;
 
 use core::num::NonZero;
 use core::ops::Range;
@@ -11,8 +12,9 @@ use std::thread::available_parallelism;
 use std::time::Instant;
 
 pub use lanes::{Ride, Together};
-pub use rides::{Block, InLanes, Outcome, Rides};
+pub use rides::{Block, Outcome, Rides};
 pub use run::{Checksum, EnsembleRun};
+pub use steps::InLanes;
 
 use crate::error::Error;
 use crate::law::Fields;

@@ -2,13 +2,14 @@
 
 use core::ops::Range;
 
-use super::lanes::{Together, in_lanes};
+use super::lanes::in_lanes;
+use super::steps::InLanes;
 use crate::error::Error;
 use crate::law::Fields;
 use crate::run::{Attend, Due, Interrupted, Run, Simulation};
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
-    Adaptable, Adaptive, Boris, ByLane, Coefficients, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit,
+    Adaptive, Boris, Coefficients, CompensatedLeapfrog, Composable, Composed, DiscreteGradient, Explicit,
     ForceGradient, Gauss, Implicit, Kanatani, Leapfrog, LineIntegral, Nystrom, Relaxed, Scheme,
 };
 use crate::span::Span;
@@ -66,18 +67,6 @@ impl<X> Attend<X> for Forget {
     }
 }
 
-/// A scheme for a law alone and for eight side by side: every operation of a step is one of each lane, to the bit, and its equations
-/// are solved for each lane with its own count of corrections.
-pub trait InLanes<L: Fields<D>, const D: usize>:
-    Scheme<Particle<L, D>> + Scheme<Together<L, D>, Memory: ByLane<<Self as Scheme<Particle<L, D>>>::Memory>>
-{
-}
-
-impl<L: Fields<D>, const D: usize, S> InLanes<L, D> for S where
-    S: Scheme<Particle<L, D>> + Scheme<Together<L, D>, Memory: ByLane<<S as Scheme<Particle<L, D>>>::Memory>>
-{
-}
-
 /// A scheme that moves the members of an ensemble.
 ///
 /// A scheme of one's own moves each alone: `impl<L: Fields<D>, const D: usize> Rides<L, D> for MyScheme {}`.
@@ -119,6 +108,12 @@ ride! {
     Composed<Boris, C, N>, [C: Coefficients<N>, const N: usize];
     Nystrom<C, N>, [C: NystromCoefficients<N>, const N: usize];
     ForceGradient<C, N>, [C: ForceGradientCoefficients<N>, const N: usize];
+    Adaptive<DiscreteGradient>, [];
+    Adaptive<Implicit>, [];
+    Adaptive<Boris>, [];
+    Adaptive<Composed<S, C, N>>, [S: Composable, C: Coefficients<N>, const N: usize];
+    Adaptive<Nystrom<C, N>>, [C: NystromCoefficients<N>, const N: usize];
+    Adaptive<ForceGradient<C, N>>, [C: ForceGradientCoefficients<N>, const N: usize];
     Composed<DiscreteGradient, C, N>, [C: Coefficients<N>, const N: usize];
     Composed<Implicit, C, N>, [C: Coefficients<N>, const N: usize];
     Kanatani, [];
@@ -132,5 +127,6 @@ ride! {
     Gauss, [];
     LineIntegral<N>, [const N: usize];
     Relaxed<C, N>, [C: NystromCoefficients<N>, const N: usize];
-    Adaptive<S>, [S: Adaptable];
+    Adaptive<Gauss>, [];
+    Adaptive<LineIntegral<N>>, [const N: usize];
 }

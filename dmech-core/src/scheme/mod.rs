@@ -18,6 +18,7 @@ mod nystrom;
 mod relaxed;
 mod splitting;
 
+pub(crate) use adaptive::Pacing;
 pub use adaptive::{Adaptable, Adaptive, AdaptiveMemory};
 pub use boris::Boris;
 pub use by_lane::ByLane;

@@ -62,33 +62,45 @@ pub struct Adaptive<S> {
 pub struct AdaptiveMemory<M> {
     /// What the scheme itself carries.
     pub inner: M,
+    /// Where its steps are.
+    pub(crate) pacing: Pacing,
+}
+
+/// Where steps that follow the motion are: the last, the next, and the time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pacing {
     /// ρ, the density of the steps: it is h = ε/ρ.
     density: f64,
     /// The last step, at the start the next.
     last: f64,
     /// The next step.
-    dt: f64,
+    pub(crate) dt: f64,
     /// How many more of the same follow.
     left: f64,
     /// Whether that ends at the end.
     landing: bool,
-    time: Compensated<f64>,
+    pub(crate) time: Compensated<f64>,
     /// The shortest and the longest step so far, but for the one that was shortened to land.
     range: [f64; 2],
+}
+
+impl Pacing {
+    /// How many times as long as the last the next step is.
+    pub(crate) fn ratio(&self) -> f64 {
+        self.dt / self.last
+    }
 }
 
 impl<M: Clone> Clone for AdaptiveMemory<M> {
     #[inline(always)]
     fn clone(&self) -> Self {
-        AdaptiveMemory { inner: self.inner.clone(), ..*self }
+        AdaptiveMemory { inner: self.inner.clone(), pacing: self.pacing }
     }
 
     /// Without a new allocation.
     fn clone_from(&mut self, other: &Self) {
-        let AdaptiveMemory { ref inner, density, last, dt, left, landing, time, range } = *other;
-        self.inner.clone_from(inner);
-        (self.density, self.last, self.dt, self.left) = (density, last, dt, left);
-        (self.landing, self.time, self.range) = (landing, time, range);
+        self.inner.clone_from(&other.inner);
+        self.pacing = other.pacing;
     }
 }
 
@@ -96,9 +108,9 @@ impl<M: Clone> Clone for AdaptiveMemory<M> {
 impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemory<M> {
     fn carried(&mut self) -> Vec<&mut [f64]> {
         let mut all = self.inner.carried();
-        let Compensated { hi, lo } = &mut self.time;
-        all.extend([&mut self.density, &mut self.last, &mut self.dt, &mut self.left].map(core::slice::from_mut));
-        all.extend([core::slice::from_mut(hi), core::slice::from_mut(lo), &mut self.range]);
+        let Pacing { density, last, dt, left, time: Compensated { hi, lo }, range, .. } = &mut self.pacing;
+        all.extend([density, last, dt, left].map(core::slice::from_mut));
+        all.extend([core::slice::from_mut(hi), core::slice::from_mut(lo), range]);
         all
     }
 }
@@ -136,13 +148,59 @@ impl<S: Adaptable> Adaptive<S> {
         look.within(MIDDLE, look.within(BAND, density + half) + half)
     }
 
+    /// The scheme that makes the steps.
+    pub(crate) fn inner(&self) -> S {
+        self.scheme
+    }
+
+    /// The smallest ω that counts, where a step is this long at most.
+    pub(crate) fn least(&self, longest: f64) -> f64 {
+        self.angle / longest
+    }
+
     /// Chooses the next step.
-    fn plan<M>(&self, longest: f64, memory: &mut AdaptiveMemory<M>) {
-        let dt = (self.angle / memory.density).min(longest);
-        let left = (self.end - memory.time.hi) - memory.time.lo;
+    pub(crate) fn plan(&self, longest: f64, pacing: &mut Pacing) {
+        let dt = (self.angle / pacing.density).min(longest);
+        let left = (self.end - pacing.time.hi) - pacing.time.lo;
         // A little longer rather than another step that is nothing but rounding.
-        memory.landing = dt.is_finite() && dt * (1.0 + 1e-9) >= left;
-        memory.dt = if memory.landing { left } else { dt };
+        pacing.landing = dt.is_finite() && dt * (1.0 + 1e-9) >= left;
+        pacing.dt = if pacing.landing { left } else { dt };
+    }
+
+    /// The step was made: whether the law is to be looked at.
+    #[inline(always)]
+    pub(crate) fn made(&self, pacing: &mut Pacing) -> bool {
+        let dt = pacing.dt;
+        pacing.last = dt;
+        pacing.left -= 1.0;
+        pacing.time.add(dt);
+        if pacing.landing {
+            pacing.time = Compensated::new(self.end);
+        } else {
+            pacing.range = [pacing.range[0].min(dt), pacing.range[1].max(dt)];
+        }
+        pacing.left < 1.0
+    }
+
+    /// ρ follows what the law was seen to be like.
+    #[inline(always)]
+    pub(crate) fn looked(&self, look: &Look, pacing: &mut Pacing) {
+        pacing.density = self.follow(pacing.density, look);
+        pacing.left = self.row;
+    }
+
+    pub(crate) fn has_arrived(&self, pacing: &Pacing) -> bool {
+        pacing.time.value() >= self.end
+    }
+
+    /// Whether there is a next step.
+    #[inline]
+    pub(crate) fn is_ready(&self, step: u64, pacing: &Pacing) -> Result<(), Error> {
+        let (time, dt) = (pacing.time.value(), pacing.dt);
+        if (dt > time.abs() * f64::EPSILON && dt.is_finite()) || self.has_arrived(pacing) || pacing.landing {
+            return Ok(());
+        }
+        Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
     }
 }
 
@@ -216,9 +274,9 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         let inner = self.scheme.begin(system, &workspace.stride, start, &mut workspace.inner)?;
         let (time, range) = (Compensated::new(start.t), [f64::MAX, 0.0]);
         let (last, dt, left, landing) = (first, first, self.row, false);
-        let mut memory = AdaptiveMemory { inner, density, last, dt, left, landing, time, range };
-        self.plan(longest, &mut memory);
-        Ok(memory)
+        let mut pacing = Pacing { density, last, dt, left, landing, time, range };
+        self.plan(longest, &mut pacing);
+        Ok(AdaptiveMemory { inner, pacing })
     }
 
     #[inline(always)]
@@ -230,35 +288,25 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         memory: &mut Self::Memory,
         workspace: &mut Self::Workspace,
     ) -> Result<Effort, NotConverged> {
-        let dt = memory.dt;
-        if Y::dt(&workspace.stride) != dt {
-            self.turn(system, dt, workspace);
+        let AdaptiveMemory { inner: memory, pacing } = memory;
+        if Y::dt(&workspace.stride) != pacing.dt {
+            self.turn(system, pacing.dt, workspace);
         }
         let Pace { stride: now, room, inner } = workspace;
-        let ratio = dt / memory.last;
-        let stretched =
-            if ratio == 1.0 { 0 } else { self.scheme.stretch(system, now, t, ratio, &mut memory.inner, inner) };
-        let mut effort = self.scheme.step(system, now, t, &mut memory.inner, inner)?;
+        let ratio = pacing.ratio();
+        let stretched = if ratio == 1.0 { 0 } else { self.scheme.stretch(system, now, t, ratio, memory, inner) };
+        let mut effort = self.scheme.step(system, now, t, memory, inner)?;
         effort.evaluations += stretched;
-        memory.last = dt;
-        memory.left -= 1.0;
-        memory.time.add(dt);
-        if memory.landing {
-            memory.time = Compensated::new(self.end);
-        } else {
-            memory.range = [memory.range[0].min(dt), memory.range[1].max(dt)];
-        }
         let longest = Y::dt(stride);
-        if memory.left < 1.0 {
-            let end = memory.time.value();
-            let q = self.scheme.position(&memory.inner);
-            let v = self.scheme.velocity(system, now, end, &memory.inner);
-            let look = system.look(room, end, q, &v, self.angle / longest);
+        if self.made(pacing) {
+            let end = pacing.time.value();
+            let q = self.scheme.position(memory);
+            let v = self.scheme.velocity(system, now, end, memory);
+            let look = system.look(room, end, q, &v, self.least(longest));
             effort.evaluations += EVALUATIONS;
-            memory.density = self.follow(memory.density, &look);
-            memory.left = self.row;
+            self.looked(&look, pacing);
         }
-        self.plan(longest, memory);
+        self.plan(longest, pacing);
         Ok(effort)
     }
 
@@ -291,27 +339,22 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
 
     #[inline]
     fn time(&self, _: f64, _: u64, _: f64, memory: &Self::Memory) -> f64 {
-        memory.time.value()
+        memory.pacing.time.value()
     }
 
     #[inline]
     fn next_dt(&self, _: f64, memory: &Self::Memory) -> f64 {
-        memory.dt
+        memory.pacing.dt
     }
 
     #[inline]
     fn arrived(&self, memory: &Self::Memory) -> bool {
-        memory.time.value() >= self.end
+        self.has_arrived(&memory.pacing)
     }
 
     #[inline]
     fn ready(&self, step: u64, memory: &Self::Memory) -> Result<(), Error> {
-        let (time, dt) = (memory.time.value(), memory.dt);
-        let arrived = time >= self.end;
-        if (dt > time.abs() * f64::EPSILON && dt.is_finite()) || arrived || memory.landing {
-            return Ok(());
-        }
-        Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
+        self.is_ready(step, &memory.pacing)
     }
 
     fn kept(system: &Y, invariant: Invariant) -> Kept {
@@ -323,6 +366,6 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
     }
 
     fn range(&self, memory: &Self::Memory) -> Option<[f64; 2]> {
-        Some(memory.range)
+        Some(memory.pacing.range)
     }
 }

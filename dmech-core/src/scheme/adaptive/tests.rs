@@ -59,16 +59,16 @@ fn comes_back<S: Adaptable + Scheme<Sun>>(scheme: S, tolerance: f64, turn: impl 
     };
     let (steps, mut forth, mut back) = (100 * adaptive.row as usize, Vec::new(), Vec::new());
     for _ in 0..steps {
-        forth.push(memory.dt);
+        forth.push(memory.pacing.dt);
         step(&mut memory);
     }
     turn(&mut memory.inner);
     let (q, v) = (*adaptive.position(&memory), adaptive.velocity(&law, &unlimited, 0.0, &memory));
     // ρ of the step that would have come next is ρ of the step before, seen backward.
-    memory.density = adaptive.follow(memory.density, &law.look(&mut (), 0.0, &q, &v, 0.0));
+    memory.pacing.density = adaptive.follow(memory.pacing.density, &law.look(&mut (), 0.0, &q, &v, 0.0));
     adaptive.plan(f64::INFINITY, &mut memory);
     for _ in 0..steps {
-        back.push(memory.dt);
+        back.push(memory.pacing.dt);
         step(&mut memory);
     }
     back.reverse();

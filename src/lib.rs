@@ -180,6 +180,24 @@
 //! # }
 //! ```
 //!
+//! # Many motions at once
+//!
+//! An [`Ensemble`] moves members with a law and a start each, side by side in the lanes of the registers and over all cores; each is, to
+//! the bit, what it is alone:
+//!
+//! ```
+//! use dmech::{models::Kepler, prelude::*};
+//!
+//! # fn main() -> Result<(), dmech::Error> {
+//! let law = |k: usize| Kepler { gm: 1.0 + 1e-3 * k as f64 };
+//! let start = |k: usize| law(k).pericentre(1.0, 0.9 * k as f64 / 100.0);
+//! let run = Ensemble::of(100).law(law).start(start).scheme(Nystrom::order6()).adaptive(1e-6).run_until(10.0)?;
+//! let alone = Simulation::new(law(70), start(70)).scheme(Nystrom::order6()).adaptive(1e-6).run_until(10.0);
+//! assert_eq!(run.last(70).unwrap(), *alone.unwrap().last());
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # Thirty-one digits
 //!
 //! A declared law runs with any scalar: [`DoubleDouble`] numbers have 31 digits, at 9 to 40 times the cost of a step. Errors of

@@ -30,9 +30,10 @@ use crate::state::State;
 /// members go over the cores. Every member is, to the bit, what it is alone, whatever the number of lanes and threads. One that fails
 /// is told, and costs the others nothing.
 ///
-/// In lanes ride explicit schemes with equal steps: `Leapfrog`, `CompensatedLeapfrog`, `Nystrom`, `ForceGradient`, `Boris`,
-/// `Explicit` and their compositions. All others move each member alone, and so does [`Ensemble::each`], which takes simulations
-/// of any kind:
+/// All schemes ride in lanes, with equal and with adaptive steps, but those of stages, [`Gauss`](crate::Gauss) and
+/// [`LineIntegral`](crate::LineIntegral), which fill the lanes with one motion, and [`Relaxed`](crate::Relaxed): these move each member
+/// alone. The law is one that `#[dmech::law]` has written, which can be taken apart into its numbers. [`Ensemble::each`] takes
+/// simulations of any kind, each moved alone:
 ///
 /// ```
 /// use dmech_core::prelude::*;

@@ -3,10 +3,10 @@
 use dmech_scalar::Real;
 
 use super::lanes::{Ride, Together};
-use crate::law::{Fields, Numbered};
+use crate::law::Fields;
 use crate::scheme::{Adaptable, Adaptive, ByLane, Pacing, Scheme};
 use crate::stepper::Stepper;
-use crate::system::{EVALUATIONS, Particle, System, TimeScale};
+use crate::system::{EVALUATIONS, Look, Particle, System};
 
 /// A member alone.
 pub(super) type Alone<L, S, const D: usize> = Stepper<Particle<L, D>, S>;
@@ -142,8 +142,6 @@ pub struct Paced<L: Fields<D>, S: BySide<L, D>, const D: usize> {
     workspace: Workspace<L, S, D>,
     pacings: [Pacing; Ride::COUNT],
     longest: [f64; Ride::COUNT],
-    /// Each by itself, to tell how long its next step may be.
-    alone: Vec<Particle<Numbered<L, D, f64>, D>>,
 }
 
 impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> for Adaptive<S> {
@@ -160,25 +158,19 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> fo
         let scheme = self.inner();
         let mut workspace = scheme.workspace(system, &stride);
         <S as Scheme<Together<L, D>>>::watch(&scheme, false, &mut workspace);
-        let one = |lane: usize| {
-            let numbers = alone(lane).law().numbers();
-            let number = |n: usize| crate::law::Numbers::as_slice(&numbers)[n];
-            Particle::with_mass(Numbered::new(number), alone(lane).system.mass())
-        };
         Paced {
             stride,
             memory: ByLane::of(&|lane| &alone(lane).memory.inner),
             workspace,
             pacings,
             longest: core::array::from_fn(|lane| alone(lane).dt),
-            alone: (0..Ride::COUNT).map(one).collect(),
         }
     }
 
     fn advance(&self, system: &Together<L, D>, all: &mut Paced<L, S, D>, steps: u64, cost: &mut Cost) -> Option<u64> {
         let (scheme, mut spent) = (self.inner(), *cost);
         let (mut memory, mut pacings) = (all.memory.clone(), all.pacings);
-        let Paced { stride, workspace, longest, alone, .. } = all;
+        let Paced { stride, workspace, longest, .. } = all;
         let mut made = 0;
         while made < steps && !pacings.iter().any(|pacing| self.has_arrived(pacing)) {
             if pacings.iter().any(|pacing| self.is_ready(0, pacing).is_err()) {
@@ -201,9 +193,10 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> fo
                 let end = Ride::from_fn(|lane| pacings[lane].time.value());
                 let q = <S as Scheme<Together<L, D>>>::position(&scheme, &memory);
                 let v = scheme.velocity(system, stride, end, &memory);
+                let least = Ride::from_fn(|lane| self.least(longest[lane]));
+                let Look { power, s, growth } = system.look_along(end, *q, v, least);
                 for lane in (0..Ride::COUNT).filter(|&lane| looks[lane]) {
-                    let least = self.least(longest[lane]);
-                    let look = alone[lane].look(&mut (), end[lane], &q.lane(lane), &v.lane(lane), least);
+                    let look = Look { power: power[lane], s: s[lane], growth: growth[lane] };
                     spent.evaluations[lane] += u64::from(EVALUATIONS);
                     self.looked(&look, &mut pacings[lane]);
                 }

@@ -2,18 +2,20 @@
 
 use core::array::from_fn;
 
+use dmech_scalar::{Mask, Real};
+
 use crate::law::{Field, Law, Potential};
 use crate::vector::{add_scaled, dot};
 
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
+pub struct Look<R = f64> {
     /// (ω s)¹²: roots take longer than all the rest, and are hardly ever needed.
-    power: f64,
+    pub(crate) power: R,
     /// A length of time.
-    s: f64,
+    pub(crate) s: R,
     /// d ln ω/dt along the motion.
-    pub growth: f64,
+    pub growth: R,
 }
 
 impl Look {
@@ -40,26 +42,26 @@ impl Look {
 
 /// A particle, or two as one of reduced mass, where the motion has brought it.
 #[derive(Clone, Copy, Debug)]
-pub struct Course<const D: usize> {
+pub struct Course<const D: usize, R = f64> {
     /// Where it is.
-    pub q: [f64; D],
+    pub q: [R; D],
     /// How fast.
-    pub v: [f64; D],
+    pub v: [R; D],
     /// Its acceleration, by all that acts.
-    pub fall: [f64; D],
+    pub fall: [R; D],
     /// 1/m.
-    pub per_mass: f64,
+    pub per_mass: R,
     /// The smallest ω that counts.
-    pub least: f64,
+    pub least: R,
 }
 
 /// How fast accelerations change, times the mass: m ∂a/∂q and m ‖∂a/∂v‖².
 #[derive(Clone, Copy, Debug)]
-pub struct Stiffness<const D: usize> {
+pub struct Stiffness<const D: usize, R = f64> {
     /// m ∂a/∂q, or its negative.
-    pub by_position: [[f64; D]; D],
+    pub by_position: [[R; D]; D],
     /// m ‖∂a/∂v‖².
-    pub damping: f64,
+    pub damping: R,
 }
 
 /// The angle ω s between the places where the law is looked at: differences are off by its square.
@@ -79,16 +81,16 @@ const SHARES: [f64; 2] = [0.25, 0.01];
 
 /// ω¹² of one motion, or of several together, and how it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frequency {
+pub struct Frequency<R = f64> {
     /// (ω s)¹².
-    power: f64,
+    power: R,
     /// s d(ω s)¹²/dt.
-    rise: f64,
+    rise: R,
     /// A length of time.
-    s: f64,
+    s: R,
 }
 
-impl Frequency {
+impl<R: Real> Frequency<R> {
     /// ω along a course, with K = (∂a/∂q, ‖∂a/∂v‖²) and its derivatives along the motion,
     ///
     /// ```text
@@ -101,42 +103,57 @@ impl Frequency {
     /// `stiffness` is m K at the time s from now, at a position and a velocity.
     #[inline(always)]
     pub fn of<const D: usize>(
-        course: Course<D>,
-        stiffness: impl Fn(f64, [f64; D], [f64; D]) -> Stiffness<D>,
-    ) -> Frequency {
+        course: Course<D, R>,
+        stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
+    ) -> Frequency<R> {
         let Course { per_mass, least, .. } = course;
+        let [half, two, angle] = [0.5, 2.0, ANGLE].map(R::from_f64);
         // t − 0 is t to the bit, also where that is −0.
-        let here = stiffness(-0.0, course.q, course.v);
+        let here = stiffness(R::from_f64(-0.0), course.q, course.v);
         let size = per_mass * here.norm();
-        let mut s = (ANGLE / size.sqrt()).min(ANGLE / least);
+        let mut s = (angle / size.sqrt()).min(angle / least);
         let mut sides = course.sides(&stiffness, s);
         // Where K is small only here, the motion is not alike as far away as K tells.
         for _ in 0..MOST {
             let [before, after] = &sides;
-            let sum = per_mass * (before.norm() + after.norm()) + 2.0 * size;
-            let excess = s * s * sum * (0.25 / (ANGLE * ANGLE));
-            if excess <= EVEN {
+            let sum = per_mass * (before.norm() + after.norm()) + two * size;
+            let excess = s * s * sum * R::from_f64(0.25 / (ANGLE * ANGLE));
+            let even = excess.less_or_equal(R::from_f64(EVEN));
+            if even.all() {
                 break;
             }
-            s = if excess.is_finite() { s * excess.powf(-0.25) } else { 1e-3 * s.min(1e150) };
+            let shorter = || s * excess.powf(R::from_f64(-0.25));
+            let shorter = R::select(excess.finite(), shorter, || R::from_f64(1e-3) * s.min(R::from_f64(1e150)));
+            s = R::either(even, s, shorter);
             sides = course.sides(&stiffness, s);
         }
         // Derivatives by differences over s, in units of s so that no power overflows.
         let [before, after] = &sides;
-        let [earlier, later] = &course.sides(&stiffness, 2.0 * s);
+        let [earlier, later] = &course.sides(&stiffness, two * s);
         let square = s * s * per_mass;
         let k = here.map(|x| square * x);
-        let k1 = after.map2(before, |x, y| 0.5 * square * (x - y));
-        let k2 = after.map2(before, |x, y| square * (x + y)).map2(&k, |x, y| x - 2.0 * y);
-        let k3 = later.map2(earlier, |x, y| 0.5 * square * (x - y)).map2(&k1, |x, y| x - 2.0 * y);
+        let k1 = after.map2(before, |x, y| half * square * (x - y));
+        let k2 = after.map2(before, |x, y| square * (x + y)).map2(&k, |x, y| x - two * y);
+        let k3 = later.map2(earlier, |x, y| half * square * (x - y)).map2(&k1, |x, y| x - two * y);
         let [kk, k1k1, k2k2] = [k.dot(&k), k1.dot(&k1), k2.dot(&k2)];
-        let root = k2k2.sqrt();
-        let power = kk * kk * kk + SHARES[0] * k1k1 * k1k1 + SHARES[1] * k2k2 * root;
-        let rise =
-            6.0 * kk * kk * k.dot(&k1) + 4.0 * SHARES[0] * k1k1 * k1.dot(&k2) + 3.0 * SHARES[1] * root * k2.dot(&k3);
+        let (root, [first, second]) = (k2k2.sqrt(), SHARES.map(R::from_f64));
+        let [six, four, three] = [6.0, 4.0, 3.0].map(R::from_f64);
+        let power = kk * kk * kk + first * k1k1 * k1k1 + second * k2k2 * root;
+        let rise = six * kk * kk * k.dot(&k1) + four * first * k1k1 * k1.dot(&k2) + three * second * root * k2.dot(&k3);
         Frequency { power, rise, s }
     }
 
+    /// What the motion is like, if no ω below `least` counts: ω¹² + ω_least¹².
+    #[inline]
+    pub fn look(self, least: R) -> Look<R> {
+        let Frequency { power, rise, s } = self;
+        let power = power + (least * s).powi(12);
+        let growth = rise / (R::from_f64(12.0) * power * s);
+        Look { power, s, growth: R::either(growth.finite(), growth, R::ZERO) }
+    }
+}
+
+impl Frequency {
     /// Nothing moves faster than `least`.
     pub fn none(least: f64) -> Frequency {
         Frequency { power: 0.0, rise: 0.0, s: (ANGLE / least).min(1e150) }
@@ -165,68 +182,65 @@ impl Frequency {
         let scaled = |x: f64| x * fourth * fourth * fourth;
         Frequency { power: scaled(self.power), rise: ratio * scaled(self.rise), s }
     }
-
-    /// What the motion is like, if no ω below `least` counts: ω¹² + ω_least¹².
-    #[inline]
-    pub fn look(self, least: f64) -> Look {
-        let Frequency { power, rise, s } = self;
-        let power = power + (least * s).powi(12);
-        let growth = rise / (12.0 * power * s);
-        Look { power, s, growth: if growth.is_finite() { growth } else { 0.0 } }
-    }
 }
 
-impl<const D: usize> Course<D> {
+impl<const D: usize, R: Real> Course<D, R> {
     /// m K before and after.
-    fn sides(&self, stiffness: impl Fn(f64, [f64; D], [f64; D]) -> Stiffness<D>, s: f64) -> [Stiffness<D>; 2] {
+    #[inline(always)]
+    fn sides(&self, stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>, s: R) -> [Stiffness<D, R>; 2] {
         [-s, s].map(|s| {
             let v = add_scaled(self.v, s, self.fall);
             // q + s v + s² a/2
-            let q = from_fn(|i| (0.5 * s).mul_add(self.v[i] + v[i], self.q[i]));
+            let q = from_fn(|i| (R::from_f64(0.5) * s).mul_add(self.v[i] + v[i], self.q[i]));
             stiffness(s, q, v)
         })
     }
 }
 
-impl<const D: usize> Stiffness<D> {
+impl<const D: usize, R: Real> Stiffness<D, R> {
     /// Of a law of one body.
-    pub fn of<L: Law<D>>(law: &L, mass: f64, t: f64, q: [f64; D], v: [f64; D]) -> Self {
+    #[inline(always)]
+    pub fn of<L: Law<D, R>>(law: &L, mass: R, t: R, q: [R; D], v: [R; D]) -> Self {
         let field = law.field(mass, t);
         let mut by_position = field.hessian(q);
-        let mut damping = 0.0;
-        if <L::Field<'_> as Field<D>>::FORCED {
+        let mut damping = R::ZERO;
+        if <L::Field<'_> as Field<D, R>>::FORCED {
             let (by_q, by_v) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
             by_position = from_fn(|i| from_fn(|j| by_position[i][j] - by_q[i][j]));
-            damping = by_v.iter().map(|row| dot(*row, *row)).sum::<f64>() / mass;
+            damping = by_v.iter().fold(R::ZERO, |sum, row| sum + dot(*row, *row)) / mass;
         }
         Stiffness { by_position, damping }
     }
 
-    fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+    #[inline(always)]
+    fn map(&self, f: impl Fn(R) -> R) -> Self {
         Stiffness { by_position: self.by_position.map(|row| row.map(&f)), damping: f(self.damping) }
     }
 
-    fn map2(&self, other: &Self, f: impl Fn(f64, f64) -> f64) -> Self {
+    #[inline(always)]
+    fn map2(&self, other: &Self, f: impl Fn(R, R) -> R) -> Self {
         let by_position = from_fn(|i| from_fn(|j| f(self.by_position[i][j], other.by_position[i][j])));
         Stiffness { by_position, damping: f(self.damping, other.damping) }
     }
 
-    fn norm(&self) -> f64 {
+    #[inline(always)]
+    fn norm(&self) -> R {
         let square = self.dot(self);
-        if (1e-200..1e200).contains(&square) {
+        let in_range = R::from_f64(1e-200).less_or_equal(square).and(square.less(R::from_f64(1e200)));
+        if in_range.all() {
             return square.sqrt();
         }
         // Squares may have left the range of numbers.
         let largest = self.by_position.iter().flatten().fold(self.damping, |most, x| most.max(x.abs()));
-        if largest == 0.0 || !square.is_finite() && !largest.is_finite() {
-            return square;
-        }
+        let lost = largest.equal(R::ZERO).or(square.finite().or(largest.finite()).not());
         let unit = self.map(|x| x / largest);
-        largest * unit.dot(&unit).sqrt()
+        let careful = R::either(lost, square, largest * unit.dot(&unit).sqrt());
+        R::either(in_range, square.sqrt(), careful)
     }
 
-    fn dot(&self, other: &Self) -> f64 {
+    #[inline(always)]
+    fn dot(&self, other: &Self) -> R {
         let rows = self.by_position.iter().zip(&other.by_position);
-        rows.map(|(x, y)| dot(*x, *y)).sum::<f64>() + self.damping * other.damping
+        rows.fold(R::ZERO, |sum, (x, y)| sum + dot(*x, *y)) + self.damping * other.damping
     }
 }

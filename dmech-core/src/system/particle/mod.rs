@@ -419,9 +419,17 @@ impl<L: Law<D>, const D: usize> TimeScale for Particle<L, D> {
 
     #[inline]
     fn look(&self, (): &mut (), t: f64, q: &[f64; D], v: &[f64; D], least: f64) -> Look {
+        self.look_along(t, *q, *v, least)
+    }
+}
+
+impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
+    /// The angular frequency of the linearised motion, and how it grows; of several side by side that of each.
+    #[inline]
+    pub(crate) fn look_along(&self, t: R, q: [R; D], v: [R; D], least: R) -> Look<R> {
         let per_mass = self.mass.recip();
-        let fall = self.field(t).slope(*q, *v).map(|x| -per_mass * x);
-        let stiffness = |s: f64, q: [f64; D], v: [f64; D]| Stiffness::of(&self.law, self.mass, t + s, q, v);
-        Frequency::of(Course { q: *q, v: *v, fall, per_mass, least }, stiffness).look(least)
+        let fall = self.field(t).slope(q, v).map(|x| -per_mass * x);
+        let stiffness = |s: R, q: [R; D], v: [R; D]| Stiffness::of(&self.law, self.mass, t + s, q, v);
+        Frequency::of(Course { q, v, fall, per_mass, least }, stiffness).look(least)
     }
 }

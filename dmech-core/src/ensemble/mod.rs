@@ -59,7 +59,7 @@ use crate::state::State;
 /// ```
 #[derive(Clone, Debug)]
 #[must_use = "an ensemble does nothing until it is run"]
-pub struct Ensemble<L = (), X = (), S = NoScheme, M = fn(usize) -> f64> {
+pub struct Ensemble<L = NoLaw, X = NoStart, S = NoScheme, M = fn(usize) -> f64> {
     law: L,
     start: X,
     mass: M,
@@ -68,6 +68,14 @@ pub struct Ensemble<L = (), X = (), S = NoScheme, M = fn(usize) -> f64> {
     members: usize,
     hands: Hands,
 }
+
+/// In the type of an ensemble that was given no law: call `.law(|k| …)`.
+#[derive(Clone, Copy, Debug)]
+pub struct NoLaw;
+
+/// In the type of an ensemble that was given no start: call `.start(|k| …)`.
+#[derive(Clone, Copy, Debug)]
+pub struct NoStart;
 
 /// Who does the work.
 #[derive(Clone, Copy, Debug)]
@@ -97,7 +105,7 @@ impl Ensemble {
     /// So many members, of a law and a start for each.
     pub fn of(members: usize) -> Self {
         let common = Simulation::of((), ());
-        Ensemble { law: (), start: (), mass: |_| 1.0, common, members, hands: Hands::ALL }
+        Ensemble { law: NoLaw, start: NoStart, mass: |_| 1.0, common, members, hands: Hands::ALL }
     }
 
     /// So many simulations of any kind, each moved alone, over all cores: scenes, events, observers. What they record is kept.

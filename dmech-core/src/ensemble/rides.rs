@@ -3,18 +3,17 @@
 use core::ops::Range;
 
 use super::lanes::in_lanes;
-use super::steps::InLanes;
 use crate::error::Error;
-use crate::law::Fields;
+use crate::law::{Fields, LinearInVelocity, VelocityIndependent};
 use crate::run::{Attend, Due, Interrupted, Run, Simulation};
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
-    Adaptive, Boris, Coefficients, CompensatedLeapfrog, Composable, Composed, DiscreteGradient, Explicit,
-    ForceGradient, Gauss, Implicit, Kanatani, Leapfrog, LineIntegral, Nystrom, Relaxed, Scheme,
+    Adaptive, Boris, Coefficients, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss,
+    Implicit, Kanatani, Leapfrog, LineIntegral, Nystrom, Relaxed, Scheme,
 };
 use crate::span::Span;
 use crate::state::State;
-use crate::system::Particle;
+use crate::system::{AtStages, Particle};
 
 /// What becomes of a member: its run, or what it had come to when it failed.
 pub type Outcome<X> = Result<Run<X>, Interrupted<X>>;
@@ -72,6 +71,7 @@ impl<X> Attend<X> for Forget {
 /// A scheme of one's own moves each alone: `impl<L: Fields<D>, const D: usize> Rides<L, D> for MyScheme {}`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not move the members of an ensemble under `{L}`",
+    note = "`NoScheme` means that none was given: call `.scheme(…)`",
     note = "a scheme of your own says that it moves each alone: `impl<L: Fields<D>, const D: usize> Rides<L, D> for {Self} {{}}`"
 )]
 pub trait Rides<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
@@ -82,51 +82,53 @@ pub trait Rides<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
     }
 }
 
+/// Schemes, what the forces must be like, and the parameters of the scheme.
 macro_rules! ride {
-    (in_lanes: $($scheme:ty, [$($generics:tt)*];)*) => {$(
-        impl<L: Fields<D>, const D: usize, $($generics)*> Rides<L, D> for $scheme
-        where
-            Self: InLanes<L, D>,
-        {
-            fn ride(block: &Block<'_, L, Self, D>) -> Vec<Outcome<State<D>>> {
-                if block.lanes > 1 { in_lanes(block) } else { block.one_by_one() }
-            }
+    ($way:ident: $($scheme:ty, $forces:path, [$($generics:tt)*];)*) => {$(
+        impl<L: Fields<D> + $forces, const D: usize, $($generics)*> Rides<L, D> for $scheme {
+            ride!($way);
         }
     )*};
-    (alone: $($scheme:ty, [$($generics:tt)*];)*) => {$(
-        impl<L: Fields<D>, const D: usize, $($generics)*> Rides<L, D> for $scheme where Self: Scheme<Particle<L, D>> {}
-    )*};
+    (in_lanes) => {
+        fn ride(block: &Block<'_, L, Self, D>) -> Vec<Outcome<State<D>>> {
+            if block.lanes > 1 { in_lanes(block) } else { block.one_by_one() }
+        }
+    };
+    (alone) => {};
 }
 
 ride! {
     in_lanes:
-    Leapfrog, [];
-    Explicit, [];
-    CompensatedLeapfrog, [];
-    Boris, [];
-    Composed<Leapfrog, C, N>, [C: Coefficients<N>, const N: usize];
-    Composed<Boris, C, N>, [C: Coefficients<N>, const N: usize];
-    Nystrom<C, N>, [C: NystromCoefficients<N>, const N: usize];
-    ForceGradient<C, N>, [C: ForceGradientCoefficients<N>, const N: usize];
-    Adaptive<DiscreteGradient>, [];
-    Adaptive<Implicit>, [];
-    Adaptive<Boris>, [];
-    Adaptive<Composed<S, C, N>>, [S: Composable, C: Coefficients<N>, const N: usize];
-    Adaptive<Nystrom<C, N>>, [C: NystromCoefficients<N>, const N: usize];
-    Adaptive<ForceGradient<C, N>>, [C: ForceGradientCoefficients<N>, const N: usize];
-    Composed<DiscreteGradient, C, N>, [C: Coefficients<N>, const N: usize];
-    Composed<Implicit, C, N>, [C: Coefficients<N>, const N: usize];
-    Kanatani, [];
-    DiscreteGradient, [];
-    Implicit, [];
+    Leapfrog, VelocityIndependent, [];
+    CompensatedLeapfrog, VelocityIndependent, [];
+    Composed<Leapfrog, C, N>, VelocityIndependent, [C: Coefficients<N>, const N: usize];
+    Nystrom<C, N>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
+    ForceGradient<C, N>, VelocityIndependent, [C: ForceGradientCoefficients<N>, const N: usize];
+    Kanatani, VelocityIndependent, [];
+    Boris, LinearInVelocity, [];
+    Composed<Boris, C, N>, LinearInVelocity, [C: Coefficients<N>, const N: usize];
+    Explicit, Sized, [];
+    Implicit, Sized, [];
+    Composed<Implicit, C, N>, Sized, [C: Coefficients<N>, const N: usize];
+    DiscreteGradient, Sized, [];
+    Composed<DiscreteGradient, C, N>, Sized, [C: Coefficients<N>, const N: usize];
+    Adaptive<Composed<Leapfrog, C, N>>, VelocityIndependent, [C: Coefficients<N>, const N: usize];
+    Adaptive<Nystrom<C, N>>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
+    Adaptive<ForceGradient<C, N>>, VelocityIndependent, [C: ForceGradientCoefficients<N>, const N: usize];
+    Adaptive<Boris>, LinearInVelocity, [];
+    Adaptive<Composed<Boris, C, N>>, LinearInVelocity, [C: Coefficients<N>, const N: usize];
+    Adaptive<Implicit>, Sized, [];
+    Adaptive<Composed<Implicit, C, N>>, Sized, [C: Coefficients<N>, const N: usize];
+    Adaptive<DiscreteGradient>, Sized, [];
+    Adaptive<Composed<DiscreteGradient, C, N>>, Sized, [C: Coefficients<N>, const N: usize];
 }
 
-// The stages of Gauss fill the lanes themselves.
+// The stages of these fill the lanes themselves.
 ride! {
     alone:
-    Gauss, [];
-    LineIntegral<N>, [const N: usize];
-    Relaxed<C, N>, [C: NystromCoefficients<N>, const N: usize];
-    Adaptive<Gauss>, [];
-    Adaptive<LineIntegral<N>>, [const N: usize];
+    Gauss, AtStages<D, f64>, [];
+    LineIntegral<N>, AtStages<D, f64>, [const N: usize];
+    Relaxed<C, N>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
+    Adaptive<Gauss>, AtStages<D, f64>, [];
+    Adaptive<LineIntegral<N>>, AtStages<D, f64>, [const N: usize];
 }

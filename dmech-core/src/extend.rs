@@ -125,6 +125,8 @@ pub use crate::ensemble::{Block, Checksum, Each, InLanes, Outcome, Ride, Rides, 
 #[cfg(feature = "serde")]
 pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};
+#[cfg(feature = "store")]
+pub use crate::error::{Reach, StoreError};
 pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;

@@ -4,9 +4,13 @@ mod lanes;
 mod rides;
 mod run;
 mod share;
+#[cfg(feature = "store")]
+mod store;
 
 use core::num::NonZero;
 use core::ops::Range;
+#[cfg(feature = "store")]
+use std::path::PathBuf;
 use std::thread::available_parallelism;
 use std::time::Instant;
 
@@ -16,7 +20,7 @@ pub use run::{Checksum, EnsembleRun};
 
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Attend, Simulation};
+use crate::run::{Attend, Follow, Shown, Simulation};
 use crate::scheme::{Adaptable, Adaptive, NoScheme, Scheme};
 use crate::setup::Setup;
 use crate::span::Span;
@@ -64,6 +68,16 @@ pub struct Ensemble<L = (), X = (), S = NoScheme, M = fn(usize) -> f64> {
     common: Simulation<(), (), S>,
     members: usize,
     hands: Hands,
+    beside: Beside,
+}
+
+/// What there is beside the motions.
+#[derive(Clone, Debug, Default)]
+struct Beside {
+    shown: Shown,
+    /// Where the members are kept.
+    #[cfg(feature = "store")]
+    path: Option<PathBuf>,
 }
 
 /// Who does the work.
@@ -94,7 +108,7 @@ impl Ensemble {
     /// So many members, of a law and a start for each.
     pub fn of(members: usize) -> Self {
         let common = Simulation::of((), ());
-        Ensemble { law: (), start: (), mass: |_| 1.0, common, members, hands: Hands::ALL }
+        Ensemble { law: (), start: (), mass: |_| 1.0, common, members, hands: Hands::ALL, beside: Beside::default() }
     }
 
     /// So many simulations of any kind, each moved alone, over all cores: scenes, events, observers. What they record is kept.
@@ -109,8 +123,8 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     where
         F: Fn(usize) -> Y + Sync,
     {
-        let Ensemble { start, mass, common, members, hands, .. } = self;
-        Ensemble { law, start, mass, common, members, hands }
+        let Ensemble { start, mass, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, common, members, hands, beside }
     }
 
     /// The start of each member, by its number.
@@ -118,8 +132,8 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     where
         F: Fn(usize) -> State<D> + Sync,
     {
-        let Ensemble { law, mass, common, members, hands, .. } = self;
-        Ensemble { law, start, mass, common, members, hands }
+        let Ensemble { law, mass, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, common, members, hands, beside }
     }
 
     /// The mass of each member, by its number (default 1).
@@ -127,13 +141,13 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     where
         F: Fn(usize) -> f64 + Sync,
     {
-        let Ensemble { law, start, common, members, hands, .. } = self;
-        Ensemble { law, start, mass, common, members, hands }
+        let Ensemble { law, start, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, common, members, hands, beside }
     }
 
     fn common<T>(self, set: impl FnOnce(Simulation<(), (), S>) -> Simulation<(), (), T>) -> Ensemble<L, X, T, M> {
-        let Ensemble { law, start, mass, common, members, hands } = self;
-        Ensemble { law, start, mass, common: set(common), members, hands }
+        let Ensemble { law, start, mass, common, members, hands, beside } = self;
+        Ensemble { law, start, mass, common: set(common), members, hands, beside }
     }
 
     /// The scheme of all.
@@ -251,9 +265,21 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
         Y: Fields<D>,
         S: Rides<Y, D> + Sync,
     {
-        let Ensemble { law, start, mass, common, members, hands } = self;
+        let Ensemble { law, start, mass, common, members, hands, beside } = self;
         common.step_length::<f64>()?;
         let member = |k: usize| common.clone().moving(law(k), start(k)).mass(mass(k));
+        let mut follow = Follow::new(beside.shown, members as u64);
+        #[cfg(feature = "store")]
+        if let Some(path) = &beside.path {
+            let plan = store::Plan { members, member: &member, common: &common, span };
+            let (mut done, mut see) = (0, see);
+            let outcome = store::go(path, &plan, hands, &mut follow, |k, outcome| {
+                done = k as u64 + 1;
+                see(k, outcome);
+            });
+            follow.end(done, outcome.is_ok());
+            return outcome;
+        }
         let block = |members| S::ride(&Block { members, member: &member, span, lanes: hands.lanes });
         let mut k = 0;
         hands.share(members, block, |outcomes| {
@@ -261,7 +287,9 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
                 see(k, outcome);
                 k += 1;
             }
+            follow.look(k as u64);
         });
+        follow.end(members as u64, true);
         Ok(())
     }
 }

@@ -121,7 +121,7 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
-pub use crate::ensemble::{Block, Checksum, Each, InLanes, Outcome, Ride, Rides, Together};
+pub use crate::ensemble::{Block, Checksum, Each, End, InLanes, Outcome, Ride, Rides, Together};
 #[cfg(feature = "serde")]
 pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};

@@ -1,9 +1,12 @@
 //! Many motions of one law.
 
+mod export;
 mod lanes;
 mod rides;
 mod run;
 mod share;
+#[cfg(feature = "progress")]
+mod shown;
 #[cfg(feature = "store")]
 mod store;
 
@@ -14,6 +17,7 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 use std::time::Instant;
 
+pub use export::End;
 pub use lanes::{Ride, Together};
 pub use rides::{Block, InLanes, Outcome, Rides};
 pub use run::{Checksum, EnsembleRun};

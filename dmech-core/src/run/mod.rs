@@ -38,6 +38,8 @@ pub use report::Report;
 pub(crate) use report::Work;
 #[cfg(feature = "store")]
 pub(crate) use restored::Restored;
+#[cfg(feature = "progress")]
+pub(crate) use shown::bar;
 pub(crate) use simulation::Prepared;
 pub use simulation::{Attended, Simulation};
 pub use stream::{Csv, Npy, Sink, Stream};

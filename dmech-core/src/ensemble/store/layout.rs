@@ -65,7 +65,7 @@ impl Layout {
         match table {
             "member" => format!("k, {}, acts, bits, seal", list(&self.member())),
             "last" => format!("k, failed, {}, {LAST}", list(&self.state())),
-            "drift" => format!("k, number, {DRIFT}, bits, invariant, max_relative, slope"),
+            "drift" => format!("k, number, {DRIFT}, bits, max_relative, slope, invariant"),
             _ => format!("k, n, {}, bits", list(&self.state())),
         }
     }

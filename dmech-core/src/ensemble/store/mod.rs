@@ -1,11 +1,14 @@
 //! Ensembles that are kept in a database, member by member, and go on from it.
 
+mod kept;
 mod layout;
 mod moving;
 mod record;
 mod set_up;
 mod settings;
 mod table;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 

@@ -97,11 +97,11 @@ impl<'a> Members<'a> {
             row.count(number as u64)?;
             row.numbers(&fields)?;
             row.bits(&fields)?;
+            row.numbers(&[drift.max_relative(), drift.slope()])?;
             match Invariant::ALL.get(number) {
                 Some(invariant) => row.put(invariant.to_string())?,
                 None => row.put(self.own.get(number - KNOWN))?,
             }
-            row.numbers(&[drift.max_relative(), drift.slope()])?;
             row.end()?;
         }
         for (n, state) in run.states.iter().enumerate() {
@@ -191,7 +191,12 @@ fn drift_of(row: &mut Reader<'_>) -> Option<(usize, Drift)> {
     let mut fields = [0.0; 8];
     row.numbers(&mut fields)?;
     row.bits(&mut fields)?;
-    Some((number, Drift::by_field(|i| fields[i])))
+    let (drift, mut shown) = (Drift::by_field(|i| fields[i]), [0.0; 2]);
+    row.numbers(&mut shown)?;
+    // What is there for people is not read, but must not tell them something else.
+    let agree = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
+    let agrees = agree(shown[0], drift.max_relative()) && agree(shown[1], drift.slope());
+    agrees.then_some((number, drift))
 }
 
 fn recorded<const D: usize>(row: &mut Reader<'_>) -> Option<State<D>> {

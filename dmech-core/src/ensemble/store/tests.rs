@@ -6,7 +6,7 @@ use super::kept::Store;
 use super::{Plan, go};
 use crate::ensemble::{Block, Checksum, Hands, Outcome, Rides};
 use crate::error::{Error, StoreError};
-use crate::law::{Conservative, Fields, Potential};
+use crate::law::{Conservative, Field, Fields, Potential};
 use crate::run::{Follow, Shown, Simulation};
 use crate::scheme::Leapfrog;
 use crate::span::Span;
@@ -19,6 +19,7 @@ struct Spring<R = f64> {
 }
 
 impl<R: Real> Conservative for Spring<R> {}
+impl<R: Real> Field<1, R> for Spring<R> {}
 
 impl<R: Real> Potential<1, R> for Spring<R> {
     fn potential(&self, [x]: [R; 1]) -> R {

@@ -96,9 +96,12 @@ fn a_bar_counts_members() {
     let file = std::env::temp_dir().join(format!("dmech-bar-{}.sqlite", std::process::id()));
     let _ = std::fs::remove_file(&file);
     let quiet = ensemble().run(20).unwrap().checksum();
-    let bars = [hidden(), hidden(), hidden()];
+    let bars = [hidden(), hidden(), hidden(), hidden()];
+    let each = |k| Simulation::new(Orbit::member(k), Orbit::start(k)).scheme(Leapfrog).dt(0.01);
+    let each = Ensemble::each(100, each).with_progress_bar(bars[3].clone());
+    assert_eq!(each.run(20).unwrap().checksum(), quiet);
     assert_eq!(ensemble().with_progress_bar(bars[0].clone()).run(20).unwrap().checksum(), quiet);
-    for bar in &bars[1..] {
+    for bar in &bars[1..3] {
         let kept = ensemble().with_progress_bar(bar.clone()).store(&file);
         assert_eq!(kept.run(20).unwrap().checksum(), quiet);
     }

@@ -117,7 +117,7 @@ impl Ensemble {
 
     /// So many simulations of any kind, each moved alone, over all cores: scenes, events, observers. What they record is kept.
     pub fn each<F>(members: usize, member: F) -> Each<F> {
-        Each { member, members, hands: Hands::ALL }
+        Each { member, members, hands: Hands::ALL, shown: Shown::default() }
     }
 }
 
@@ -305,6 +305,7 @@ pub struct Each<F> {
     member: F,
     members: usize,
     hands: Hands,
+    shown: Shown,
 }
 
 impl<F> Each<F> {
@@ -348,10 +349,15 @@ impl<F> Each<F> {
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
-        let Each { member, members, hands } = self;
+        let Each { member, members, hands, shown } = self;
         let (clock, mut all) = (Instant::now(), Vec::with_capacity(members));
+        let mut follow = Follow::new(shown, members as u64);
         let block = |members: Range<usize>| members.map(|k| member(k).record(span)).collect::<Vec<_>>();
-        hands.share(members, block, |outcomes| all.extend(outcomes));
+        hands.share(members, block, |outcomes| {
+            all.extend(outcomes);
+            follow.look(all.len() as u64);
+        });
+        follow.end(members as u64, true);
         EnsembleRun::new(all, clock.elapsed())
     }
 }

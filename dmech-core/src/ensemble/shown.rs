@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use indicatif::ProgressBar;
 
-use super::{Beside, Ensemble};
+use super::{Beside, Each, Ensemble};
 use crate::run::{Shown, bar};
 
 impl<L, X, S, M> Ensemble<L, X, S, M> {
@@ -20,5 +20,17 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     pub fn with_progress_bar(self, bar: ProgressBar) -> Self {
         let shown = Shown { bar: Some(bar) };
         Ensemble { beside: Beside { shown, ..self.beside }, ..self }
+    }
+}
+
+impl<F> Each<F> {
+    /// Shows a bar on the standard error, as [`Ensemble::with_progress`].
+    pub fn with_progress(self, title: impl Into<Cow<'static, str>>) -> Self {
+        self.with_progress_bar(bar("members").with_message(title))
+    }
+
+    /// The same with a bar of one's own.
+    pub fn with_progress_bar(self, bar: ProgressBar) -> Self {
+        Each { shown: Shown { bar: Some(bar) }, ..self }
     }
 }

@@ -229,7 +229,8 @@
 //! | `serde` | no | `Checkpoint`: runs that are saved and resumed bit for bit |
 //! | `approx` | no | states and drifts in `assert_abs_diff_eq!` and its kin |
 //! | `nalgebra` | no | states, gradients and Hessians as its vectors and matrices |
-//! | `progress` | no | `Simulation::with_progress`: a bar on the terminal during long runs, through indicatif |
+//! | `progress` | no | `Simulation::with_progress`, `Ensemble::with_progress`: a bar on the terminal during long runs, through indicatif |
+//! | `store` | no | `Ensemble::store`: a sweep in a database of SQLite, which goes on from it bit for bit after it was killed; SQLite comes along |
 #![forbid(unsafe_code)]
 
 pub use dmech_macros::{Law, law};
@@ -240,6 +241,9 @@ pub mod models;
 #[cfg(feature = "serde")]
 #[doc(inline)]
 pub use dmech_core::Checkpoint;
+#[cfg(feature = "store")]
+#[doc(inline)]
+pub use dmech_core::StoreError;
 #[doc(inline)]
 pub use dmech_core::{
     Conservative, Crossing, Csv, Derivation, DoubleDouble, Drift, Ensemble, EnsembleRun, Error, Event, Force,

@@ -121,10 +121,12 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
-pub use crate::ensemble::{Block, Checksum, Each, InLanes, NoLaw, NoStart, Outcome, Ride, Rides, Together};
+pub use crate::ensemble::{Block, Checksum, Each, End, InLanes, NoLaw, NoStart, Outcome, Ride, Rides, Together};
 #[cfg(feature = "serde")]
 pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};
+#[cfg(feature = "store")]
+pub use crate::error::{Reach, StoreError};
 pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;

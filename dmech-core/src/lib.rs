@@ -44,6 +44,8 @@ pub use ensemble::{Ensemble, EnsembleRun};
 pub use error::Difference;
 #[cfg(feature = "scene")]
 pub use error::SceneError;
+#[cfg(feature = "store")]
+pub use error::StoreError;
 pub use error::{Disagreement, Error, Place};
 pub use invariant::{Drift, Invariant, Kept};
 pub use law::{

@@ -16,7 +16,7 @@ fn part(k: usize, of: f64) -> f64 {
 macro_rules! many {
     ($name:ident { $($field:ident: $value:expr),* }, $d:literal, |$k:ident| [$q:expr, $v:expr]; $($block:tt)*) => {
         #[derive(Clone, Copy)]
-        pub(crate) struct $name { $($field: f64),* }
+        pub(crate) struct $name { $(pub(crate) $field: f64),* }
 
         #[dmech::law]
         $($block)*

@@ -4,3 +4,4 @@ mod as_alone;
 mod edges;
 mod laws;
 mod output;
+mod store;

@@ -61,3 +61,56 @@ fn a_checksum_sees_a_bit() {
     let sums: std::collections::BTreeSet<u64> = (0..=20).map(run).collect();
     assert_eq!(sums.len(), 21);
 }
+
+/// A row for each member, as text and for NumPy; NaN of one that failed.
+#[test]
+fn members_are_written_as_a_table() {
+    let start = |k: usize| if k == 5 { State::new([0.0; 2], [0.0; 2]) } else { Orbit::start(k) };
+    let run = Ensemble::of(12).law(Orbit::member).start(start).scheme(Leapfrog).dt(0.01).run(30).unwrap();
+    let (mut csv, mut npy) = (Vec::new(), std::io::Cursor::new(Vec::new()));
+    run.write(Csv::new(&mut csv)).unwrap();
+    run.write(Npy::new(&mut npy)).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    let (head, rows) = csv.split_once('\n').unwrap();
+    assert_eq!((head, rows.lines().count()), ("k,t,q0,q1,v0,v1", 12));
+    let npy = npy.into_inner();
+    assert!(npy[..128].windows(7).any(|shape| shape == b"(12, 6)"));
+    let numbers: Vec<f64> = npy[128..].chunks(8).map(|x| f64::from_le_bytes(x.try_into().unwrap())).collect();
+    assert_eq!(numbers.len(), 12 * 6);
+    for (k, (row, numbers)) in rows.lines().zip(numbers.chunks(6)).enumerate() {
+        let read: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
+        assert_eq!(format!("{read:?}"), format!("{numbers:?}"));
+        match run.last(k) {
+            Ok(last) => assert_eq!(read, [k as f64, last.t, last.q[0], last.q[1], last.v[0], last.v[1]]),
+            Err(_) => assert!(k == 5 && read[0] == 5.0 && read[1..].iter().all(|x| x.is_nan())),
+        }
+    }
+    assert_eq!(run.failures().count(), 1);
+}
+
+/// A bar counts members, also where some are in a store.
+#[test]
+fn a_bar_counts_members() {
+    let hidden = || indicatif::ProgressBar::with_draw_target(None, indicatif::ProgressDrawTarget::hidden());
+    let ensemble = || Ensemble::of(100).law(Orbit::member).start(Orbit::start).scheme(Leapfrog).dt(0.01);
+    let file = std::env::temp_dir().join(format!("dmech-bar-{}.sqlite", std::process::id()));
+    let _ = std::fs::remove_file(&file);
+    let quiet = ensemble().run(20).unwrap().checksum();
+    let bars = [hidden(), hidden(), hidden(), hidden()];
+    let each = |k| Simulation::new(Orbit::member(k), Orbit::start(k)).scheme(Leapfrog).dt(0.01);
+    let each = Ensemble::each(100, each).with_progress_bar(bars[3].clone());
+    assert_eq!(each.run(20).unwrap().checksum(), quiet);
+    assert_eq!(ensemble().with_progress_bar(bars[0].clone()).run(20).unwrap().checksum(), quiet);
+    for bar in &bars[1..3] {
+        let kept = ensemble().with_progress_bar(bar.clone()).store(&file);
+        assert_eq!(kept.run(20).unwrap().checksum(), quiet);
+    }
+    let refused = hidden();
+    ensemble().with_progress_bar(refused.clone()).store(&file).run(21).unwrap_err();
+    std::fs::remove_file(&file).unwrap();
+    for bar in bars {
+        assert_eq!((bar.length(), bar.position(), bar.is_finished()), (Some(100), 100, true));
+    }
+    assert_eq!((refused.position(), refused.is_finished()), (0, true));
+    assert_eq!(ensemble().with_progress("orbits").run(20).unwrap().checksum(), quiet);
+}

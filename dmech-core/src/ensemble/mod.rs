@@ -1,16 +1,24 @@
 //! Many motions of one law.
 
+mod export;
 mod lanes;
 mod rides;
 mod run;
 mod share;
+#[cfg(feature = "progress")]
+mod shown;
 mod steps;
+#[cfg(feature = "store")]
+mod store;
 
 use core::num::NonZero;
 use core::ops::Range;
+#[cfg(feature = "store")]
+use std::path::PathBuf;
 use std::thread::available_parallelism;
 use std::time::Instant;
 
+pub use export::End;
 pub use lanes::{Ride, Together};
 pub use rides::{Block, Outcome, Rides};
 pub use run::{Checksum, EnsembleRun};
@@ -18,7 +26,7 @@ pub use steps::InLanes;
 
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Attend, Simulation};
+use crate::run::{Attend, Follow, Shown, Simulation};
 use crate::scheme::{Adaptable, Adaptive, NoScheme, Scheme};
 use crate::setup::Setup;
 use crate::span::Span;
@@ -67,6 +75,16 @@ pub struct Ensemble<L = NoLaw, X = NoStart, S = NoScheme, M = fn(usize) -> f64> 
     common: Simulation<(), (), S>,
     members: usize,
     hands: Hands,
+    beside: Beside,
+}
+
+/// What there is beside the motions.
+#[derive(Clone, Debug, Default)]
+struct Beside {
+    shown: Shown,
+    /// Where the members are kept.
+    #[cfg(feature = "store")]
+    path: Option<PathBuf>,
 }
 
 /// In the type of an ensemble that was given no law: call `.law(|k| …)`.
@@ -105,12 +123,20 @@ impl Ensemble {
     /// So many members, of a law and a start for each.
     pub fn of(members: usize) -> Self {
         let common = Simulation::of((), ());
-        Ensemble { law: NoLaw, start: NoStart, mass: |_| 1.0, common, members, hands: Hands::ALL }
+        Ensemble {
+            law: NoLaw,
+            start: NoStart,
+            mass: |_| 1.0,
+            common,
+            members,
+            hands: Hands::ALL,
+            beside: Beside::default(),
+        }
     }
 
     /// So many simulations of any kind, each moved alone, over all cores: scenes, events, observers. What they record is kept.
     pub fn each<F>(members: usize, member: F) -> Each<F> {
-        Each { member, members, hands: Hands::ALL }
+        Each { member, members, hands: Hands::ALL, shown: Shown::default() }
     }
 }
 
@@ -120,8 +146,8 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     where
         F: Fn(usize) -> Y + Sync,
     {
-        let Ensemble { start, mass, common, members, hands, .. } = self;
-        Ensemble { law, start, mass, common, members, hands }
+        let Ensemble { start, mass, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, common, members, hands, beside }
     }
 
     /// The start of each member, by its number.
@@ -129,8 +155,8 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     where
         F: Fn(usize) -> State<D> + Sync,
     {
-        let Ensemble { law, mass, common, members, hands, .. } = self;
-        Ensemble { law, start, mass, common, members, hands }
+        let Ensemble { law, mass, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, common, members, hands, beside }
     }
 
     /// The mass of each member, by its number (default 1).
@@ -138,13 +164,13 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     where
         F: Fn(usize) -> f64 + Sync,
     {
-        let Ensemble { law, start, common, members, hands, .. } = self;
-        Ensemble { law, start, mass, common, members, hands }
+        let Ensemble { law, start, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, common, members, hands, beside }
     }
 
     fn common<T>(self, set: impl FnOnce(Simulation<(), (), S>) -> Simulation<(), (), T>) -> Ensemble<L, X, T, M> {
-        let Ensemble { law, start, mass, common, members, hands } = self;
-        Ensemble { law, start, mass, common: set(common), members, hands }
+        let Ensemble { law, start, mass, common, members, hands, beside } = self;
+        Ensemble { law, start, mass, common: set(common), members, hands, beside }
     }
 
     /// The scheme of all.
@@ -262,9 +288,21 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
         Y: Fields<D>,
         S: Rides<Y, D> + Sync,
     {
-        let Ensemble { law, start, mass, common, members, hands } = self;
+        let Ensemble { law, start, mass, common, members, hands, beside } = self;
         common.step_length::<f64>()?;
         let member = |k: usize| common.clone().moving(law(k), start(k)).mass(mass(k));
+        let mut follow = Follow::new(beside.shown, members as u64);
+        #[cfg(feature = "store")]
+        if let Some(path) = &beside.path {
+            let plan = store::Plan { members, member: &member, common: &common, span };
+            let (mut done, mut see) = (0, see);
+            let outcome = store::go(path, &plan, hands, &mut follow, |k, outcome| {
+                done = k as u64 + 1;
+                see(k, outcome);
+            });
+            follow.end(done, outcome.is_ok());
+            return outcome;
+        }
         let block = |members| S::ride(&Block { members, member: &member, span, lanes: hands.lanes });
         let mut k = 0;
         hands.share(members, block, |outcomes| {
@@ -272,7 +310,9 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
                 see(k, outcome);
                 k += 1;
             }
+            follow.look(k as u64);
         });
+        follow.end(members as u64, true);
         Ok(())
     }
 }
@@ -284,6 +324,7 @@ pub struct Each<F> {
     member: F,
     members: usize,
     hands: Hands,
+    shown: Shown,
 }
 
 impl<F> Each<F> {
@@ -327,10 +368,15 @@ impl<F> Each<F> {
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
-        let Each { member, members, hands } = self;
+        let Each { member, members, hands, shown } = self;
         let (clock, mut all) = (Instant::now(), Vec::with_capacity(members));
+        let mut follow = Follow::new(shown, members as u64);
         let block = |members: Range<usize>| members.map(|k| member(k).record(span)).collect::<Vec<_>>();
-        hands.share(members, block, |outcomes| all.extend(outcomes));
+        hands.share(members, block, |outcomes| {
+            all.extend(outcomes);
+            follow.look(all.len() as u64);
+        });
+        follow.end(members as u64, true);
         EnsembleRun::new(all, clock.elapsed())
     }
 }

@@ -6,6 +6,8 @@ mod disagreement;
 mod place;
 #[cfg(feature = "scene")]
 mod scene;
+#[cfg(feature = "store")]
+mod store;
 #[cfg(test)]
 mod tests;
 
@@ -16,6 +18,8 @@ pub use disagreement::Disagreement;
 pub use place::Place;
 #[cfg(feature = "scene")]
 pub use scene::SceneError;
+#[cfg(feature = "store")]
+pub use store::{Reach, StoreError};
 
 use thiserror::Error;
 
@@ -264,6 +268,10 @@ pub enum Error {
     #[cfg(feature = "serde")]
     #[error("cannot resume: {0}")]
     Checkpoint(Difference),
+    /// The store of an ensemble (feature `store`).
+    #[cfg(feature = "store")]
+    #[error("the store of the ensemble: {0}")]
+    Store(#[from] StoreError),
 }
 
 /// What is wrong between two bodies.

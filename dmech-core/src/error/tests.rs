@@ -59,6 +59,18 @@ fn all(x: f64) -> Vec<Error> {
         ];
         all.extend(differences.map(Error::Checkpoint));
     }
+    #[cfg(feature = "store")]
+    {
+        use crate::error::{Reach, StoreError};
+        let (store, here, column) = (x, x, crate::name::Name::of(&["law_gm"]));
+        let differences = [
+            StoreError::Tolerance { store, here },
+            StoreError::TimeStep { store, here },
+            StoreError::Reach { store: Reach::Until(x), here: Reach::Steps(7) },
+            StoreError::Member { member: 3, column, store, here },
+        ];
+        all.extend(differences.map(Error::Store));
+    }
     for place in [Place::new(&[x]), Place::new(&[x; 2]), Place::new(&[x; 5])] {
         all.push(Error::Body { body, value, place, step, time });
         all.push(Error::LawInStep { quantity, value, place, step, time, dt });
@@ -79,6 +91,8 @@ fn listed(error: &Error) -> bool {
         Scene(_) => true,
         #[cfg(feature = "serde")]
         Checkpoint(_) => true,
+        #[cfg(feature = "store")]
+        Store(_) => true,
         // It tells in words of its own.
         NotAsWritten(_) => false,
     }
@@ -96,6 +110,7 @@ fn numbers_in_messages_have_few_digits() {
         assert!(longest(&text) <= 17, "{text}");
         numbers += text.matches("2.5").count();
     }
+    let store = if cfg!(feature = "store") { 7 } else { 0 };
     let scene = if cfg!(feature = "scene") { 4 } else { 0 };
-    assert_eq!(numbers, 3 * (58 + scene + if cfg!(feature = "serde") { 6 } else { 0 }));
+    assert_eq!(numbers, 3 * (58 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
 }

@@ -13,6 +13,8 @@ mod passage;
 mod progress;
 mod quantity;
 mod report;
+#[cfg(feature = "store")]
+mod restored;
 #[cfg(feature = "progress")]
 mod shown;
 mod simulation;
@@ -29,8 +31,15 @@ pub use interrupted::Interrupted;
 pub(crate) use motion::Log;
 pub use observe::Observer;
 pub use passage::Passage;
+pub(crate) use progress::{Follow, Shown};
 pub use quantity::Quantity;
 pub use report::Report;
+#[cfg(feature = "store")]
+pub(crate) use report::Work;
+#[cfg(feature = "store")]
+pub(crate) use restored::Restored;
+#[cfg(feature = "progress")]
+pub(crate) use shown::bar;
 pub(crate) use simulation::Prepared;
 pub use simulation::{Attended, Simulation};
 pub use stream::{Csv, Npy, Sink, Stream};
@@ -39,6 +48,7 @@ pub use watch::Watch;
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
 use crate::method::Method;
+#[cfg(not(feature = "store"))]
 use report::Work;
 
 /// The recorded states of a simulation, what it kept and what it cost.

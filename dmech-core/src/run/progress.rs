@@ -32,6 +32,16 @@ impl Follow {
         u64::MAX
     }
 
+    /// So many were made before, at no cost: nothing is learned from them of the time that is left.
+    #[cfg(feature = "store")]
+    #[cfg_attr(not(feature = "progress"), expect(unused_variables, reason = "nothing is shown"))]
+    pub(crate) fn pass(&mut self, steps: u64) {
+        #[cfg(feature = "progress")]
+        if let Some(bar) = &mut self.bar {
+            bar.pass(steps);
+        }
+    }
+
     /// The run ended after its last step, or before.
     #[cfg_attr(not(feature = "progress"), expect(unused_variables, reason = "nothing is shown"))]
     pub(crate) fn end(self, steps: u64, complete: bool) {
@@ -84,6 +94,12 @@ mod bar {
             self.glanced = now;
             self.bar.set_position(steps);
             self.stride
+        }
+
+        #[cfg(feature = "store")]
+        pub(super) fn pass(&mut self, steps: u64) {
+            self.bar.set_position(steps);
+            self.bar.reset_eta();
         }
 
         pub(super) fn end(self, steps: u64, complete: bool) {

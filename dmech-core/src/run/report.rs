@@ -50,6 +50,11 @@ impl Report {
         self.drifts[Invariant::WorkEnergy as usize] = None;
     }
 
+    #[cfg(feature = "store")]
+    pub(crate) fn work(&self) -> Work {
+        self.work
+    }
+
     pub(crate) fn finish(&mut self, drifts: Drifts, own: OwnDrifts, work: Work) {
         self.drifts = drifts;
         self.own = own;

@@ -10,6 +10,16 @@ use super::simulation::Simulation;
 /// Drawings per second at most.
 const RATE: u8 = 4;
 
+/// A bar that counts something.
+pub(crate) fn bar(what: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr_with_hz(RATE));
+    let template = format!(
+        "{{msg}} [{{bar:40}}] {{percent:>3}} %  {{human_pos}} of {{human_len}} {what}  {{per_sec}}  {{eta}} left"
+    );
+    let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    bar.with_style(style.progress_chars("=> "))
+}
+
 impl<L, X, S, O> Simulation<L, X, S, O> {
     /// Shows a bar on the standard error while [`run`](Simulation::run) or [`run_until`](Simulation::run_until) is at
     /// work: a title, the steps, their rate and the time left, drawn four times per second at most (feature
@@ -36,10 +46,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_progress(self, title: impl Into<Cow<'static, str>>) -> Self {
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr_with_hz(RATE));
-        let template = "{msg} [{bar:40}] {percent:>3} %  {human_pos} of {human_len} steps  {per_sec}  {eta} left";
-        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-        self.with_progress_bar(bar.with_style(style.progress_chars("=> ")).with_message(title))
+        self.with_progress_bar(bar("steps").with_message(title))
     }
 
     /// The same with a bar of one's own: another style or target, or one of several in an

@@ -55,8 +55,8 @@ pub struct Simulation<L, X, S = NoScheme, O = ()> {
 /// What is said of a simulation in numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Settings {
-    mass: f64,
-    dt: Option<f64>,
+    pub(crate) mass: f64,
+    pub(crate) dt: Option<f64>,
     pub(crate) due: Due,
     pub(crate) shown: Shown,
 }

@@ -1,0 +1,130 @@
+//! A store that is open: what is read from it and written to it.
+
+use core::ops::Range;
+use std::path::Path;
+use std::time::Duration;
+
+use rusqlite::types::Value;
+use rusqlite::{Connection, OpenFlags};
+
+use super::layout::Layout;
+use super::record::{Members, read};
+use super::set_up::Plan;
+use super::settings::set;
+use crate::ensemble::{Checksum, Outcome, Rides};
+use crate::error::{Error, StoreError};
+use crate::law::Fields;
+use crate::state::State;
+
+/// How long somebody else who writes is waited for.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// The smallest page of a database, in bytes.
+const SMALLEST: u64 = 512;
+
+/// A store that is open.
+pub(super) struct Store {
+    pub(super) database: Connection,
+    layout: Layout,
+    /// The names of the law's own invariants.
+    own: &'static [&'static str],
+}
+
+impl Store {
+    /// Opens the store of an ensemble, or makes it.
+    pub(super) fn open<L, S, const D: usize>(path: &Path, plan: &Plan<'_, L, S, D>) -> Result<Self, StoreError>
+    where
+        L: Fields<D>,
+        S: Rides<L, D>,
+    {
+        // SQLite takes the beginning of a database for an empty one.
+        let length = std::fs::metadata(path).map_or(0, |file| file.len());
+        if (1..SMALLEST).contains(&length) {
+            return Err(StoreError::NotADatabase);
+        }
+        // Whatever the name, it is a path and not a URI.
+        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let database = Connection::open_with_flags(path, flags)?;
+        database.busy_timeout(PATIENCE)?;
+        let sound: String = database.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
+        if sound != "ok" {
+            return Err(StoreError::Damaged);
+        }
+        let tables: i64 = database.query_row("SELECT COUNT(*) FROM sqlite_master", [], |row| row.get(0))?;
+        let known = "SELECT COUNT(*) FROM sqlite_master WHERE name IN ('sweep', 'member', 'last', 'drift', 'state')";
+        let known: i64 = database.query_row(known, [], |row| row.get(0))?;
+        if tables > 0 && known != 5 {
+            return Err(StoreError::NotAnEnsemble);
+        }
+        // Others may read while this writes, and what is committed outlives the process. The loss of power may take the last blocks, not
+        // the file: they are moved again. Where there is no WAL, as on a network, every block waits for the disk.
+        let journal: String = database.query_row("PRAGMA journal_mode = WAL", [], |row| row.get(0))?;
+        let synchronous = if journal.eq_ignore_ascii_case("wal") { "NORMAL" } else { "FULL" };
+        database.execute_batch(&format!("PRAGMA synchronous = {synchronous}"))?;
+        let layout = plan.layout();
+        if tables > 0 {
+            plan.compare(&database, &layout)?;
+        } else {
+            plan.begin(&database, &layout)?;
+        }
+        Ok(Store { database, layout, own: L::INVARIANTS })
+    }
+
+    /// Which members are in it and did not fail.
+    pub(super) fn done(&self, members: usize) -> Result<Vec<bool>, StoreError> {
+        let mut done = vec![false; members];
+        let mut statement = self.database.prepare("SELECT k FROM last WHERE failed IS NULL")?;
+        let mut rows = statement.query([])?;
+        while let Some(row) = rows.next()? {
+            let k: i64 = row.get(0)?;
+            let place = usize::try_from(k).ok().and_then(|k| done.get_mut(k));
+            *place.ok_or(StoreError::Changed { table: "last", member: k.cast_unsigned() })? = true;
+        }
+        Ok(done)
+    }
+
+    /// Writes what was moved, and puts what was done between it.
+    pub(super) fn hand_over<L, S, const D: usize>(
+        &self,
+        plan: &Plan<'_, L, S, D>,
+        members: Range<usize>,
+        moved: Vec<(usize, Outcome<State<D>>)>,
+    ) -> Result<Vec<Outcome<State<D>>>, Error>
+    where
+        L: Fields<D>,
+        S: Rides<L, D>,
+    {
+        let mut stored = Vec::new();
+        if moved.len() < members.len() {
+            read(&self.database, &self.layout, members.clone(), |k, run| stored.push((k, run)))
+                .map_err(Error::Store)?;
+        }
+        if !moved.is_empty() {
+            self.write(&moved)?;
+        }
+        let mut moved = moved.into_iter().peekable();
+        let mut stored = stored.into_iter().peekable();
+        members
+            .map(|k| match (moved.next_if(|&(of, _)| of == k), stored.next_if(|&(of, _)| of == k)) {
+                (Some((_, outcome)), _) => Ok(outcome),
+                (None, Some((_, run))) => Ok(Ok((plan.member)(k).restore(run)?)),
+                (None, None) => Err(Error::Store(StoreError::Changed { table: "last", member: k as u64 })),
+            })
+            .collect()
+    }
+
+    /// Writes members, all of them or none.
+    fn write<const D: usize>(&self, moved: &[(usize, Outcome<State<D>>)]) -> Result<(), StoreError> {
+        let transaction = self.database.unchecked_transaction()?;
+        let mut members = Members::new(&self.database, &self.layout, self.own)?;
+        moved.iter().try_for_each(|(k, member)| members.write(*k, member))?;
+        drop(members);
+        Ok(transaction.commit()?)
+    }
+
+    /// Adds the checksum of the results.
+    pub(super) fn close(self, sum: Checksum) -> Result<(), StoreError> {
+        set(&self.database, "checksum", &Value::Text(format!("{:016x}", sum.value())))?;
+        self.database.close().map_err(|(_, error)| error.into())
+    }
+}

@@ -1,0 +1,123 @@
+//! Rows of numbers that come back to the bit.
+
+use rusqlite::types::ValueRef;
+use rusqlite::{CachedStatement, Connection, Row, ToSql};
+
+use crate::ensemble::Checksum;
+use crate::error::StoreError;
+
+/// What a checksum says of a row.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Seal(Checksum);
+
+impl Seal {
+    /// Takes in a whole number.
+    pub(super) fn count(&mut self, n: u64) {
+        self.0.word(n);
+    }
+
+    /// Takes in numbers, by their bits.
+    pub(super) fn numbers(&mut self, numbers: &[f64]) {
+        numbers.iter().for_each(|x| self.0.word(x.to_bits()));
+    }
+
+    /// As SQLite counts.
+    pub(super) fn value(self) -> i64 {
+        self.0.value().cast_signed()
+    }
+}
+
+/// NaN is NULL in SQLite, and −0 may become 0.
+fn is_lost(x: f64) -> bool {
+    x.is_nan() || (x == 0.0 && x.is_sign_negative())
+}
+
+/// A row that is written from left to right.
+pub(super) struct Writer<'a> {
+    statement: CachedStatement<'a>,
+    column: usize,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(database: &'a Connection, insert: &str) -> Result<Self, StoreError> {
+        Ok(Writer { statement: database.prepare_cached(insert)?, column: 0 })
+    }
+
+    pub(super) fn put(&mut self, value: impl ToSql) -> Result<(), StoreError> {
+        self.column += 1;
+        Ok(self.statement.raw_bind_parameter(self.column, value)?)
+    }
+
+    /// Counts above 2⁶³ keep their bits.
+    pub(super) fn count(&mut self, n: u64) -> Result<(), StoreError> {
+        self.put(n.cast_signed())
+    }
+
+    pub(super) fn numbers(&mut self, numbers: &[f64]) -> Result<(), StoreError> {
+        numbers.iter().try_for_each(|x| self.put(x))
+    }
+
+    /// The numbers once more, if SQLite would not give them back.
+    pub(super) fn bits(&mut self, numbers: &[f64]) -> Result<(), StoreError> {
+        let any = numbers.iter().any(|&x| is_lost(x));
+        self.put(any.then(|| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>()))
+    }
+
+    pub(super) fn end(&mut self) -> Result<(), StoreError> {
+        self.column = 0;
+        self.statement.raw_execute()?;
+        Ok(())
+    }
+}
+
+/// A row that is read from left to right.
+pub(super) struct Reader<'a> {
+    row: &'a Row<'a>,
+    column: usize,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn new(row: &'a Row<'a>) -> Self {
+        Reader { row, column: 0 }
+    }
+
+    fn next(&mut self) -> Option<ValueRef<'a>> {
+        self.column += 1;
+        self.row.get_ref(self.column - 1).ok()
+    }
+
+    /// A whole number; none where something else stands.
+    pub(super) fn count(&mut self) -> Option<u64> {
+        if let ValueRef::Integer(n) = self.next()? { Some(n.cast_unsigned()) } else { None }
+    }
+
+    /// Whether there is something.
+    pub(super) fn is_some(&mut self) -> Option<bool> {
+        Some(!matches!(self.next()?, ValueRef::Null))
+    }
+
+    /// Numbers, as far as SQLite keeps them.
+    pub(super) fn numbers(&mut self, numbers: &mut [f64]) -> Option<()> {
+        for x in numbers {
+            *x = match self.next()? {
+                ValueRef::Real(x) => x,
+                ValueRef::Null => f64::NAN,
+                _ => return None,
+            };
+        }
+        Some(())
+    }
+
+    /// The same numbers once more, if they were written so.
+    pub(super) fn bits(&mut self, numbers: &mut [f64]) -> Option<()> {
+        match self.next()? {
+            ValueRef::Null => Some(()),
+            ValueRef::Blob(bytes) if bytes.len() == 8 * numbers.len() => {
+                let (eights, _) = bytes.as_chunks();
+                numbers.iter_mut().zip(eights).for_each(|(x, &eight)| *x = f64::from_le_bytes(eight));
+                Some(())
+            }
+            _ => None,
+        }
+    }
+}

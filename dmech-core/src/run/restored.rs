@@ -1,0 +1,47 @@
+//! Runs that were made before, put together again.
+
+use super::report::Work;
+use super::{Run, Simulation};
+use crate::error::Error;
+use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
+use crate::scheme::Scheme;
+use crate::setup::Setup;
+use crate::system::System;
+
+/// What a run does not have of its simulation.
+#[derive(Clone, Debug)]
+pub(crate) struct Restored<X> {
+    pub(crate) last: X,
+    pub(crate) states: Vec<X>,
+    pub(crate) drifts: Drifts,
+    pub(crate) own: [Option<Drift>; MAX_OWN],
+    pub(crate) work: Work,
+}
+
+impl<X: Clone> Run<X> {
+    /// The same of a run.
+    pub(crate) fn to_restore(&self) -> Restored<X> {
+        let mut own = [None; MAX_OWN];
+        own.iter_mut().zip(self.report.own_drifts()).for_each(|(place, (_, drift))| *place = Some(drift));
+        let drifts = Invariant::ALL.map(|invariant| self.drift(invariant));
+        Restored { last: self.last.clone(), states: self.states.clone(), drifts, own, work: self.report.work() }
+    }
+}
+
+impl<L, X: Setup<L>, S> Simulation<L, X, S> {
+    /// The run that this simulation gave.
+    pub(crate) fn restore(self, before: Restored<X::State>) -> Result<Run<X::State>, Error>
+    where
+        S: Scheme<X::System>,
+    {
+        let length = self.step_length::<<X::System as System>::Scalar>()?;
+        let Simulation { law, start, scheme, settings, .. } = self;
+        let mut run = Run::empty(before.last, &scheme, settings.dt.unwrap_or(f64::NAN), start.mass(settings.mass));
+        let system = start.system(law, settings.mass, length)?;
+        run.states = before.states;
+        run.report.keep(Invariant::ALL.map(|invariant| S::kept(&system, invariant)));
+        let own = OwnDrifts { names: system.own_invariants(), drifts: before.own, ..OwnDrifts::default() };
+        run.report.finish(before.drifts, own, before.work);
+        Ok(run)
+    }
+}

@@ -1,0 +1,410 @@
+//! Sweeps that are kept, killed, and gone on with.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use dmech::extend::{Fields, Reach, Rides, StoreError};
+use dmech::prelude::*;
+use rusqlite::Connection;
+
+use crate::laws::{Contact, Driven, Many, Orbit, Saddle};
+
+/// A file that is not there yet, in a directory of its own that goes with it.
+struct Place(PathBuf);
+
+impl Place {
+    fn new(name: &str) -> Self {
+        let directory = std::env::temp_dir().join(format!("dmech-store-{}-{name}", std::process::id()));
+        let _ = fs::remove_dir_all(&directory);
+        fs::create_dir_all(&directory).unwrap();
+        Place(directory)
+    }
+
+    fn file(&self) -> PathBuf {
+        self.0.join("sweep.sqlite")
+    }
+
+    fn sql(&self, sql: &str) {
+        Connection::open(self.file()).unwrap().execute_batch(sql).unwrap();
+    }
+
+    fn number(&self, sql: &str) -> i64 {
+        Connection::open(self.file()).unwrap().query_row(sql, [], |row| row.get(0)).unwrap()
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// All that can be seen of two sets of results.
+fn the_same<const D: usize>(a: &EnsembleRun<State<D>>, b: &EnsembleRun<State<D>>) {
+    assert_eq!((a.checksum(), a.len()), (b.checksum(), b.len()));
+    for k in 0..a.len() {
+        let [one, other] = [a, b].map(|run| match run.member(k) {
+            Ok(run) => (None, run),
+            Err(failed) => (Some(format!("{:?}", failed.cause())), failed.run()),
+        });
+        assert_eq!(one.0, other.0, "{k}");
+        let (one, other) = (one.1, other.1);
+        // As text, where NaN is NaN and −0 is not 0.
+        let text = |run: &Run<State<D>>| format!("{:?} {:?} {:?}", run.last(), run.states(), run.steps());
+        assert_eq!(text(one), text(other), "{k}");
+        let report = |run: &Run<State<D>>| {
+            let report = run.report();
+            let drifts: Vec<_> = Invariant::ALL.iter().map(|&of| (report.drift(of), report.kept(of))).collect();
+            let own: Vec<_> = report.own_drifts().collect();
+            let cost = (report.evaluations(), report.iterations(), report.rough(), report.dt_range());
+            format!(
+                "{drifts:?} {own:?} {cost:?} {} {} {:?} {}",
+                report.scheme(),
+                report.dt(),
+                report.tolerance(),
+                report.mass()
+            )
+        };
+        assert_eq!(report(one), report(other), "{k}");
+    }
+}
+
+type Made<L, S, const D: usize> = Ensemble<fn(usize) -> L, fn(usize) -> State<D>, S>;
+
+fn of<L: Many<D> + Fields<D>, S: Rides<L, D> + Sync, const D: usize>(members: usize, scheme: S) -> Made<L, S, D> {
+    let (law, start): (fn(usize) -> L, fn(usize) -> State<D>) = (L::member, L::start);
+    Ensemble::of(members).law(law).start(start).scheme(scheme)
+}
+
+/// From a store that has all, and from one that has some, in any order, comes what was computed.
+#[test]
+fn what_comes_back_is_what_was_computed() {
+    fn check<L, S, const D: usize>(name: &str, ensemble: Made<L, S, D>)
+    where
+        L: Many<D> + Fields<D>,
+        S: Rides<L, D> + Sync,
+    {
+        let place = Place::new(name);
+        let plain = ensemble.clone().run_until(2.0).unwrap();
+        let kept = || ensemble.clone().store(place.file()).run_until(2.0).unwrap();
+        the_same(&plain, &kept());
+        // Whoever moved a member again would write it.
+        place.sql("CREATE TRIGGER again BEFORE INSERT ON last BEGIN SELECT RAISE(ABORT, 'moved again'); END");
+        the_same(&plain, &kept());
+        place.sql(
+            "DELETE FROM last WHERE k % 3 = 1; DELETE FROM drift WHERE k % 3 = 1; DELETE FROM state WHERE k % 3 = 1",
+        );
+        if !plain.is_empty() {
+            let refused = ensemble.clone().store(place.file()).run_until(2.0).unwrap_err();
+            assert!(matches!(refused, Error::Store(StoreError::Sqlite { .. })), "{name}: {refused}");
+        }
+        place.sql("DROP TRIGGER again");
+        the_same(&plain, &kept());
+        assert_eq!(place.number("SELECT COUNT(*) FROM last"), plain.len() as i64);
+    }
+    check("leapfrog", of::<Orbit, _, 2>(83, Leapfrog).dt(0.01).look_every(7));
+    check("own", of::<Saddle, _, 2>(83, DiscreteGradient).dt(0.05));
+    check("recorded", of::<Driven, _, 1>(40, Nystrom::order6()).dt(0.06).record_at([0.3, 0.3, 1.1, 7.0]));
+    check("adaptive", of::<Orbit, _, 2>(20, Composed::order4(DiscreteGradient)).adaptive(1e-6));
+    check("rough", of::<Contact, _, 1>(20, Gauss::order16()).dt(0.2).record_dt(0.17));
+    check("none", of::<Contact, _, 1>(0, Leapfrog).dt(0.2));
+}
+
+/// What fails, and numbers that SQLite does not keep: NaN and −0.
+#[test]
+fn failures_and_odd_numbers_come_back() {
+    fn start(k: usize) -> State<2> {
+        match k {
+            3 => State::new([0.0, 0.0], [0.0, 0.0]),
+            17 => State::new([f64::NAN, 0.0], [0.0, 0.0]),
+            30 => State::new([1.0, 0.0], [0.0, f64::MAX]),
+            44 => State::new([1e-200, 0.0], [0.0, f64::INFINITY]),
+            _ => State::new([1.0 + k as f64, -0.0], [-0.0, 5e-324]).at_time(-0.0),
+        }
+    }
+    for (scheme, steps) in [(0, 0), (0, 40), (1, 40)] {
+        let place = Place::new(&format!("odd-{scheme}-{steps}"));
+        let run = |path: Option<PathBuf>| {
+            let ensemble = Ensemble::of(50).law(Orbit::member).start(start).dt(0.02);
+            let (leapfrog, exact) = (ensemble.clone().scheme(Leapfrog), ensemble.scheme(DiscreteGradient));
+            match (path, scheme) {
+                (None, 0) => leapfrog.run(steps),
+                (None, _) => exact.run(steps),
+                (Some(path), 0) => leapfrog.store(path).run(steps),
+                (Some(path), _) => exact.store(path).run(steps),
+            }
+            .unwrap()
+        };
+        let plain = run(None);
+        let failed = plain.failures().count();
+        assert!((3..10).contains(&failed), "{failed}");
+        for _ in 0..2 {
+            the_same(&plain, &run(Some(place.file())));
+        }
+        assert_eq!(place.number("SELECT COUNT(*) FROM last WHERE failed IS NOT NULL"), failed as i64);
+        if steps == 0 {
+            assert!(plain.last(0).unwrap().q[1].is_sign_negative());
+            assert!(place.number("SELECT COUNT(*) FROM last WHERE bits IS NOT NULL") > 40);
+        }
+    }
+}
+
+/// Members that are handed over and not kept; and what other tools find in the file.
+#[test]
+fn members_come_in_order_from_both() {
+    let place = Place::new("order");
+    let ensemble = || of::<Orbit, _, 2>(300, Leapfrog).dt(0.01).look_every(50);
+    let all = ensemble().run_until(0.8).unwrap();
+    for threads in [1, 2, 3] {
+        let mut next = 0;
+        let kept = ensemble().threads(threads).store(place.file());
+        kept.for_each_until(0.8, |k, member| {
+            assert_eq!((k, member.unwrap().last()), (next, &all.last(k).unwrap()));
+            next += 1;
+        })
+        .unwrap();
+        assert_eq!(next, 300);
+        place.sql("DELETE FROM last WHERE k % 7 < 3; DELETE FROM drift WHERE k % 7 < 3");
+    }
+    let database = Connection::open(place.file()).unwrap();
+    let select = "SELECT law_gm, member.q0, last.v1, max_relative FROM member JOIN last USING (k) JOIN drift USING (k)
+        WHERE k = 4 AND invariant = 'energy'";
+    let found: [f64; 4] =
+        database.query_row(select, [], |row| Ok([row.get(0)?, row.get(1)?, row.get(2)?, row.get(3)?])).unwrap();
+    let energy = all.drift(4, Invariant::Energy).unwrap().max_relative();
+    assert_eq!(found, [Orbit::member(4).gm, Orbit::start(4).q[0], all.last(4).unwrap().v[1], energy]);
+    let sum: String =
+        database.query_row("SELECT value FROM sweep WHERE key = 'checksum'", [], |row| row.get(0)).unwrap();
+    assert_eq!(sum, format!("{:016x}", all.checksum()));
+}
+
+/// What a sweep is refused with that is not that of the store.
+#[test]
+fn another_sweep_is_refused_with_what_differs() {
+    type Other = Ensemble<fn(usize) -> Orbit, fn(usize) -> State<2>, Implicit>;
+    let place = Place::new("another");
+    let made = |members| of::<Orbit, _, 2>(members, Implicit).dt(0.05).look_every(5);
+    let original = made(20).store(place.file()).run_until(1.0).unwrap();
+    let refused = |ensemble: Other| ensemble.store(place.file()).run_until(1.0).unwrap_err();
+    let store = |error: Result<EnsembleRun<State<2>>, Error>| match error.unwrap_err() {
+        Error::Store(error) => error,
+        error => panic!("{error}"),
+    };
+    let (until, steps) = (Reach::Until(1.0), Reach::Steps(7));
+    let name = |text: &str| dmech::extend::Name::of(&[text]);
+    let orbit = |error: StoreError| Error::Store(error);
+    assert_eq!(refused(made(21)), orbit(StoreError::Members { store: 20, here: 21 }));
+    assert_eq!(refused(made(20).dt(0.06)), orbit(StoreError::TimeStep { store: 0.05, here: 0.06 }));
+    assert_eq!(refused(made(20).look_every(6)), orbit(StoreError::Looks { store: name("after every 5 steps") }));
+    let by_time = refused(made(20).record_at([0.5]));
+    assert_eq!(by_time, orbit(StoreError::Looks { store: name("after every 5 steps") }));
+    let file = || place.file();
+    assert_eq!(store(made(20).store(file()).run(7)), StoreError::Reach { store: until, here: steps });
+    let later = store(made(20).store(file()).run_until(2.0));
+    assert_eq!(later, StoreError::Reach { store: until, here: Reach::Until(2.0) });
+    let scheme = store(made(20).scheme(DiscreteGradient).store(file()).run_until(1.0));
+    assert_eq!(scheme, StoreError::Scheme { store: name("Implicit"), here: "DiscreteGradient" });
+    let nudged =
+        store(made(20).scheme(Leapfrog).scheme(Implicit).mass(|k| [1.0, 2.0][k / 12]).store(file()).run_until(1.0));
+    assert_eq!(nudged, StoreError::Member { member: 12, column: name("mass"), store: 1.0, here: 2.0 });
+    let law = |k: usize| Orbit { gm: if k == 7 { 1.5 } else { Orbit::member(k).gm } };
+    let field = store(made(20).law(law).store(file()).run_until(1.0));
+    let gm = Orbit::member(7).gm;
+    assert_eq!(field, StoreError::Member { member: 7, column: name("law_gm"), store: gm, here: 1.5 });
+    let start = |k: usize| {
+        let mut start = Orbit::start(k);
+        start.v[1] = if k == 19 { start.v[1].next_up() } else { start.v[1] };
+        start
+    };
+    let v1 = Orbit::start(19).v[1];
+    let start = store(made(20).start(start).store(file()).run_until(1.0));
+    assert_eq!(start, StoreError::Member { member: 19, column: name("v1"), store: v1, here: v1.next_up() });
+    // Laws of other fields, of the same field, and of the same field and name of it under which something else acts.
+    let fields = store(made(20).law(Saddle::member).store(file()).run_until(1.0));
+    assert_eq!(fields, StoreError::Law { what: "fields", store: name("law_gm") });
+    let steeper = store(made(20).law(|k| Steeper { gm: Orbit::member(k).gm }).store(file()).run_until(1.0));
+    assert_eq!(steeper, StoreError::Acts { member: 0 });
+    let line = of::<Driven, _, 1>(20, Implicit).dt(0.05).look_every(5).store(file()).run_until(1.0).unwrap_err();
+    assert_eq!(line, orbit(StoreError::Dimension { store: 2, here: 1 }));
+    for error in [fields, steeper, start, scheme, later] {
+        println!("{}", Error::Store(error));
+    }
+    // None of them has touched it.
+    place.sql("CREATE TRIGGER again BEFORE INSERT ON last BEGIN SELECT RAISE(ABORT, 'moved again'); END");
+    the_same(&made(20).store(file()).run_until(1.0).unwrap(), &original);
+
+    let place = Place::new("tolerance");
+    let adaptive = |tolerance| of::<Orbit, _, 2>(5, Implicit).adaptive(tolerance).store(place.file()).run_until(0.2);
+    adaptive(1e-5).unwrap();
+    assert_eq!(store(adaptive(1e-6)), StoreError::Tolerance { store: 1e-5, here: 1e-6 });
+}
+
+/// As [`Orbit`], but for the power.
+#[derive(Clone, Copy)]
+struct Steeper {
+    gm: f64,
+}
+
+#[dmech::law]
+impl Steeper {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -self.gm / (q[0] * q[0] + q[1] * q[1])
+    }
+}
+
+/// Files that are no store, or no longer: refused, or as they were where nothing was lost. Never anything else.
+#[test]
+fn damaged_files_are_refused() {
+    let place = Place::new("damaged");
+    let sweep = || of::<Saddle, _, 2>(300, Leapfrog).dt(0.05).record_dt(0.5).threads(1);
+    let whole = sweep().store(place.file()).run_until(1.0).unwrap();
+    let bytes = fs::read(place.file()).unwrap();
+    let with = |bytes: &[u8]| {
+        for end in ["-wal", "-shm"] {
+            let _ = fs::remove_file(place.file().with_extension(format!("sqlite{end}")));
+        }
+        fs::write(place.file(), bytes).unwrap();
+        sweep().store(place.file()).run_until(1.0)
+    };
+    let text = "q,v\n1,2\n".repeat(1000);
+    for length in [5, 9, 700, text.len()] {
+        let refused = with(&text.as_bytes()[..length]).unwrap_err();
+        assert_eq!(refused, Error::Store(StoreError::NotADatabase), "{length}");
+        assert_eq!(fs::read(place.file()).unwrap(), &text.as_bytes()[..length]);
+    }
+    // As it was where what is missing was nothing but zeros.
+    let refused = |bytes: &[u8], what: String| match with(bytes) {
+        Ok(run) => {
+            the_same(&run, &whole);
+            false
+        }
+        Err(Error::Store(_)) => true,
+        Err(error) => panic!("{what}: {error}"),
+    };
+    for length in [50, 100, 4096, bytes.len() / 3, bytes.len() / 2, bytes.len() - 4096] {
+        assert!(refused(&bytes[..length], format!("{length} bytes")), "{length} of {} bytes", bytes.len());
+    }
+    refused(&bytes[..bytes.len() - 1], "a byte less".to_owned());
+    let places: Vec<usize> = (0..100).chain((100..bytes.len()).step_by(613)).collect();
+    let found = places.iter().filter(|&&at| {
+        let mut flipped = bytes.clone();
+        flipped[at] ^= 0xff;
+        refused(&flipped, format!("byte {at}"))
+    });
+    let found = found.count();
+    println!("{found} of {} flipped bytes refused, of {}", places.len(), bytes.len());
+    assert!(found > places.len() / 3, "{found} of {}", places.len());
+    // A number that somebody has corrected, a member that was taken away, another database.
+    type Edit = (&'static str, StoreError);
+    let edits: [Edit; 7] = [
+        ("UPDATE last SET q0 = 0.5 WHERE k = 31", StoreError::Changed { table: "last", member: 31 }),
+        ("UPDATE drift SET max_abs = 0 WHERE k = 8", StoreError::Changed { table: "drift", member: 8 }),
+        ("UPDATE drift SET mean_t = 0 WHERE k = 8", StoreError::Changed { table: "last", member: 8 }),
+        ("DELETE FROM state WHERE k = 4 AND n = 1", StoreError::Changed { table: "last", member: 4 }),
+        ("UPDATE member SET law_l = 1 WHERE k = 5", StoreError::Changed { table: "member", member: 5 }),
+        ("DELETE FROM sweep WHERE key = 'dt'", StoreError::Setting { key: "dt" }),
+        ("DROP TABLE last", StoreError::NotAnEnsemble),
+    ];
+    for (sql, expected) in edits {
+        with(&bytes).unwrap();
+        place.sql(sql);
+        assert_eq!(sweep().store(place.file()).run_until(1.0).unwrap_err(), Error::Store(expected), "{sql}");
+    }
+    let elsewhere = place.0.join("nowhere").join("sweep.sqlite");
+    let refused = sweep().store(elsewhere).run_until(1.0).unwrap_err();
+    assert_eq!(refused, Error::Store(StoreError::Sqlite { code: 14 }));
+    assert!(refused.to_string().contains("unable to open database file"), "{refused}");
+}
+
+/// The sweep that is killed, a part of a second long.
+fn killed(members: usize) -> Made<Orbit, Leapfrog, 2> {
+    of::<Orbit, _, 2>(members, Leapfrog).dt(0.002).look_every(100).threads(2)
+}
+
+/// Where a process of this test is the one to be killed.
+const CHILD: &str = "DMECH_STORE_OF_A_CHILD";
+
+/// This test once more, in a process of its own that writes to a file; `shell` may limit it.
+fn child(test: &str, file: &Path, shell: &str) -> Command {
+    let program = std::env::current_exe().unwrap();
+    let mut command = Command::new("sh");
+    command.args(["-c", &format!("{shell} exec \"$0\" \"$@\"")]).arg(program);
+    command.args([test, "--exact", "--nocapture"]).env(CHILD, file).stdout(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
+/// Killed with signal 9, once or twice, until it was ten times that some members were stored and others not; gone on with, it is the
+/// same every time.
+#[cfg(unix)]
+#[test]
+fn a_sweep_that_was_killed_goes_on() {
+    const END: f64 = 6.0;
+    if let Some(file) = std::env::var_os(CHILD) {
+        killed(2000).store(file).run_until(END).unwrap();
+        return;
+    }
+    let test = "store::a_sweep_that_was_killed_goes_on";
+    let place = Place::new("killed");
+    let clear = || {
+        for end in ["", "-wal", "-shm"] {
+            let _ = fs::remove_file(place.file().with_extension(format!("sqlite{end}")));
+        }
+    };
+    let plain = killed(2000).run_until(END).unwrap();
+    let clock = Instant::now();
+    assert!(child(test, &place.file(), "").status().unwrap().success());
+    let whole = clock.elapsed();
+    assert_eq!(place.number("SELECT COUNT(*) FROM last"), 2000);
+    let (mut kills, mut partly) = (0_u32, Vec::new());
+    while partly.len() < 10 && kills < 60 {
+        clear();
+        let mut stored = 0;
+        for again in 0..=u32::from(kills % 4 == 3) {
+            // The process has to begin, too.
+            let moment = 0.1 + 0.8 * (0.618 * f64::from(kills) + 0.2 * f64::from(again)).fract();
+            let mut running = child(test, &place.file(), "").spawn().unwrap();
+            std::thread::sleep(whole.mul_f64(moment).max(Duration::from_millis(1)));
+            running.kill().unwrap();
+            running.wait().unwrap();
+            // It need not have come to make the table.
+            let count = Connection::open(place.file()).unwrap();
+            let count = count.query_row("SELECT COUNT(*) FROM last", [], |row| row.get(0)).unwrap_or(0);
+            assert!(count >= stored, "{count} members where {stored} were");
+            stored = count;
+        }
+        kills += 1;
+        if stored > 0 && stored < 2000 {
+            partly.push(stored);
+        }
+        let resumed = killed(2000).store(place.file()).run_until(END).unwrap();
+        assert_eq!(resumed.checksum(), plain.checksum(), "killed with {stored} members stored");
+        if kills < 4 {
+            the_same(&resumed, &plain);
+        }
+    }
+    println!("{kills} kills, with so many members stored: {partly:?}; the whole takes {whole:.2?}");
+    assert_eq!(partly.len(), 10, "{partly:?}");
+}
+
+/// No room: an error, and what was written before is gone on from when there is.
+#[cfg(unix)]
+#[test]
+fn a_file_that_cannot_grow_loses_nothing() {
+    const END: f64 = 0.5;
+    if let Some(file) = std::env::var_os(CHILD) {
+        let refused = killed(4000).store(file).run_until(END).unwrap_err();
+        assert!(matches!(refused, Error::Store(StoreError::Sqlite { .. } | StoreError::Full)), "{refused}");
+        return;
+    }
+    let place = Place::new("full");
+    let test = "store::a_file_that_cannot_grow_loses_nothing";
+    // In blocks of 512 or 1024 bytes, as the shell has it.
+    let limited = child(test, &place.file(), "ulimit -f 1500; trap '' XFSZ;").status().unwrap();
+    assert!(limited.success());
+    let stored = place.number("SELECT COUNT(*) FROM last");
+    assert!(stored > 0 && stored < 4000, "{stored}");
+    the_same(&killed(4000).store(place.file()).run_until(END).unwrap(), &killed(4000).run_until(END).unwrap());
+}

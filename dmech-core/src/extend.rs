@@ -151,4 +151,4 @@ pub use crate::setup::Setup;
 pub use crate::span::steps_until;
 pub use crate::system::{Ahead, AtStages, Beginning, Kick, Particle, Staged, Step, Stride, System, TimeScale};
 pub use crate::vector;
-pub use dmech_scalar::{DoubleDouble, Lanes, Mask, Real};
+pub use dmech_scalar::{DoubleDouble, Lanes, Mask, Real, Rows};

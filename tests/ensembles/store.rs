@@ -74,7 +74,8 @@ fn the_same<const D: usize>(a: &EnsembleRun<State<D>>, b: &EnsembleRun<State<D>>
 type Made<L, S, const D: usize> = Ensemble<fn(usize) -> L, fn(usize) -> State<D>, S>;
 
 fn of<L: Many<D> + Fields<D>, S: Rides<L, D> + Sync, const D: usize>(members: usize, scheme: S) -> Made<L, S, D> {
-    let (law, start): (fn(usize) -> L, fn(usize) -> State<D>) = (L::member, L::start);
+    let law: fn(usize) -> L = L::member;
+    let start: fn(usize) -> State<D> = L::start;
     Ensemble::of(members).law(law).start(start).scheme(scheme)
 }
 

@@ -212,7 +212,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
         Ensemble { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
     }
 
-    /// With so many members side by side at most; if nothing is said 16, or 32 with AVX-512. The results are the same.
+    /// With so many members side by side at most; if nothing is said 8, with AVX2 16, with AVX-512 32. The results are the same.
     pub fn lanes(self, lanes: usize) -> Self {
         Ensemble { hands: Hands { lanes: lanes.clamp(1, Ride::COUNT), ..self.hands }, ..self }
     }

@@ -29,7 +29,8 @@ impl<X: Clone> EnsembleRun<X> {
         self.members.is_empty()
     }
 
-    /// The run of a member; of one that failed, what it had come to, with the cause.
+    /// The run of a member; of one that failed, what it had come to, with the cause. Side by side with others its time is not
+    /// measured, and where equations are solved its effort is that of the slowest beside it.
     ///
     /// # Errors
     /// [`Interrupted`]

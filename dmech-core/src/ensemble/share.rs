@@ -1,14 +1,14 @@
 //! Work in blocks, over threads.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Condvar, Mutex};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
 /// A thread is at most so many blocks ahead of the first that is not done, so that what is done needs bounded room.
 const AHEAD: usize = 4;
 
-/// Does `work` for every number below `blocks` on so many threads, and hands what it gives to `take` in their order.
+/// Does `work` for every number below `blocks` on so many threads, and hands what it gives to `take` in their order. Where one of
+/// them panics all end, and the panic goes on.
 pub(super) fn in_order<T: Send>(
     blocks: usize,
     threads: usize,
@@ -19,37 +19,86 @@ pub(super) fn in_order<T: Send>(
         (0..blocks).for_each(|block| take(work(block)));
         return;
     }
-    let (next, done, taken) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()), Mutex::new(0_usize));
-    let (came, went) = (Condvar::new(), Condvar::new());
-    let room = AHEAD * threads;
+    let board = Board { blocks, room: AHEAD * threads, ..Board::default() };
     thread::scope(|scope| {
         for _ in 0..threads.min(blocks) {
             scope.spawn(|| {
-                loop {
-                    let block = next.fetch_add(1, Ordering::Relaxed);
-                    if block >= blocks {
-                        return;
-                    }
-                    let Ok(waited) = taken.lock() else { return };
-                    let Ok(waited) = went.wait_while(waited, |taken| block >= *taken + room) else { return };
-                    drop(waited);
+                let _end = EndsAll(&board);
+                while let Some(block) = board.next() {
                     let result = work(block);
-                    let Ok(mut done) = done.lock() else { return };
-                    done.insert(block, result);
-                    came.notify_one();
+                    board.look().done.insert(block, result);
+                    board.changed.notify_all();
                 }
             });
         }
-        for block in 0..blocks {
-            let Ok(waiting) = done.lock() else { return };
-            let Ok(mut waiting) = came.wait_while(waiting, |done| !done.contains_key(&block)) else { return };
-            let Some(result) = waiting.remove(&block) else { return };
-            drop(waiting);
+        let _end = EndsAll(&board);
+        while let Some(result) = board.first() {
             take(result);
-            if let Ok(mut taken) = taken.lock() {
-                *taken = block + 1;
-            }
-            went.notify_all();
         }
     });
+}
+
+/// What the threads know of one another.
+struct Board<T> {
+    blocks: usize,
+    room: usize,
+    state: Mutex<State<T>>,
+    changed: Condvar,
+}
+
+impl<T> Default for Board<T> {
+    fn default() -> Self {
+        let state = State { next: 0, taken: 0, done: BTreeMap::new(), lost: false };
+        Board { blocks: 0, room: 0, state: Mutex::new(state), changed: Condvar::new() }
+    }
+}
+
+struct State<T> {
+    /// The next block to be begun, and the first that is not taken.
+    next: usize,
+    taken: usize,
+    done: BTreeMap<usize, T>,
+    /// Somebody has panicked.
+    lost: bool,
+}
+
+impl<T> Board<T> {
+    fn look(&self) -> MutexGuard<'_, State<T>> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits while this holds and nothing is lost.
+    fn wait_while(&self, holds: impl Fn(&State<T>) -> bool) -> MutexGuard<'_, State<T>> {
+        let waits = |state: &mut State<T>| !state.lost && holds(state);
+        self.changed.wait_while(self.look(), waits).unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A block to work on, as soon as there is room for what comes of it.
+    fn next(&self) -> Option<usize> {
+        let mut state = self.wait_while(|state| state.next < self.blocks && state.next >= state.taken + self.room);
+        let block = state.next;
+        state.next += 1;
+        (block < self.blocks && !state.lost).then_some(block)
+    }
+
+    /// What has come of the first block that is not taken.
+    fn first(&self) -> Option<T> {
+        let mut state = self.wait_while(|state| state.taken < self.blocks && !state.done.contains_key(&state.taken));
+        let block = state.taken;
+        state.taken += 1;
+        self.changed.notify_all();
+        state.done.remove(&block)
+    }
+}
+
+/// Tells the others where its thread panics, who would wait for ever.
+struct EndsAll<'a, T>(&'a Board<T>);
+
+impl<T> Drop for EndsAll<'_, T> {
+    fn drop(&mut self) {
+        if thread::panicking() {
+            self.0.look().lost = true;
+            self.0.changed.notify_all();
+        }
+    }
 }

@@ -1,0 +1,82 @@
+//! Members of an ensemble against a loop over lanes written by hand, and against each alone, in one run.
+//!
+//! `cargo bench --bench ensembles` prints the time of a member and step on one core, the best of some runs. With
+//! `RUSTFLAGS="-C target-cpu=native"` both sides use the widest registers and fused multiply-adds. The bits are those of each alone; the
+//! suite `ensembles` sees to that.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use dmech::extend::{Rides, Rows};
+use dmech::models::Kepler;
+use dmech::prelude::*;
+
+const MEMBERS: usize = 64;
+
+fn law(k: usize) -> Kepler {
+    Kepler { gm: 1.0 + 1e-4 * k as f64 }
+}
+
+fn start(k: usize) -> State<2> {
+    State::new([0.5, 0.0], [0.0, 1.2 + 0.6 * k as f64 / MEMBERS as f64])
+}
+
+/// Leap-frog on Kepler, N registers of eight lanes side by side, in drifts and kicks of a whole step.
+fn by_hand<const N: usize>(steps: u64) -> f64 {
+    let mut sum = 0.0;
+    for group in (0..MEMBERS).step_by(Rows::<N>::COUNT) {
+        let of = |f: &dyn Fn(usize) -> f64| Rows::<N>::from_fn(|lane| f(group + lane));
+        let h = of(&|_| 0.01);
+        let c = h * of(&|k| law(k).gm);
+        let mut q = [of(&|k| start(k).q[0]), of(&|k| start(k).q[1])];
+        let mut v = [of(&|k| start(k).v[0]), of(&|k| start(k).v[1])];
+        for _ in 0..steps {
+            q = [q[0] + h * v[0], q[1] + h * v[1]];
+            let r2 = q[0].mul_add(q[0], q[1] * q[1]);
+            let pull = c / (r2 * r2.sqrt());
+            v = [v[0] - pull * q[0], v[1] - pull * q[1]];
+        }
+        sum += (0..Rows::<N>::COUNT).map(|lane| q[0][lane]).sum::<f64>();
+    }
+    sum
+}
+
+/// Nanoseconds of a member and step: the best of five.
+fn time(steps: u64, mut run: impl FnMut(u64)) -> f64 {
+    let times = (0..5).map(|_| {
+        let clock = Instant::now();
+        run(steps);
+        clock.elapsed().as_secs_f64()
+    });
+    1e9 * times.fold(f64::INFINITY, f64::min) / (steps * MEMBERS as u64) as f64
+}
+
+fn ensemble<S: Rides<Kepler, 2> + Sync>(scheme: S, dt: f64, every: u64, lanes: usize, steps: u64) {
+    let members = Ensemble::of(MEMBERS).law(law).start(start).scheme(scheme).dt(dt).look_every(every);
+    let run = members.lanes(lanes).threads(1).run(steps).expect("a step that is a number");
+    assert_eq!(black_box(run).failures().count(), 0);
+}
+
+fn compare<S: Rides<Kepler, 2> + Sync>(name: &str, scheme: S, dt: f64, steps: u64) {
+    let together = time(steps, |steps| ensemble(scheme, dt, 100, usize::MAX, steps));
+    let each = time(steps, |steps| ensemble(scheme, dt, 1, usize::MAX, steps));
+    let alone = time(steps, |steps| ensemble(scheme, dt, 100, 1, steps));
+    println!("{name:<36} {together:9.2} {each:12.2} {alone:9.2} {:9.2}", alone / together);
+}
+
+fn main() {
+    let steps = 20_000;
+    println!("nanoseconds a member and step, {MEMBERS} planets on one core");
+    for (rows, by_hand) in [(1, by_hand::<1> as fn(u64) -> f64), (2, by_hand::<2>), (4, by_hand::<4>)] {
+        let time = time(steps, |steps| {
+            black_box(by_hand(steps));
+        });
+        println!("leap-frog by hand, {rows} x 8 lanes        {time:9.2}");
+    }
+    println!("\nscheme                                 in lanes  a look each     alone     ratio");
+    compare("Leapfrog", Leapfrog, 0.01, steps);
+    compare("Nystrom::order6()", Nystrom::order6(), 0.05, steps / 5);
+    compare("DiscreteGradient", DiscreteGradient, 0.01, steps / 5);
+    compare("Implicit", Implicit, 0.01, steps / 5);
+    compare("Composed::order6(DiscreteGradient)", Composed::order6(DiscreteGradient), 0.05, steps / 20);
+}

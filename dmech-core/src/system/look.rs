@@ -2,10 +2,10 @@
 
 use core::array::from_fn;
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{FUSED, Mask, Real, two_sum};
 
 use crate::law::{Field, Law, Potential};
-use crate::vector::{add_scaled, dot};
+use crate::vector::{add_scaled, dot, exact_product};
 
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -184,6 +184,18 @@ impl Frequency {
     }
 }
 
+/// x y + z as a fused instruction rounds it, on targets without one too: differences of what lies beside tell how steps change.
+#[inline(always)]
+fn rounded_once<R: Real>(x: R, y: R, z: R) -> R {
+    if FUSED {
+        return x.mul_add(y, z);
+    }
+    let (product, rest) = exact_product(x, y);
+    let (sum, left) = two_sum(product, z);
+    let exact = sum + (left + rest);
+    R::either(exact.finite(), exact, x * y + z)
+}
+
 impl<const D: usize, R: Real> Course<D, R> {
     /// m K before and after.
     #[inline(always)]
@@ -191,7 +203,7 @@ impl<const D: usize, R: Real> Course<D, R> {
         [-s, s].map(|s| {
             let v = add_scaled(self.v, s, self.fall);
             // q + s v + s² a/2
-            let q = from_fn(|i| (R::from_f64(0.5) * s).mul_add(self.v[i] + v[i], self.q[i]));
+            let q = from_fn(|i| rounded_once(R::from_f64(0.5) * s, self.v[i] + v[i], self.q[i]));
             stiffness(s, q, v)
         })
     }

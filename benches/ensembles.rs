@@ -79,4 +79,6 @@ fn main() {
     compare("DiscreteGradient", DiscreteGradient, 0.01, steps / 5);
     compare("Implicit", Implicit, 0.01, steps / 5);
     compare("Composed::order6(DiscreteGradient)", Composed::order6(DiscreteGradient), 0.05, steps / 20);
+    compare("Gauss::order16()", Gauss::order16(), 0.05, steps / 20);
+    compare("LineIntegral::order6()", LineIntegral::order6(), 0.05, steps / 20);
 }

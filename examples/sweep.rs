@@ -8,8 +8,11 @@
 //! order from chaos. Neighbours of an orderly motion part in proportion to the time, those of a chaotic one exponentially. The
 //! islands are those of M. Hénon and C. Heiles, Astron. J. 69 (1964) 73–79, figure 5; the example `section` draws their figure.
 //!
-//! All of them are one ensemble, side by side in the lanes of the registers and over the cores.
+//! All of them are one ensemble, side by side in the lanes of the registers and over the cores. `dmech-mpi` has the same over the ranks
+//! of MPI, with the same checksum: `scripts/local.sh`.
 
+#[path = "shared/henon_heiles.rs"]
+mod henon_heiles;
 #[path = "shared/picture.rs"]
 mod picture;
 
@@ -17,15 +20,9 @@ use std::time::Instant;
 
 use dmech::models::HenonHeiles;
 use dmech::prelude::*;
+use henon_heiles::{APART, END, SIDE, V, Y, cells, start};
 use picture::{Axis, Drawn, INK};
 use plotters::prelude::{Color, RGBColor, Rectangle};
-
-const ENERGY: f64 = 0.125;
-const SIDE: usize = 200;
-const Y: [f64; 2] = [-0.46, 0.7];
-const V: [f64; 2] = [-0.52, 0.52];
-const APART: f64 = 1e-9;
-const END: f64 = 200.0;
 
 /// Powers of ten by which neighbours may have parted, from below, and their colours: order is pale, chaos dark
 /// (S. van der Walt and N. Smith's "magma", backwards).
@@ -40,17 +37,6 @@ const COLOURS: [(f64, RGBColor); 8] = [
     (6.0, RGBColor(29, 17, 71)),
 ];
 
-/// The middle of a cell of the grid.
-fn cell(range: [f64; 2], i: usize) -> f64 {
-    range[0] + (range[1] - range[0]) * (i as f64 + 0.5) / SIDE as f64
-}
-
-/// The start at (y, v_y), if the energy leaves a velocity v_x.
-fn start(y: f64, vy: f64) -> Option<State<2>> {
-    let rest = 2.0 * ENERGY - vy * vy - y * y + 2.0 / 3.0 * y.powi(3);
-    (rest > 0.0).then(|| State::new([0.0, y], [rest.sqrt(), vy]))
-}
-
 /// The powers of ten by which two motions have parted.
 fn parted(a: &State<2>, b: &State<2>) -> f64 {
     let distance = |x: &[f64; 2], y: &[f64; 2]| (x[0] - y[0]).powi(2) + (x[1] - y[1]).powi(2);
@@ -58,20 +44,12 @@ fn parted(a: &State<2>, b: &State<2>) -> f64 {
 }
 
 fn main() -> Drawn {
-    let grid = (0..SIDE * SIDE).filter_map(|i| {
-        let (column, row) = (i % SIDE, i / SIDE);
-        Some((column, row, start(cell(Y, column), cell(V, row))?))
-    });
-    let grid: Vec<(usize, usize, State<2>)> = grid.collect();
+    let cells = cells();
 
     let clock = Instant::now();
-    let run = Ensemble::of(2 * grid.len())
+    let run = Ensemble::of(2 * cells.len())
         .law(|_| HenonHeiles { lambda: 1.0 })
-        .start(|k| {
-            let mut start = grid[k / 2].2;
-            start.q[1] += APART * (k % 2) as f64;
-            start
-        })
+        .start(|k| start(&cells, k))
         .scheme(Nystrom::order6())
         .dt(0.1)
         .look_every(100)
@@ -80,13 +58,13 @@ fn main() -> Drawn {
     println!("{:.2} s, checksum {:016x}", clock.elapsed().as_secs_f64(), run.checksum());
 
     let mut map = vec![None; SIDE * SIDE];
-    for (i, (column, row, _)) in grid.iter().enumerate() {
+    for (i, (column, row, _)) in cells.iter().enumerate() {
         map[row * SIDE + column] = Some(parted(&run.last(2 * i)?, &run.last(2 * i + 1)?));
     }
     let chaotic = map.iter().flatten().filter(|&&powers| powers > 4.0).count();
     println!(
         "{:.0} of 100 motions have parted by more than four powers of ten",
-        100.0 * chaotic as f64 / grid.len() as f64
+        100.0 * chaotic as f64 / cells.len() as f64
     );
 
     let path = picture::save("sweep.svg", [880, 640], |area| {

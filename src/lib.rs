@@ -231,6 +231,7 @@
 //! | `nalgebra` | no | states, gradients and Hessians as its vectors and matrices |
 //! | `progress` | no | `Simulation::with_progress`, `Ensemble::with_progress`: a bar on the terminal during long runs, through indicatif |
 //! | `store` | no | `Ensemble::store`: a sweep in a database of SQLite, which goes on from it bit for bit after it was killed; SQLite comes along |
+//! | `ranks` | no | `Ensemble::ranks`: several processes move an ensemble together, those of MPI by the crate `dmech-mpi` |
 #![forbid(unsafe_code)]
 
 pub use dmech_macros::{Law, law};

@@ -121,7 +121,11 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
-pub use crate::ensemble::{Block, Checksum, Each, End, InLanes, NoLaw, NoStart, Outcome, Ride, Rides, Together};
+pub use crate::ensemble::{
+    Block, Checksum, Each, End, InLanes, Members, NoLaw, NoStart, Outcome, Ride, Rides, Together,
+};
+#[cfg(feature = "ranks")]
+pub use crate::ensemble::{Ranked, Ranks};
 #[cfg(feature = "serde")]
 pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};

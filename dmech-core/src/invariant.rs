@@ -2,6 +2,8 @@
 
 use dmech_scalar::{Mask, Real};
 
+use crate::words::Word;
+
 /// A quantity that a motion, or a scheme, keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -70,25 +72,22 @@ pub type Drifts = [Option<Drift>; Invariant::ALL.len()];
 pub const MAX_OWN: usize = 8;
 
 /// The drifts of the invariants that a law declares itself, and of the quantities that a run watches, by name.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct OwnDrifts {
-    pub(crate) names: &'static [&'static str],
-    pub(crate) drifts: [Option<Drift>; MAX_OWN],
-    pub(crate) quantities: [Option<(&'static str, Drift)>; MAX_OWN],
-}
+#[derive(Clone, Debug, Default)]
+pub struct OwnDrifts(Vec<(Word, Drift)>);
 
 impl OwnDrifts {
     /// Each with its name, in the order in which they are declared.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, Drift)> + '_ {
-        let declared = self.names.iter().zip(&self.drifts).filter_map(|(&name, drift)| Some((name, (*drift)?)));
-        declared.chain(self.quantities.iter().flatten().copied())
+        self.0.iter().copied()
     }
 
-    /// Adds that of a quantity, while there is room.
-    pub(crate) fn add(&mut self, name: &'static str, drift: Drift) {
-        if let Some(free) = self.quantities.iter_mut().find(|known| known.is_none()) {
-            *free = Some((name, drift));
-        }
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Drift> {
+        self.0.iter_mut().map(|(_, drift)| drift)
+    }
+
+    /// Adds one.
+    pub(crate) fn add(&mut self, name: Word, drift: Drift) {
+        self.0.push((name, drift));
     }
 
     /// That of one name.
@@ -102,6 +101,7 @@ impl OwnDrifts {
 /// For the angular momentum of more than two coordinates the values are norms of a tensor, and deviations the norm of
 /// the difference from the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drift<R = f64> {
     start: R,
     last: R,

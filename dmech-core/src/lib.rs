@@ -12,6 +12,8 @@ mod approx;
 mod changes;
 #[cfg(feature = "serde")]
 mod checkpoint;
+#[cfg(feature = "serde")]
+mod components;
 mod ensemble;
 mod error;
 mod invariant;
@@ -20,6 +22,7 @@ mod method;
 mod name;
 #[cfg(feature = "serde")]
 mod resume;
+mod ride;
 mod run;
 mod setup;
 mod span;
@@ -27,6 +30,7 @@ mod state;
 mod stepper;
 mod text;
 pub mod vector;
+mod words;
 
 pub mod extend;
 

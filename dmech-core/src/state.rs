@@ -11,12 +11,16 @@ use dmech_scalar::Real;
 /// assert_eq!((planet.t, planet.q[0], planet.v[1]), (2.0, 0.5, 1.63));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound = "R: serde::Serialize + serde::de::DeserializeOwned"))]
 pub struct State<const D: usize, R = f64> {
     /// Time.
     pub t: f64,
     /// Position.
+    #[cfg_attr(feature = "serde", serde(with = "crate::components"))]
     pub q: [R; D],
     /// Velocity.
+    #[cfg_attr(feature = "serde", serde(with = "crate::components"))]
     pub v: [R; D],
 }
 

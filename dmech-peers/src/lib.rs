@@ -6,6 +6,7 @@
 //! pip install heyoka
 //! cargo bench -p dmech-peers --bench peers --features solvers
 //! cargo bench -p dmech-peers --bench outer_ss -- 1e6
+//! RUSTFLAGS="-C target-cpu=native" cargo bench -p dmech-peers --bench batch
 //! ```
 //!
 //! An [`Entrant`] runs a motion once for a knob, which is the number of steps or the tolerance. All entrants of a motion
@@ -18,6 +19,7 @@ mod gauss;
 mod laws;
 mod measure;
 mod motion;
+mod orbits;
 mod outer;
 mod problem;
 mod recommended;
@@ -30,6 +32,7 @@ pub use entrant::{Crate, Entrant, Finish, distance, tolerances};
 pub use laws::{ThreeBodies, three_bodies};
 pub use measure::{Line, measure};
 pub use motion::{Eight, Fput, Motion, Planet, Swing};
+pub use orbits::{ORBITS, ORBITS_END, orbit_end, orbit_law, orbit_start};
 pub use outer::{OuterPlanets, outer_angular_momentum, outer_energy, outer_gauss, outer_scene, outer_start};
 pub use problem::{Problem, eccentric, eight, fput, orbit, pendulum};
 pub use recommended::{Kind, recommended};

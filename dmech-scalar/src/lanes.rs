@@ -3,11 +3,12 @@
 mod number;
 
 use core::fmt;
-use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Index, IndexMut, Neg};
 
 use wide::f64x8;
 
 use crate::functions;
+use crate::operators::operators;
 use crate::primitive::FUSED;
 use crate::{Mask, Real};
 
@@ -212,30 +213,14 @@ impl fmt::Display for Lanes {
     }
 }
 
-macro_rules! operators {
-    ($($Op:ident::$op:ident, $OpAssign:ident::$op_assign:ident;)*) => {$(
-        impl $Op for Lanes {
-            type Output = Self;
-            #[inline(always)]
-            fn $op(self, other: Self) -> Self {
-                Self($Op::$op(self.0, other.0))
-            }
-        }
-        impl $OpAssign for Lanes {
-            #[inline(always)]
-            fn $op_assign(&mut self, other: Self) {
-                *self = $Op::$op(*self, other);
-            }
-        }
-    )*};
+impl Lanes {
+    #[inline(always)]
+    fn with(self, other: Self, f: impl Fn(f64x8, f64x8) -> f64x8) -> Self {
+        Self(f(self.0, other.0))
+    }
 }
 
-operators! {
-    Add::add, AddAssign::add_assign;
-    Sub::sub, SubAssign::sub_assign;
-    Mul::mul, MulAssign::mul_assign;
-    Div::div, DivAssign::div_assign;
-}
+operators!(Lanes, []);
 
 impl Neg for Lanes {
     type Output = Self;

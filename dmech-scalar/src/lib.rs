@@ -22,6 +22,8 @@ mod double;
 mod functions;
 #[cfg(feature = "lanes")]
 mod lanes;
+#[cfg(feature = "lanes")]
+mod operators;
 mod polynomial;
 mod primitive;
 mod real;

@@ -2,8 +2,9 @@
 
 use core::array::from_fn;
 use core::fmt;
-use core::ops::{Add, AddAssign, Div, DivAssign, Index, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Index, IndexMut, Neg};
 
+use crate::operators::operators;
 use crate::{Lanes, LanesMask, Mask, Real};
 
 /// N registers of eight lanes that take part in every operation one after another, each as [`Lanes`] do: a division waits for the one
@@ -30,6 +31,12 @@ impl<const N: usize> Rows<N> {
     #[inline(always)]
     pub fn from_fn(mut f: impl FnMut(usize) -> f64) -> Self {
         Self(from_fn(|row| Lanes::from_fn(|i| f(row * Lanes::COUNT + i))))
+    }
+
+    /// The larger in each lane, of numbers: [`Lanes::larger_number`].
+    #[inline(always)]
+    pub fn larger_number(self, other: Self) -> Self {
+        self.with(other, Lanes::larger_number)
     }
 
     /// Component by component.
@@ -82,6 +89,17 @@ impl<const N: usize> Index<usize> for Rows<N> {
     }
 }
 
+/// Lane i.
+///
+/// # Panics
+/// If there are not so many.
+impl<const N: usize> IndexMut<usize> for Rows<N> {
+    #[inline(always)]
+    fn index_mut(&mut self, i: usize) -> &mut f64 {
+        &mut self.0[i / Lanes::COUNT][i % Lanes::COUNT]
+    }
+}
+
 impl<const N: usize> RowsMask<N> {
     #[inline(always)]
     fn with(self, other: Self, f: impl Fn(LanesMask, LanesMask) -> LanesMask) -> Self {
@@ -114,30 +132,7 @@ impl<const N: usize> Mask for RowsMask<N> {
     }
 }
 
-macro_rules! operators {
-    ($($Op:ident::$op:ident, $OpAssign:ident::$op_assign:ident;)*) => {$(
-        impl<const N: usize> $Op for Rows<N> {
-            type Output = Self;
-            #[inline(always)]
-            fn $op(self, other: Self) -> Self {
-                self.with(other, $Op::$op)
-            }
-        }
-        impl<const N: usize> $OpAssign for Rows<N> {
-            #[inline(always)]
-            fn $op_assign(&mut self, other: Self) {
-                *self = $Op::$op(*self, other);
-            }
-        }
-    )*};
-}
-
-operators! {
-    Add::add, AddAssign::add_assign;
-    Sub::sub, SubAssign::sub_assign;
-    Mul::mul, MulAssign::mul_assign;
-    Div::div, DivAssign::div_assign;
-}
+operators!(Rows<N>, [const N: usize]);
 
 impl<const N: usize> Neg for Rows<N> {
     type Output = Self;

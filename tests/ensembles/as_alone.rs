@@ -41,6 +41,11 @@ where
             let member = run.member(k).unwrap();
             assert_eq!((member.steps(), member.last()), (alone.steps(), alone.last()), "{name}, member {k}");
             assert_eq!(member.report().dt_range(), alone.report().dt_range(), "{name}, member {k}");
+            assert_eq!(member.report().rough(), alone.report().rough(), "{name}, member {k}");
+            // Where Newton solves equations it is that of the slowest beside it.
+            if member.report().iterations() == 0 {
+                assert_eq!(member.report().evaluations(), alone.report().evaluations(), "{name}, member {k}");
+            }
             for invariant in Invariant::ALL.into_iter().filter(|&invariant| invariant != Invariant::WorkEnergy) {
                 assert_eq!(run.drift(k, invariant), alone.drift(invariant), "{name}, member {k}: {invariant}");
             }
@@ -80,8 +85,8 @@ table! {
     kanatani: Kanatani, [Orbit, Saddle, Contact];
     composed_implicit: Composed::order4(Implicit), [Saddle, Damped];
     composed_discrete_gradient: Composed::order6(DiscreteGradient), [Orbit, Saddle, Bottle];
-    gauss: Gauss::order16(), [Saddle, Damped];
-    line_integral: LineIntegral::order6(), [Orbit];
+    gauss: Gauss::order16(), [Orbit, Saddle, Contact, Damped, Bottle];
+    line_integral: LineIntegral::order6(), [Orbit, Driven];
     relaxed: Relaxed::order6(), [Orbit];
 }
 
@@ -112,6 +117,7 @@ fn adaptive() {
     follow::<Bottle, _, 2>(Adaptive::new(DiscreteGradient, 1e-2), "workless");
     follow::<Orbit, _, 2>(Adaptive::new(Implicit, 1e-4), "implicit");
     follow::<Orbit, _, 2>(Adaptive::new(Gauss::order16(), 1e-10), "Gauss");
+    follow::<Damped, _, 1>(Adaptive::new(LineIntegral::order10(), 1e-7), "line integral");
     as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", |settings| Settings {
         dt: Some(0.1),
         end: 3.0,

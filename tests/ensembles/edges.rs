@@ -58,6 +58,27 @@ fn long_steps_are_solved_by_each_alone() {
     }
 }
 
+/// Steps so long that sweeps come no nearer in some of them: each makes these in parts by itself.
+#[test]
+fn long_steps_are_made_in_parts_by_each_alone() {
+    let mut rough = 0;
+    for dt in [0.4, 0.8, 1.6] {
+        let run =
+            Ensemble::of(45).law(Orbit::member).start(Orbit::start).scheme(Gauss::order16()).dt(dt).run(70).unwrap();
+        for k in 0..45 {
+            let alone = Simulation::new(Orbit::member(k), Orbit::start(k)).scheme(Gauss::order16()).dt(dt).run(70);
+            let (Ok(member), Ok(alone)) = (run.member(k), &alone) else {
+                assert_eq!(run.last(k).ok(), alone.ok().map(|run| *run.last()), "{k}, dt = {dt}");
+                continue;
+            };
+            assert_eq!(member.last(), alone.last(), "{k}, dt = {dt}");
+            assert_eq!(member.report().evaluations(), alone.report().evaluations(), "{k}, dt = {dt}");
+            rough += alone.report().rough();
+        }
+    }
+    assert!(rough > 45, "{rough}");
+}
+
 #[test]
 fn none_and_one_and_no_steps() {
     let ensemble = |n| Ensemble::of(n).law(Saddle::member).start(Saddle::start).scheme(Leapfrog).dt(0.1);

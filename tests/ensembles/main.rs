@@ -3,5 +3,8 @@
 mod as_alone;
 mod edges;
 mod laws;
+mod occupancy;
 mod output;
+mod ranks;
+mod same;
 mod store;

@@ -1,32 +1,22 @@
 //! Members side by side: each has a lane of every register.
 
+use core::mem::replace;
+use core::ops::Range;
 use std::time::Duration;
 
-use dmech_scalar::{Mask, Real, Rows};
+use dmech_scalar::{Mask, Real};
 
 use super::rides::{Block, Outcome};
 use super::steps::{Cost, InLanes};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant};
 use crate::law::{Fields, Numbered, Numbers};
+use crate::ride::Ride;
 use crate::run::{Due, Interrupted, Log, Prepared};
 use crate::scheme::{ByLane, Scheme};
 use crate::state::State;
 use crate::stepper::Stepper;
 use crate::system::{Particle, System};
-
-/// A number of each member that rides. Registers stand side by side so that none waits for the root and the quotient of another, as many
-/// as the target has room for.
-#[cfg(target_feature = "avx512f")]
-pub type Ride = Rows<4>;
-/// A number of each member that rides. Registers stand side by side so that none waits for the root and the quotient of another, as many
-/// as the target has room for.
-#[cfg(all(target_feature = "avx2", not(target_feature = "avx512f")))]
-pub type Ride = Rows<2>;
-/// A number of each member that rides. Registers stand side by side so that none waits for the root and the quotient of another, as many
-/// as the target has room for.
-#[cfg(not(any(target_feature = "avx2", target_feature = "avx512f")))]
-pub type Ride = Rows<1>;
 
 /// Particles side by side, under laws of one kind.
 pub type Together<L, const D: usize> = Particle<Numbered<L, D, Ride>, D, Ride>;
@@ -40,36 +30,65 @@ where
     L: Fields<D>,
     S: InLanes<L, D>,
 {
-    let mut outcomes: Vec<Option<Outcome<State<D>>>> = block.members.clone().map(|_| None).collect();
-    let mut waiting = block.members.clone();
+    let mut queue = Queue { block, waiting: block.members.clone(), outcomes: Vec::new() };
+    queue.outcomes.resize_with(block.members.len(), || None);
     let mut seats: Vec<Member<L, S, D>> = Vec::with_capacity(Ride::COUNT);
     loop {
         while seats.len() < block.lanes
-            && let Some(k) = waiting.next()
+            && let Some(member) = queue.next()
         {
-            match Member::begin(block, k) {
-                Ok(member) => seats.push(member),
-                Err(refused) => outcomes[k - block.members.start] = Some(Err(refused)),
-            }
+            seats.push(member);
         }
         if seats.is_empty() {
-            return outcomes.into_iter().flatten().collect();
+            return queue.outcomes.into_iter().flatten().collect();
         }
-        go_on(&mut seats);
-        for member in seats.extract_if(.., |member| member.has_ended()) {
-            let place = member.k - block.members.start;
-            outcomes[place] = Some(member.end(block));
+        let mut convoy = Convoy::of(&seats);
+        while go_on(&mut convoy, &mut seats) {
+            if !relieve(&mut convoy, &mut seats, &mut queue) {
+                convoy.land_all(&mut seats);
+                break;
+            }
         }
+        seats.extract_if(.., |member| member.has_ended()).for_each(|member| queue.end(member));
     }
 }
 
-/// Until the first has ended, or has to be looked at by itself.
-fn go_on<L: Fields<D>, S: InLanes<L, D>, const D: usize>(seats: &mut [Member<L, S, D>]) {
-    let mut convoy = Convoy::of(seats);
+/// The members of a block: those that wait, and what became of the others.
+struct Queue<'a, 'b, L, S, const D: usize> {
+    block: &'a Block<'b, L, S, D>,
+    waiting: Range<usize>,
+    outcomes: Vec<Option<Outcome<State<D>>>>,
+}
+
+impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Queue<'_, '_, L, S, D> {
+    /// The next that has a step to make.
+    fn next(&mut self) -> Option<Member<L, S, D>> {
+        while let Some(k) = self.waiting.next() {
+            match Member::begin(self.block, k) {
+                Ok(member) if member.has_ended() => self.end(member),
+                Ok(member) => return Some(member),
+                Err(refused) => self.outcomes[k - self.block.members.start] = Some(Err(refused)),
+            }
+        }
+        None
+    }
+
+    fn end(&mut self, member: Member<L, S, D>) {
+        let place = member.k - self.block.members.start;
+        self.outcomes[place] = Some(member.end(self.block));
+    }
+}
+
+/// Until somebody has ended. Not so, where somebody has to be looked at by itself: then all have their states.
+fn go_on<L, S, const D: usize>(convoy: &mut Convoy<L, S, D>, seats: &mut [Member<L, S, D>]) -> bool
+where
+    L: Fields<D>,
+    S: InLanes<L, D>,
+{
     let by_time = seats.iter().any(|member| member.every.is_none());
-    while !convoy.has_ended() && seats.iter().all(|member| member.failure.is_none()) {
+    while !convoy.has_ended() {
         let is_due = by_time && {
-            convoy.land(seats);
+            convoy.land_all(seats);
             seats.iter().any(Member::is_due)
         };
         let free = if by_time { seats.iter().map(Member::free).min() } else { None };
@@ -77,17 +96,42 @@ fn go_on<L: Fields<D>, S: InLanes<L, D>, const D: usize>(seats: &mut [Member<L, 
         if is_due {
             seats.iter_mut().for_each(Member::remember);
         }
-        if !convoy.advance(steps) {
-            convoy.land(seats);
-            return seats.iter_mut().for_each(|member| member.advance(steps));
-        }
-        if is_due {
-            convoy.land(seats);
-            return seats.iter_mut().for_each(Member::look_into_the_step);
+        let together = convoy.advance(steps);
+        if is_due || !together {
+            convoy.land_all(seats);
+            let alone = |member: &mut Member<L, S, D>| {
+                if together { member.look_into_the_step() } else { member.advance(steps) }
+            };
+            seats.iter_mut().for_each(alone);
+            return false;
         }
         convoy.look(seats);
     }
-    convoy.land(seats);
+    true
+}
+
+/// Gives the lanes of those who have ended to the next, if there are as many.
+fn relieve<L, S, const D: usize>(
+    convoy: &mut Convoy<L, S, D>,
+    seats: &mut [Member<L, S, D>],
+    queue: &mut Queue<'_, '_, L, S, D>,
+) -> bool
+where
+    L: Fields<D>,
+    S: InLanes<L, D>,
+{
+    for (lane, seat) in seats.iter_mut().enumerate() {
+        if convoy.left[lane] > 0 {
+            continue;
+        }
+        let Some(next) = queue.next() else { return false };
+        convoy.land(lane, seat);
+        queue.end(replace(seat, next));
+        convoy.seat(lane, seat);
+    }
+    // Those without a member must not move past the end of one.
+    (seats.len()..Ride::COUNT).for_each(|lane| convoy.place(lane, &seats[0]));
+    true
 }
 
 /// A member on its way.
@@ -119,6 +163,11 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Member<L, S, D> {
 
     fn has_ended(&self) -> bool {
         self.left == 0 || self.failure.is_some()
+    }
+
+    /// The numbers of its law, and its mass.
+    fn numbers(&self) -> (L::Numbers, f64) {
+        (self.stepper.law().numbers(), self.stepper.system.mass())
     }
 
     /// Whether the next step may reach a time at which a state is due.
@@ -178,6 +227,8 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Member<L, S, D> {
 /// Members side by side, one in each lane; in lanes without one the first is moved once more.
 struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
     scheme: S,
+    /// The numbers of each law, and each mass.
+    numbers: Vec<(L::Numbers, f64)>,
     system: Together<L, D>,
     all: S::All,
     first: State<D, Ride>,
@@ -187,21 +238,26 @@ struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
     /// Steps until its invariants are to be looked at, and how many there are from one look to the next.
     until_look: [u64; Ride::COUNT],
     every: [u64; Ride::COUNT],
-    /// Steps that were made, and how many there were at the last look.
-    made: u64,
+    /// Steps that were made since each was seated or landed, and how many there were at the last look.
+    made: [u64; Ride::COUNT],
     looked_at: [Option<u64>; Ride::COUNT],
     cost: Cost,
+    /// Corrections that others had made when each was seated or landed.
+    iterations: [u64; Ride::COUNT],
+}
+
+/// What acts on each, by lanes.
+fn together<L: Fields<D>, const D: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D> {
+    let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
+    let law = Numbered::new(|n| Ride::from_fn(|lane| of(lane).0.as_slice()[n]));
+    Particle::with_mass(law, Ride::from_fn(|lane| of(lane).1))
 }
 
 impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
     fn of(seats: &[Member<L, S, D>]) -> Self {
-        let member = |lane: usize| seats.get(lane).unwrap_or(&seats[0]);
-        let stepper = |lane: usize| &member(lane).stepper;
-        let count =
-            |f: &dyn Fn(&Member<L, S, D>) -> u64| core::array::from_fn(|lane| seats.get(lane).map_or(u64::MAX, f));
-        let numbers: Vec<L::Numbers> = seats.iter().map(|member| member.stepper.law().numbers()).collect();
-        let law = Numbered::new(|n| Ride::from_fn(|lane| numbers.get(lane).unwrap_or(&numbers[0]).as_slice()[n]));
-        let system = Particle::with_mass(law, Ride::from_fn(|lane| stepper(lane).system.mass()));
+        let stepper = |lane: usize| &seats.get(lane).unwrap_or(&seats[0]).stepper;
+        let numbers: Vec<_> = seats.iter().map(Member::numbers).collect();
+        let system = together(&numbers);
         let scheme = seats[0].stepper.scheme;
         let all = scheme.gather(&system, &stepper);
         let first = State::new(ByLane::of(&|lane| &stepper(lane).start.q), ByLane::of(&|lane| &stepper(lane).start.v));
@@ -211,18 +267,53 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
             let of = |lane: usize| watched.get(lane).and_then(|drifts| drifts[i].as_ref()).unwrap_or(of_first);
             Some(ByLane::of(&of))
         });
-        Convoy {
+        let none = [u64::MAX; Ride::COUNT];
+        let (left, until_look, every) = (none, none, none);
+        let (made, looked_at, iterations, cost) = ([0; Ride::COUNT], [None; Ride::COUNT], [0; Ride::COUNT], Cost::NONE);
+        let mut convoy = Convoy {
             scheme,
+            numbers,
             system,
             all,
             first,
             drifts,
-            left: count(&|member| member.left),
-            until_look: count(&|member| if member.every.is_some() { member.log.until_record } else { u64::MAX }),
-            every: count(&|member| member.every.unwrap_or(u64::MAX)),
-            made: 0,
-            looked_at: [None; Ride::COUNT],
-            cost: Cost::NONE,
+            left,
+            until_look,
+            every,
+            made,
+            looked_at,
+            cost,
+            iterations,
+        };
+        seats.iter().enumerate().for_each(|(lane, member)| convoy.count(lane, member));
+        convoy
+    }
+
+    /// How many steps a member has before it.
+    fn count(&mut self, lane: usize, member: &Member<L, S, D>) {
+        self.left[lane] = member.left;
+        self.until_look[lane] = if member.every.is_some() { member.log.until_record } else { u64::MAX };
+        self.every[lane] = member.every.unwrap_or(u64::MAX);
+    }
+
+    /// Gives a lane to a member.
+    fn seat(&mut self, lane: usize, member: &Member<L, S, D>) {
+        self.numbers[lane] = member.numbers();
+        self.system = together(&self.numbers);
+        self.place(lane, member);
+        self.count(lane, member);
+    }
+
+    /// Has a lane move as a member does.
+    fn place(&mut self, lane: usize, member: &Member<L, S, D>) {
+        self.scheme.seat(&self.system, &mut self.all, lane, &member.stepper);
+        let State { q, v, .. } = &member.stepper.start;
+        self.first.q.set(lane, q);
+        self.first.v.set(lane, v);
+        for (drift, watched) in self.drifts.iter_mut().zip(member.log.watch.drifts()) {
+            if let (Some(drift), Some(watched)) = (drift, &watched) {
+                drift.set(lane, watched);
+            }
         }
     }
 
@@ -238,37 +329,39 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
     /// So many steps, or fewer if one arrives; none, and false, where they cannot be made together.
     fn advance(&mut self, steps: u64) -> bool {
         let Some(made) = self.scheme.advance(&self.system, &mut self.all, steps, &mut self.cost) else { return false };
-        self.made += made;
+        self.made.iter_mut().for_each(|all| *all += made);
         for column in [&mut self.left, &mut self.until_look] {
             column.iter_mut().for_each(|left| *left -= made);
         }
-        for (lane, left) in self.left.iter_mut().enumerate() {
-            if self.scheme.has_arrived(&self.all, lane) {
-                *left = 0;
+        if let Some(arrived) = self.scheme.at_the_end(&self.all) {
+            for (lane, left) in self.left.iter_mut().enumerate().take(self.numbers.len()) {
+                *left *= u64::from(arrived[lane] == 0.0);
             }
         }
         true
     }
 
     /// Gives each what is in its lane.
-    fn land(&mut self, seats: &mut [Member<L, S, D>]) {
-        for (lane, member) in seats.iter_mut().enumerate() {
-            let Member { stepper, log, .. } = member;
-            if let Some(steps) = self.looked_at[lane] {
-                log.looked_at = stepper.steps() + steps;
-            }
-            stepper.steps += self.made;
-            stepper.evaluations += self.cost.evaluations[lane];
-            stepper.iterations += self.cost.iterations;
-            stepper.memory = self.scheme.lane(&self.all, lane);
-            log.watch.set_drifts(self.drifts.map(|drift| drift.map(|drift| drift.lane(lane))));
-            if member.every.is_some() {
-                log.until_record = self.until_look[lane];
-            }
-            member.left = self.left[lane];
+    fn land_all(&mut self, seats: &mut [Member<L, S, D>]) {
+        seats.iter_mut().enumerate().for_each(|(lane, member)| self.land(lane, member));
+        self.cost.evaluations = Ride::ZERO;
+    }
+
+    /// Gives one what is in its lane.
+    fn land(&mut self, lane: usize, member: &mut Member<L, S, D>) {
+        let Member { stepper, log, .. } = member;
+        if let Some(steps) = self.looked_at[lane].take() {
+            log.looked_at = stepper.steps() + steps;
         }
-        (self.made, self.cost) = (0, Cost::NONE);
-        self.looked_at = [None; Ride::COUNT];
+        stepper.steps += core::mem::take(&mut self.made[lane]);
+        stepper.evaluations += self.cost.take_evaluations(lane);
+        stepper.iterations += self.cost.iterations - replace(&mut self.iterations[lane], self.cost.iterations);
+        stepper.memory = self.scheme.lane(&self.all, lane);
+        log.watch.set_drifts(self.drifts.map(|drift| drift.map(|drift| drift.lane(lane))));
+        if member.every.is_some() {
+            log.until_record = self.until_look[lane];
+        }
+        member.left = self.left[lane];
     }
 
     /// Looks at the invariants of those for whom it is time.
@@ -293,12 +386,9 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
                 _ => seen.map(|energy| (energy, energy - start)),
             };
             if let Some((value, deviation)) = seen {
-                let last = (!due.all()).then(|| drift.fields());
+                let last = *drift;
                 drift.observe(t, value, deviation);
-                if let Some(last) = last {
-                    let next = drift.fields();
-                    *drift = Drift::by_field(|field| Ride::either(due, next[field], last[field]));
-                }
+                drift.put(due.not(), &last);
             }
         }
         let own = !seats[0].stepper.system.own_invariants().is_empty();
@@ -307,7 +397,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
                 continue;
             }
             self.until_look[lane] = self.every[lane];
-            self.looked_at[lane] = Some(self.made);
+            self.looked_at[lane] = Some(self.made[lane]);
             if own {
                 let state = State::new(q.lane(lane), v.lane(lane)).at_time(t[lane]);
                 member.log.watch.observe_own(&member.stepper, &state);

@@ -1,7 +1,13 @@
 //! Many motions of one law.
 
+mod each;
 mod export;
+mod in_order;
 mod lanes;
+mod members;
+mod plan;
+#[cfg(feature = "ranks")]
+mod ranks;
 mod rides;
 mod run;
 mod share;
@@ -11,24 +17,30 @@ mod steps;
 #[cfg(feature = "store")]
 mod store;
 
-use core::num::NonZero;
-use core::ops::Range;
 #[cfg(feature = "store")]
 use std::path::PathBuf;
-use std::thread::available_parallelism;
 use std::time::Instant;
 
+pub use crate::ride::Ride;
+pub use each::Each;
 pub use export::End;
-pub use lanes::{Ride, Together};
+pub use lanes::Together;
+pub use members::Members;
+#[cfg(feature = "ranks")]
+pub use ranks::{Ranked, Ranks};
 pub use rides::{Block, Outcome, Rides};
 pub use run::{Checksum, EnsembleRun};
 pub use steps::InLanes;
 
+use in_order::{Aides, Hands, Nobody};
+use plan::{Arrival, Moved, Nowhere, Plan, Rows};
+#[cfg(feature = "store")]
+use store::Stored;
+
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Attend, Follow, Shown, Simulation};
-use crate::scheme::{Adaptable, Adaptive, NoScheme, Scheme};
-use crate::setup::Setup;
+use crate::run::{Follow, Shown, Simulation};
+use crate::scheme::{Adaptable, Adaptive, NoScheme};
 use crate::span::Span;
 use crate::state::State;
 
@@ -38,10 +50,9 @@ use crate::state::State;
 /// members go over the cores. Every member is, to the bit, what it is alone, whatever the number of lanes and threads. One that fails
 /// is told, and costs the others nothing.
 ///
-/// All schemes ride in lanes, with equal and with adaptive steps, but those of stages, [`Gauss`](crate::Gauss) and
-/// [`LineIntegral`](crate::LineIntegral), which fill the lanes with one motion, and [`Relaxed`](crate::Relaxed): these move each member
-/// alone. The law is one that `#[dmech::law]` has written, which can be taken apart into its numbers. [`Ensemble::each`] takes
-/// simulations of any kind, each moved alone:
+/// All schemes ride in lanes, with equal and with adaptive steps, but [`Relaxed`](crate::Relaxed), which moves each member alone. The
+/// law is one that `#[dmech::law]` has written, which can be taken apart into its numbers. [`Ensemble::each`] takes simulations of any
+/// kind, each moved alone:
 ///
 /// ```
 /// use dmech_core::prelude::*;
@@ -95,30 +106,6 @@ pub struct NoLaw;
 #[derive(Clone, Copy, Debug)]
 pub struct NoStart;
 
-/// Who does the work.
-#[derive(Clone, Copy, Debug)]
-struct Hands {
-    threads: Option<usize>,
-    lanes: usize,
-}
-
-impl Hands {
-    const ALL: Hands = Hands { threads: None, lanes: Ride::COUNT };
-
-    /// Moves blocks of members, and takes what comes of them in order.
-    fn share<T: Send>(self, members: usize, work: impl Fn(Range<usize>) -> T + Sync, take: impl FnMut(T)) {
-        let cores = || available_parallelism().map_or(1, NonZero::get);
-        let threads = self.threads.unwrap_or_else(cores).max(1);
-        // A few for each thread, so that none waits long for the last.
-        let size = (members / (8 * threads)).next_multiple_of(Ride::COUNT).clamp(Ride::COUNT, BLOCK);
-        let block = |i: usize| work(i * size..members.min((i + 1) * size));
-        share::in_order(members.div_ceil(size), threads, block, take);
-    }
-}
-
-/// The most members in a block.
-const BLOCK: usize = 512;
-
 impl Ensemble {
     /// So many members, of a law and a start for each.
     pub fn of(members: usize) -> Self {
@@ -168,19 +155,19 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
         Ensemble { law, start, mass, common, members, hands, beside }
     }
 
-    fn common<T>(self, set: impl FnOnce(Simulation<(), (), S>) -> Simulation<(), (), T>) -> Ensemble<L, X, T, M> {
+    fn with<T>(self, set: impl FnOnce(Simulation<(), (), S>) -> Simulation<(), (), T>) -> Ensemble<L, X, T, M> {
         let Ensemble { law, start, mass, common, members, hands, beside } = self;
         Ensemble { law, start, mass, common: set(common), members, hands, beside }
     }
 
     /// The scheme of all.
     pub fn scheme<T>(self, scheme: T) -> Ensemble<L, X, T, M> {
-        self.common(|common| common.scheme(scheme))
+        self.with(|common| common.scheme(scheme))
     }
 
     /// The time step of all; with [`adaptive`](Ensemble::adaptive) the longest.
     pub fn dt(self, dt: f64) -> Self {
-        self.common(|common| common.dt(dt))
+        self.with(|common| common.dt(dt))
     }
 
     /// Steps that follow the motion of each member: [`Simulation::adaptive`].
@@ -188,23 +175,23 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     where
         S: Adaptable,
     {
-        self.common(|common| common.adaptive(tolerance))
+        self.with(|common| common.adaptive(tolerance))
     }
 
     /// Looks at the invariants after every n-th step (default 1, as a run does that records every state). No state is kept but the
     /// last: a look costs about as much as a step, so that every tenth or hundredth is often enough.
     pub fn look_every(self, n: u64) -> Self {
-        self.common(|common| common.record_every(n))
+        self.with(|common| common.record_every(n))
     }
 
     /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are looked at there.
     pub fn record_at(self, times: impl IntoIterator<Item = f64>) -> Self {
-        self.common(|common| common.record_at(times))
+        self.with(|common| common.record_at(times))
     }
 
     /// Keeps the states at the times t₀ + k dt of every member: [`Simulation::record_dt`].
     pub fn record_dt(self, dt: f64) -> Self {
-        self.common(|common| common.record_dt(dt))
+        self.with(|common| common.record_dt(dt))
     }
 
     /// On so many threads; on all cores if nothing is said. The results are the same.
@@ -221,13 +208,9 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     ///
     /// # Errors
     /// [`Error`] for what is refused for all: a step or a tolerance. What fails of a member is in its [result](EnsembleRun::last).
-    pub fn run<Y, const D: usize>(self, steps: u64) -> Result<EnsembleRun<State<D>>, Error>
+    pub fn run<Y: Fields<D>, const D: usize>(self, steps: u64) -> Result<EnsembleRun<State<D>>, Error>
     where
-        L: Fn(usize) -> Y + Sync,
-        X: Fn(usize) -> State<D> + Sync,
-        M: Fn(usize) -> f64 + Sync,
-        Y: Fields<D>,
-        S: Rides<Y, D> + Sync,
+        Self: Members<Y, D>,
     {
         self.collect(Span::Steps(steps))
     }
@@ -236,13 +219,9 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     ///
     /// # Errors
     /// As [`run`](Ensemble::run).
-    pub fn run_until<Y, const D: usize>(self, end: f64) -> Result<EnsembleRun<State<D>>, Error>
+    pub fn run_until<Y: Fields<D>, const D: usize>(self, end: f64) -> Result<EnsembleRun<State<D>>, Error>
     where
-        L: Fn(usize) -> Y + Sync,
-        X: Fn(usize) -> State<D> + Sync,
-        M: Fn(usize) -> f64 + Sync,
-        Y: Fields<D>,
-        S: Rides<Y, D> + Sync,
+        Self: Members<Y, D>,
     {
         self.collect(Span::Until(end))
     }
@@ -252,131 +231,76 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     ///
     /// # Errors
     /// As [`run`](Ensemble::run).
-    pub fn for_each_until<Y, const D: usize>(
+    pub fn for_each_until<Y: Fields<D>, const D: usize>(
         self,
         end: f64,
-        see: impl FnMut(usize, Outcome<State<D>>),
+        mut see: impl FnMut(usize, Outcome<State<D>>),
     ) -> Result<(), Error>
     where
-        L: Fn(usize) -> Y + Sync,
-        X: Fn(usize) -> State<D> + Sync,
-        M: Fn(usize) -> f64 + Sync,
-        Y: Fields<D>,
-        S: Rides<Y, D> + Sync,
+        Self: Members<Y, D>,
     {
-        self.go(Span::Until(end), see)
+        self.go(&self.plan(Span::Until(end), &|k| self.member(k))?, &mut see, Nobody)
     }
 
-    fn collect<Y, const D: usize>(self, span: Span) -> Result<EnsembleRun<State<D>>, Error>
+    fn collect<Y: Fields<D>, const D: usize>(self, span: Span) -> Result<EnsembleRun<State<D>>, Error>
     where
-        L: Fn(usize) -> Y + Sync,
-        X: Fn(usize) -> State<D> + Sync,
-        M: Fn(usize) -> f64 + Sync,
-        Y: Fields<D>,
-        S: Rides<Y, D> + Sync,
+        Self: Members<Y, D>,
     {
         let (clock, mut members) = (Instant::now(), Vec::with_capacity(self.members));
-        self.go(span, |_, member| members.push(member))?;
+        self.go(&self.plan(span, &|k| self.member(k))?, &mut |_, member| members.push(member), Nobody)?;
         Ok(EnsembleRun::new(members, clock.elapsed()))
     }
 
-    fn go<Y, const D: usize>(self, span: Span, mut see: impl FnMut(usize, Outcome<State<D>>)) -> Result<(), Error>
+    fn plan<'a, Y: Fields<D>, const D: usize>(
+        &'a self,
+        span: Span,
+        member: &'a (dyn Fn(usize) -> Simulation<Y, State<D>, <Self as Members<Y, D>>::Scheme> + Sync),
+    ) -> Result<Plan<'a, Y, <Self as Members<Y, D>>::Scheme, D>, Error>
     where
-        L: Fn(usize) -> Y + Sync,
-        X: Fn(usize) -> State<D> + Sync,
-        M: Fn(usize) -> f64 + Sync,
-        Y: Fields<D>,
-        S: Rides<Y, D> + Sync,
+        Self: Members<Y, D>,
     {
-        let Ensemble { law, start, mass, common, members, hands, beside } = self;
+        let common = self.common();
         common.step_length::<f64>()?;
-        let member = |k: usize| common.clone().moving(law(k), start(k)).mass(mass(k));
-        let mut follow = Follow::new(beside.shown, members as u64);
+        Ok(Plan { members: self.members, member, common, span, lanes: self.hands.lanes })
+    }
+
+    /// Moves all members; those who help are told of the end.
+    fn go<Y: Fields<D>, const D: usize>(
+        &self,
+        plan: &Plan<'_, Y, <Self as Members<Y, D>>::Scheme, D>,
+        see: &mut dyn FnMut(usize, Outcome<State<D>>),
+        mut aides: impl Aides<Rows, Moved<State<D>>>,
+    ) -> Result<(), Error>
+    where
+        Self: Members<Y, D>,
+    {
+        let outcome = self.arrive(plan, see, &mut aides);
+        let ended = aides.end(outcome.is_err());
+        outcome.and(ended)
+    }
+
+    fn arrive<Y: Fields<D>, const D: usize>(
+        &self,
+        plan: &Plan<'_, Y, <Self as Members<Y, D>>::Scheme, D>,
+        see: &mut dyn FnMut(usize, Outcome<State<D>>),
+        aides: &mut impl Aides<Rows, Moved<State<D>>>,
+    ) -> Result<(), Error>
+    where
+        Self: Members<Y, D>,
+    {
+        let follow = Follow::new(self.beside.shown.clone(), self.members as u64);
         #[cfg(feature = "store")]
-        if let Some(path) = &beside.path {
-            let plan = store::Plan { members, member: &member, common: &common, span };
-            let (mut done, mut see) = (0, see);
-            let outcome = store::go(path, &plan, hands, &mut follow, |k, outcome| {
-                done = k as u64 + 1;
-                see(k, outcome);
-            });
-            follow.end(done, outcome.is_ok());
-            return outcome;
+        if let Some(path) = &self.beside.path {
+            let mut stored = match Stored::open(path, plan) {
+                Ok(stored) => stored,
+                Err(refused) => {
+                    follow.end(0, false);
+                    return Err(refused);
+                }
+            };
+            plan.run(self.hands, Arrival { keep: &mut stored, see, follow, seen: 0 }, aides)?;
+            return stored.close();
         }
-        let block = |members| S::ride(&Block { members, member: &member, span, lanes: hands.lanes });
-        let mut k = 0;
-        hands.share(members, block, |outcomes| {
-            for outcome in outcomes {
-                see(k, outcome);
-                k += 1;
-            }
-            follow.look(k as u64);
-        });
-        follow.end(members as u64, true);
-        Ok(())
-    }
-}
-
-/// Simulations of any kind, made by [`Ensemble::each`].
-#[derive(Clone, Debug)]
-#[must_use = "an ensemble does nothing until it is run"]
-pub struct Each<F> {
-    member: F,
-    members: usize,
-    hands: Hands,
-    shown: Shown,
-}
-
-impl<F> Each<F> {
-    /// On so many threads; on all cores if nothing is said. The results are the same.
-    pub fn threads(self, threads: usize) -> Self {
-        Each { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
-    }
-
-    /// Makes a number of steps with each member, or fewer where an event or an observer stops it.
-    ///
-    /// # Errors
-    /// None yet; what fails of a member is in its [result](EnsembleRun::last).
-    pub fn run<L, X, S, O>(self, steps: u64) -> Result<EnsembleRun<X::State>, Error>
-    where
-        F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
-        X: Setup<L, State: Send>,
-        S: Scheme<X::System>,
-        O: Attend<X::State>,
-    {
-        Ok(self.collect(Span::Steps(steps)))
-    }
-
-    /// Moves each member until a time: [`Simulation::run_until`].
-    ///
-    /// # Errors
-    /// As [`run`](Each::run).
-    pub fn run_until<L, X, S, O>(self, end: f64) -> Result<EnsembleRun<X::State>, Error>
-    where
-        F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
-        X: Setup<L, State: Send>,
-        S: Scheme<X::System>,
-        O: Attend<X::State>,
-    {
-        Ok(self.collect(Span::Until(end)))
-    }
-
-    fn collect<L, X, S, O>(self, span: Span) -> EnsembleRun<X::State>
-    where
-        F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
-        X: Setup<L, State: Send>,
-        S: Scheme<X::System>,
-        O: Attend<X::State>,
-    {
-        let Each { member, members, hands, shown } = self;
-        let (clock, mut all) = (Instant::now(), Vec::with_capacity(members));
-        let mut follow = Follow::new(shown, members as u64);
-        let block = |members: Range<usize>| members.map(|k| member(k).record(span)).collect::<Vec<_>>();
-        hands.share(members, block, |outcomes| {
-            all.extend(outcomes);
-            follow.look(all.len() as u64);
-        });
-        follow.end(members as u64, true);
-        EnsembleRun::new(all, clock.elapsed())
+        plan.run(self.hands, Arrival { keep: &mut Nowhere, see, follow, seen: 0 }, aides)
     }
 }

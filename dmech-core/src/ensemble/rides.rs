@@ -112,6 +112,8 @@ ride! {
     Composed<Implicit, C, N>, Sized, [C: Coefficients<N>, const N: usize];
     DiscreteGradient, Sized, [];
     Composed<DiscreteGradient, C, N>, Sized, [C: Coefficients<N>, const N: usize];
+    Gauss, AtStages<D, f64>, [];
+    LineIntegral<N>, AtStages<D, f64>, [const N: usize];
     Adaptive<Composed<Leapfrog, C, N>>, VelocityIndependent, [C: Coefficients<N>, const N: usize];
     Adaptive<Nystrom<C, N>>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
     Adaptive<ForceGradient<C, N>>, VelocityIndependent, [C: ForceGradientCoefficients<N>, const N: usize];
@@ -121,14 +123,12 @@ ride! {
     Adaptive<Composed<Implicit, C, N>>, Sized, [C: Coefficients<N>, const N: usize];
     Adaptive<DiscreteGradient>, Sized, [];
     Adaptive<Composed<DiscreteGradient, C, N>>, Sized, [C: Coefficients<N>, const N: usize];
-}
-
-// The stages of these fill the lanes themselves.
-ride! {
-    alone:
-    Gauss, AtStages<D, f64>, [];
-    LineIntegral<N>, AtStages<D, f64>, [const N: usize];
-    Relaxed<C, N>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
     Adaptive<Gauss>, AtStages<D, f64>, [];
     Adaptive<LineIntegral<N>>, AtStages<D, f64>, [const N: usize];
+}
+
+// The correction of the energy is one of each motion.
+ride! {
+    alone:
+    Relaxed<C, N>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
 }

@@ -1,100 +1,113 @@
-//! Work in blocks, over threads.
+//! Work that threads share.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
+use std::time::Duration;
 
-/// A thread is at most so many blocks ahead of the first that is not done, so that what is done needs bounded room.
-const AHEAD: usize = 4;
+/// Jobs, each with the number of its block: those that wait for a thread, and what has come of the others.
+pub(super) struct Board<J, T> {
+    state: Mutex<State<J, T>>,
+    changed: Condvar,
+}
 
-/// Does `work` for every number below `blocks` on so many threads, and hands what it gives to `take` in their order. Where one of
-/// them panics all end, and the panic goes on.
-pub(super) fn in_order<T: Send>(
-    blocks: usize,
+struct State<J, T> {
+    jobs: VecDeque<(usize, J)>,
+    done: BTreeMap<usize, T>,
+    /// No more jobs will come, or somebody has panicked.
+    closed: bool,
+    lost: bool,
+}
+
+/// Runs `direct`, which puts jobs on the board and takes what comes of them, while so many threads work. Where one of them panics all
+/// end, and the panic goes on.
+pub(super) fn with_hands<J: Send, T: Send, O>(
     threads: usize,
-    work: impl Fn(usize) -> T + Sync,
-    mut take: impl FnMut(T),
-) {
-    if threads <= 1 || blocks <= 1 {
-        (0..blocks).for_each(|block| take(work(block)));
-        return;
-    }
-    let board = Board { blocks, room: AHEAD * threads, ..Board::default() };
+    work: impl Fn(J) -> T + Sync,
+    direct: impl FnOnce(&Board<J, T>) -> O,
+) -> O {
+    let state = State { jobs: VecDeque::new(), done: BTreeMap::new(), closed: false, lost: false };
+    let board = Board { state: Mutex::new(state), changed: Condvar::new() };
     thread::scope(|scope| {
-        for _ in 0..threads.min(blocks) {
+        for _ in 0..threads {
             scope.spawn(|| {
                 let _end = EndsAll(&board);
-                while let Some(block) = board.next() {
-                    let result = work(block);
-                    board.look().done.insert(block, result);
-                    board.changed.notify_all();
+                while let Some((block, job)) = board.job() {
+                    let result = work(job);
+                    board.put(block, result);
                 }
             });
         }
         let _end = EndsAll(&board);
-        while let Some(result) = board.first() {
-            take(result);
-        }
-    });
+        let outcome = direct(&board);
+        board.look().closed = true;
+        board.changed.notify_all();
+        outcome
+    })
 }
 
-/// What the threads know of one another.
-struct Board<T> {
-    blocks: usize,
-    room: usize,
-    state: Mutex<State<T>>,
-    changed: Condvar,
-}
-
-impl<T> Default for Board<T> {
-    fn default() -> Self {
-        let state = State { next: 0, taken: 0, done: BTreeMap::new(), lost: false };
-        Board { blocks: 0, room: 0, state: Mutex::new(state), changed: Condvar::new() }
-    }
-}
-
-struct State<T> {
-    /// The next block to be begun, and the first that is not taken.
-    next: usize,
-    taken: usize,
-    done: BTreeMap<usize, T>,
-    /// Somebody has panicked.
-    lost: bool,
-}
-
-impl<T> Board<T> {
-    fn look(&self) -> MutexGuard<'_, State<T>> {
+impl<J, T> Board<J, T> {
+    fn look(&self) -> MutexGuard<'_, State<J, T>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits while this holds and nothing is lost.
-    fn wait_while(&self, holds: impl Fn(&State<T>) -> bool) -> MutexGuard<'_, State<T>> {
-        let waits = |state: &mut State<T>| !state.lost && holds(state);
-        self.changed.wait_while(self.look(), waits).unwrap_or_else(PoisonError::into_inner)
+    /// A job, as soon as there is one; none at the end.
+    fn job(&self) -> Option<(usize, J)> {
+        let waits = |state: &mut State<J, T>| !state.lost && !state.closed && state.jobs.is_empty();
+        let mut state = self.changed.wait_while(self.look(), waits).unwrap_or_else(PoisonError::into_inner);
+        if state.lost { None } else { state.jobs.pop_front() }
     }
 
-    /// A block to work on, as soon as there is room for what comes of it.
-    fn next(&self) -> Option<usize> {
-        let mut state = self.wait_while(|state| state.next < self.blocks && state.next >= state.taken + self.room);
-        let block = state.next;
-        state.next += 1;
-        (block < self.blocks && !state.lost).then_some(block)
-    }
-
-    /// What has come of the first block that is not taken.
-    fn first(&self) -> Option<T> {
-        let mut state = self.wait_while(|state| state.taken < self.blocks && !state.done.contains_key(&state.taken));
-        let block = state.taken;
-        state.taken += 1;
+    /// Adds a job.
+    pub(super) fn add(&self, block: usize, job: J) {
+        self.look().jobs.push_back((block, job));
         self.changed.notify_all();
-        state.done.remove(&block)
+    }
+
+    /// A job for somebody who is no thread of this board.
+    #[cfg(feature = "ranks")]
+    pub(super) fn give(&self) -> Option<(usize, J)> {
+        self.look().jobs.pop_front()
+    }
+
+    /// What has come of a block.
+    pub(super) fn put(&self, block: usize, result: T) {
+        self.look().done.insert(block, result);
+        self.changed.notify_all();
+    }
+
+    /// What has come of this block, if it is done.
+    pub(super) fn take(&self, block: usize) -> Option<T> {
+        self.look().done.remove(&block)
+    }
+
+    /// What has come of any block.
+    #[cfg(feature = "ranks")]
+    pub(super) fn take_any(&self) -> Option<(usize, T)> {
+        self.look().done.pop_first()
+    }
+
+    /// Waits until this block is done, or any if none is named; no longer than a while, if one is given. Whether the threads are still
+    /// there.
+    pub(super) fn wait(&self, block: Option<usize>, a_while: Option<Duration>) -> bool {
+        let waits = |state: &mut State<J, T>| {
+            !state.lost && block.map_or(state.done.is_empty(), |block| !state.done.contains_key(&block))
+        };
+        let (state, changed) = (self.look(), &self.changed);
+        let state = match a_while {
+            None => changed.wait_while(state, waits).unwrap_or_else(PoisonError::into_inner),
+            Some(a_while) => {
+                changed.wait_timeout_while(state, a_while, waits).unwrap_or_else(PoisonError::into_inner).0
+            }
+        };
+        !state.lost
     }
 }
 
 /// Tells the others where its thread panics, who would wait for ever.
-struct EndsAll<'a, T>(&'a Board<T>);
+struct EndsAll<'a, J, T>(&'a Board<J, T>);
 
-impl<T> Drop for EndsAll<'_, T> {
+impl<J, T> Drop for EndsAll<'_, J, T> {
     fn drop(&mut self) {
         if thread::panicking() {
             self.0.look().lost = true;

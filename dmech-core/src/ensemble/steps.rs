@@ -1,12 +1,13 @@
 //! The steps of members side by side: of one length for each, or each as long as its motion allows.
 
-use dmech_scalar::Real;
+use dmech_scalar::{Mask, Real};
 
-use super::lanes::{Ride, Together};
+use super::lanes::Together;
 use crate::law::Fields;
+use crate::ride::Ride;
 use crate::scheme::{Adaptable, Adaptive, ByLane, Pacing, Scheme};
 use crate::stepper::Stepper;
-use crate::system::{EVALUATIONS, Look, Particle, System};
+use crate::system::{EVALUATIONS, Particle, System};
 
 /// A member alone.
 pub(super) type Alone<L, S, const D: usize> = Stepper<Particle<L, D>, S>;
@@ -14,15 +15,20 @@ pub(super) type Alone<L, S, const D: usize> = Stepper<Particle<L, D>, S>;
 /// What members have cost: evaluations of the force by each, and corrections, which are those of the slowest.
 #[derive(Clone, Copy, Debug)]
 pub struct Cost {
-    pub(super) evaluations: [u64; Ride::COUNT],
+    pub(super) evaluations: Ride,
     pub(super) iterations: u64,
 }
 
 impl Cost {
-    pub(super) const NONE: Cost = Cost { evaluations: [0; Ride::COUNT], iterations: 0 };
+    pub(super) const NONE: Cost = Cost { evaluations: Ride::ZERO, iterations: 0 };
 
-    fn add(&mut self, evaluations: u32, iterations: u32) {
-        self.evaluations.iter_mut().for_each(|all| *all += u64::from(evaluations));
+    /// The evaluations of one, which are counted from here on.
+    pub(super) fn take_evaluations(&mut self, lane: usize) -> u64 {
+        core::mem::take(&mut self.evaluations[lane]) as u64
+    }
+
+    fn add(&mut self, evaluations: Ride, iterations: u32) {
+        self.evaluations += evaluations;
         self.iterations += u64::from(iterations);
     }
 }
@@ -39,6 +45,9 @@ pub trait InLanes<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
         L: 'a,
         Self: 'a;
 
+    /// Takes up what one carries in its lane.
+    fn seat(&self, system: &Together<L, D>, all: &mut Self::All, lane: usize, alone: &Alone<L, Self, D>);
+
     /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together.
     fn advance(&self, system: &Together<L, D>, all: &mut Self::All, steps: u64, cost: &mut Cost) -> Option<u64>;
 
@@ -48,9 +57,9 @@ pub trait InLanes<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
     /// Time, position, velocity, and the scheme's own energy if it has one.
     fn state(&self, system: &Together<L, D>, all: &Self::All) -> (Ride, [[Ride; D]; 2], Option<Ride>);
 
-    /// Whether one has come to the end that it was given.
-    fn has_arrived(&self, _all: &Self::All, _lane: usize) -> bool {
-        false
+    /// 1 for those who have come to the end that they were given, if there are any.
+    fn at_the_end(&self, _all: &Self::All) -> Option<Ride> {
+        None
     }
 }
 
@@ -107,20 +116,31 @@ impl<L: Fields<D>, S: BySide<L, D>, const D: usize> InLanes<L, D> for S {
         }
     }
 
+    fn seat(&self, system: &Together<L, D>, all: &mut Even<L, S, D>, lane: usize, alone: &Alone<L, S, D>) {
+        all.start[lane] = alone.start.t;
+        all.dt[lane] = alone.dt;
+        all.made[lane] = alone.steps as f64;
+        all.memory.set(lane, &alone.memory);
+        all.stride = system.stride(all.dt, <S as Scheme<Together<L, D>>>::SHARE);
+        all.workspace = self.workspace(system, &all.stride);
+        <S as Scheme<Together<L, D>>>::watch(self, false, &mut all.workspace);
+    }
+
     fn advance(&self, system: &Together<L, D>, all: &mut Even<L, S, D>, steps: u64, cost: &mut Cost) -> Option<u64> {
         let Even { stride, workspace, start, dt, .. } = all;
-        let (mut made, mut memory, mut efforts) = (all.made, all.memory.clone(), [0; 2]);
+        let (mut made, mut memory) = (all.made, all.memory.clone());
+        let (mut evaluations, mut iterations) = (Ride::ZERO, 0);
         for _ in 0..steps {
             let effort = self.step(system, stride, *start + made * *dt, &mut memory, workspace).ok()?;
-            efforts[0] += effort.evaluations;
-            efforts[1] += effort.iterations;
+            evaluations += <S as Scheme<Together<L, D>>>::evaluations(self, &effort, workspace);
+            iterations += effort.iterations;
             made += Ride::ONE;
         }
         if !<S as Scheme<Together<L, D>>>::finite(self, &memory) {
             return None;
         }
         (all.memory, all.made) = (memory, made);
-        cost.add(efforts[0], efforts[1]);
+        cost.add(evaluations, iterations);
         Some(steps)
     }
 
@@ -140,8 +160,8 @@ pub struct Paced<L: Fields<D>, S: BySide<L, D>, const D: usize> {
     stride: Stride<L, D>,
     memory: Memory<L, S, D>,
     workspace: Workspace<L, S, D>,
-    pacings: [Pacing; Ride::COUNT],
-    longest: [f64; Ride::COUNT],
+    pacing: Pacing<Ride>,
+    longest: Ride,
 }
 
 impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> for Adaptive<S> {
@@ -152,96 +172,84 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> fo
         L: 'a,
         S: 'a,
     {
-        let pacings: [Pacing; Ride::COUNT] = core::array::from_fn(|lane| alone(lane).memory.pacing);
-        let dt = Ride::from_fn(|lane| pacings[lane].dt);
-        let stride = system.stride(dt, <S as Scheme<Together<L, D>>>::SHARE);
+        let pacing: Pacing<Ride> = ByLane::of(&|lane| &alone(lane).memory.pacing);
+        let stride = system.stride(pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
         let scheme = self.inner();
         let mut workspace = scheme.workspace(system, &stride);
         <S as Scheme<Together<L, D>>>::watch(&scheme, false, &mut workspace);
-        Paced {
-            stride,
-            memory: ByLane::of(&|lane| &alone(lane).memory.inner),
-            workspace,
-            pacings,
-            longest: core::array::from_fn(|lane| alone(lane).dt),
-        }
+        let memory = ByLane::of(&|lane| &alone(lane).memory.inner);
+        Paced { stride, memory, workspace, pacing, longest: Ride::from_fn(|lane| alone(lane).dt) }
+    }
+
+    fn seat(&self, system: &Together<L, D>, all: &mut Paced<L, S, D>, lane: usize, alone: &Alone<L, Self, D>) {
+        let (scheme, memory) = (self.inner(), &alone.memory);
+        all.pacing.set(lane, &memory.pacing);
+        all.memory.set(lane, &memory.inner);
+        all.longest[lane] = alone.dt;
+        all.stride = system.stride(all.pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
+        all.workspace = scheme.workspace(system, &all.stride);
+        <S as Scheme<Together<L, D>>>::watch(&scheme, false, &mut all.workspace);
     }
 
     fn advance(&self, system: &Together<L, D>, all: &mut Paced<L, S, D>, steps: u64, cost: &mut Cost) -> Option<u64> {
         let (scheme, mut spent) = (self.inner(), *cost);
-        let (mut memory, mut pacings) = (all.memory.clone(), all.pacings);
+        let (mut memory, mut pacing) = (all.memory.clone(), all.pacing);
         let Paced { stride, workspace, longest, .. } = all;
         let mut made = 0;
-        while made < steps && !pacings.iter().any(|pacing| self.has_arrived(pacing)) {
-            if pacings.iter().any(|pacing| self.is_ready(0, pacing).is_err()) {
+        while made < steps && !self.has_arrived(&pacing).any() {
+            if !pacing.moves_on().all() {
                 return None;
             }
-            let t = Ride::from_fn(|lane| pacings[lane].time.value());
-            system.set_stride(stride, Ride::from_fn(|lane| pacings[lane].dt), <S as Scheme<Together<L, D>>>::SHARE);
-            scheme.pace(system, stride, workspace);
-            let ratios = pacings.map(|pacing| pacing.ratio());
-            if ratios != [1.0; Ride::COUNT] {
-                let stretched = stretch(&scheme, system, (stride, t), &ratios, &mut memory, workspace);
-                for (evaluations, ratio) in spent.evaluations.iter_mut().zip(ratios) {
-                    *evaluations += if ratio == 1.0 { 0 } else { u64::from(stretched) };
+            let t = pacing.time.value();
+            if !Together::<L, D>::dt(stride).equal(pacing.dt).all() {
+                system.set_stride(stride, pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
+                scheme.pace(system, stride, workspace);
+            }
+            let ratio = pacing.ratio();
+            let same = ratio.equal(Ride::ONE);
+            if <S as Scheme<Together<L, D>>>::STRETCHES && !same.all() {
+                let before = same.any().then(|| memory.clone());
+                let stretched = scheme.stretch(system, stride, t, ratio, &mut memory, workspace);
+                if let Some(before) = before {
+                    memory.put(same, &before);
                 }
+                spent.evaluations += Ride::either(same, Ride::ZERO, Ride::from_f64(stretched.into()));
             }
             let effort = scheme.step(system, stride, t, &mut memory, workspace).ok()?;
-            spent.add(effort.evaluations, effort.iterations);
-            let looks = pacings.each_mut().map(|pacing| self.made(pacing));
-            if looks.contains(&true) {
-                let end = Ride::from_fn(|lane| pacings[lane].time.value());
+            let evaluations = <S as Scheme<Together<L, D>>>::evaluations(&scheme, &effort, workspace);
+            spent.add(evaluations, effort.iterations);
+            let due = self.made(&mut pacing);
+            if due.any() {
+                let end = pacing.time.value();
                 let q = <S as Scheme<Together<L, D>>>::position(&scheme, &memory);
                 let v = scheme.velocity(system, stride, end, &memory);
-                let least = Ride::from_fn(|lane| self.least(longest[lane]));
-                let Look { power, s, growth } = system.look_along(end, *q, v, least);
-                for lane in (0..Ride::COUNT).filter(|&lane| looks[lane]) {
-                    let look = Look { power: power[lane], s: s[lane], growth: growth[lane] };
-                    spent.evaluations[lane] += u64::from(EVALUATIONS);
-                    self.looked(&look, &mut pacings[lane]);
-                }
+                let look = system.look_along(end, *q, v, self.least(*longest));
+                spent.evaluations += Ride::either(due, Ride::from_f64(EVALUATIONS.into()), Ride::ZERO);
+                self.looked(&look, due, &mut pacing);
             }
-            pacings.iter_mut().zip(&*longest).for_each(|(pacing, &longest)| self.plan(longest, pacing));
+            self.plan(*longest, &mut pacing);
             made += 1;
         }
         if !<S as Scheme<Together<L, D>>>::finite(&scheme, &memory) {
             return None;
         }
-        (all.memory, all.pacings, *cost) = (memory, pacings, spent);
+        (all.memory, all.pacing, *cost) = (memory, pacing, spent);
         Some(made)
     }
 
     fn lane(&self, all: &Paced<L, S, D>, lane: usize) -> <Self as Scheme<Particle<L, D>>>::Memory {
-        crate::scheme::AdaptiveMemory { inner: all.memory.lane(lane), pacing: all.pacings[lane] }
+        crate::scheme::AdaptiveMemory { inner: all.memory.lane(lane), pacing: all.pacing.lane(lane) }
     }
 
     fn state(&self, system: &Together<L, D>, all: &Paced<L, S, D>) -> (Ride, [[Ride; D]; 2], Option<Ride>) {
-        let (scheme, Paced { stride, memory, pacings, .. }) = (self.inner(), all);
-        let t = Ride::from_fn(|lane| pacings[lane].time.value());
+        let (scheme, Paced { stride, memory, pacing, .. }) = (self.inner(), all);
+        let t = pacing.time.value();
         let q = *<S as Scheme<Together<L, D>>>::position(&scheme, memory);
         (t, [q, scheme.velocity(system, stride, t, memory)], None)
     }
 
-    fn has_arrived(&self, all: &Paced<L, S, D>, lane: usize) -> bool {
-        Adaptive::has_arrived(self, &all.pacings[lane])
+    fn at_the_end(&self, all: &Paced<L, S, D>) -> Option<Ride> {
+        let arrived = self.has_arrived(&all.pacing);
+        arrived.any().then(|| Ride::either(arrived, Ride::ONE, Ride::ZERO))
     }
-}
-
-/// What each carries, for a step that is so many times as long as the last; where it is as long, nothing changes. What it costs.
-fn stretch<L: Fields<D>, S: BySide<L, D>, const D: usize>(
-    scheme: &S,
-    system: &Together<L, D>,
-    (stride, t): (&Stride<L, D>, Ride),
-    ratios: &[f64; Ride::COUNT],
-    memory: &mut Memory<L, S, D>,
-    workspace: &mut Workspace<L, S, D>,
-) -> u32 {
-    let before = memory.clone();
-    let cost = scheme.stretch(system, stride, t, Ride::from_fn(|lane| ratios[lane]), memory, workspace);
-    if ratios.contains(&1.0) {
-        let one = |lane: usize| if ratios[lane] == 1.0 { before.lane(lane) } else { memory.lane(lane) };
-        let each: Vec<<S as Scheme<Particle<L, D>>>::Memory> = (0..Ride::COUNT).map(one).collect();
-        *memory = ByLane::of(&|lane| &each[lane]);
-    }
-    cost
 }

@@ -2,10 +2,14 @@
 
 use core::fmt;
 
+use crate::words::Word;
+
 /// A law that does not step what its author wrote: both values, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Disagreement {
-    pub(crate) quantity: &'static str,
+    #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
+    pub(crate) quantity: Word,
     pub(crate) written: f64,
     pub(crate) derived: f64,
     pub(crate) time: f64,
@@ -17,6 +21,7 @@ pub struct Disagreement {
 
 /// Which body or bodies of a scene it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum Culprit {
     /// There is only one.
     Alone,
@@ -30,7 +35,7 @@ pub(crate) enum Culprit {
 
 impl Disagreement {
     /// `potential`, `force` or the name of an invariant of the law's own.
-    pub fn quantity(&self) -> &'static str {
+    pub fn quantity(&self) -> Word {
         self.quantity
     }
 

@@ -24,9 +24,11 @@ pub use store::{Reach, StoreError};
 use thiserror::Error;
 
 use crate::text::Number;
+use crate::words::Word;
 
 /// Why a simulation did not start or did not go on.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Error {
     /// No time step was given.
@@ -75,7 +77,8 @@ pub enum Error {
     #[error("the initial state must be finite: {quantity} = {}", Number(*value))]
     State {
         /// `t`, `q` or `v`.
-        quantity: &'static str,
+        #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
+        quantity: Word,
         /// The refused value.
         value: f64,
     },
@@ -117,9 +120,6 @@ pub enum Error {
         /// The end of the next step.
         to: f64,
     },
-    /// A recorded state could not be written to a stream.
-    #[error("a recorded state could not be written: {0}")]
-    Stream(std::io::ErrorKind),
     /// The end of `run_until` is infinite or NaN, or too many steps away.
     #[error("cannot run until t = {} in steps of {}: the end must be finite, and 2^53 steps away at most", Number(*end), Number(*dt))]
     EndTime {
@@ -145,7 +145,8 @@ pub enum Error {
     #[error("the {quantity} of the law is {} at the start, t = {}", Number(*value), Number(*time))]
     Law {
         /// `potential` or `force`.
-        quantity: &'static str,
+        #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
+        quantity: Word,
         /// Its value, or that of its worst component.
         value: f64,
         /// The time of the start.
@@ -170,10 +171,6 @@ pub enum Error {
     /// What a macro derived from the text of a law is not what the method gives: a name means something else than its text.
     #[error("{0}")]
     NotAsWritten(Disagreement),
-    /// A scene that cannot be set up.
-    #[cfg(feature = "scene")]
-    #[error(transparent)]
-    Scene(#[from] SceneError),
     /// A law between two bodies has no finite value where they are.
     #[error("{}, step {step}, t = {}", link(*a, *b, *distance), Number(*time))]
     Link {
@@ -225,7 +222,8 @@ pub enum Error {
     )]
     LawInStep {
         /// `force`, `potential`, `discrete gradient`, or the derivative of one of them.
-        quantity: &'static str,
+        #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
+        quantity: Word,
         /// Its value, or that of its worst component.
         value: f64,
         /// Where on the way.
@@ -264,13 +262,38 @@ pub enum Error {
         /// The refused end.
         end: f64,
     },
+    /// A rank has another ensemble: another program, or one whose law, start or settings differ there (feature `ranks`).
+    #[cfg(feature = "ranks")]
+    #[error(
+        "rank {rank} has another ensemble: all ranks must run one program, with the same members, law, scheme and steps"
+    )]
+    OtherEnsemble {
+        /// The rank.
+        rank: usize,
+    },
+    /// The first rank has ended the ensemble; what went wrong is told there (feature `ranks`).
+    #[cfg(feature = "ranks")]
+    #[error("the first rank has ended the ensemble with an error")]
+    FirstRank,
+    // What does not travel from rank to rank comes last: serde counts the others only.
+    /// A recorded state could not be written to a stream.
+    #[error("a recorded state could not be written: {0}")]
+    #[cfg_attr(feature = "serde", serde(skip))]
+    Stream(std::io::ErrorKind),
+    /// A scene that cannot be set up.
+    #[cfg(feature = "scene")]
+    #[error(transparent)]
+    #[cfg_attr(feature = "serde", serde(skip))]
+    Scene(#[from] SceneError),
     /// A checkpoint of another simulation (feature `serde`).
     #[cfg(feature = "serde")]
     #[error("cannot resume: {0}")]
+    #[cfg_attr(feature = "serde", serde(skip))]
     Checkpoint(Difference),
     /// The store of an ensemble (feature `store`).
     #[cfg(feature = "store")]
     #[error("the store of the ensemble: {0}")]
+    #[cfg_attr(feature = "serde", serde(skip))]
     Store(#[from] StoreError),
 }
 

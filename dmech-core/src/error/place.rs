@@ -4,6 +4,7 @@ use crate::text::Number;
 
 /// A position as a message shows it: three coordinates at most, and how many there are.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Place {
     first: [f64; 3],
     coordinates: usize,

@@ -93,6 +93,8 @@ fn listed(error: &Error) -> bool {
         Checkpoint(_) => true,
         #[cfg(feature = "store")]
         Store(_) => true,
+        #[cfg(feature = "ranks")]
+        OtherEnsemble { .. } | FirstRank => true,
         // It tells in words of its own.
         NotAsWritten(_) => false,
     }
@@ -113,4 +115,36 @@ fn numbers_in_messages_have_few_digits() {
     let store = if cfg!(feature = "store") { 7 } else { 0 };
     let scene = if cfg!(feature = "scene") { 4 } else { 0 };
     assert_eq!(numbers, 3 * (58 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
+}
+
+/// What ends a member on another machine comes home as it is; what cannot happen there is not written.
+#[cfg(feature = "ranks")]
+#[test]
+fn errors_travel() {
+    use crate::error::{Culprit, Disagreement};
+    let (place, culprit) = ([0.1, 0.2, 0.3], Culprit::Alone);
+    let law = Disagreement { quantity: "force", written: 1.5, derived: 2.5, time: 0.5, place, dimension: 2, culprit };
+    let mut travelled = 0;
+    for error in all(2.5).into_iter().chain([Error::NotAsWritten(law), Error::FirstRank]) {
+        match postcard::to_allocvec(&error) {
+            Ok(bytes) => {
+                assert_eq!(postcard::from_bytes::<Error>(&bytes).as_ref(), Ok(&error));
+                travelled += 1;
+            }
+            Err(_) => assert!(stays(&error), "{error:?}"),
+        }
+    }
+    assert!(travelled > 25, "{travelled}");
+}
+
+#[cfg(feature = "ranks")]
+fn stays(error: &Error) -> bool {
+    match error {
+        Error::Stream(_) => true,
+        #[cfg(feature = "scene")]
+        Error::Scene(_) => true,
+        #[cfg(feature = "store")]
+        Error::Store(_) => true,
+        error => matches!(error, Error::Checkpoint(_)),
+    }
 }

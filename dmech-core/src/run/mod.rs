@@ -13,7 +13,7 @@ mod passage;
 mod progress;
 mod quantity;
 mod report;
-#[cfg(feature = "store")]
+#[cfg(any(feature = "ranks", feature = "store"))]
 mod restored;
 #[cfg(feature = "progress")]
 mod shown;
@@ -34,9 +34,9 @@ pub use passage::Passage;
 pub(crate) use progress::{Follow, Shown};
 pub use quantity::Quantity;
 pub use report::Report;
-#[cfg(feature = "store")]
+#[cfg(any(feature = "ranks", feature = "store"))]
 pub(crate) use report::Work;
-#[cfg(feature = "store")]
+#[cfg(any(feature = "ranks", feature = "store"))]
 pub(crate) use restored::Restored;
 #[cfg(feature = "progress")]
 pub(crate) use shown::bar;
@@ -48,7 +48,7 @@ pub use watch::Watch;
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
 use crate::method::Method;
-#[cfg(not(feature = "store"))]
+#[cfg(not(any(feature = "ranks", feature = "store")))]
 use report::Work;
 
 /// The recorded states of a simulation, what it kept and what it cost.

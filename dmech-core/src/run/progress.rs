@@ -33,7 +33,6 @@ impl Follow {
     }
 
     /// So many were made before, at no cost: nothing is learned from them of the time that is left.
-    #[cfg(feature = "store")]
     #[cfg_attr(not(feature = "progress"), expect(unused_variables, reason = "nothing is shown"))]
     pub(crate) fn pass(&mut self, steps: u64) {
         #[cfg(feature = "progress")]
@@ -96,7 +95,6 @@ mod bar {
             self.stride
         }
 
-        #[cfg(feature = "store")]
         pub(super) fn pass(&mut self, steps: u64) {
             self.bar.set_position(steps);
             self.bar.reset_eta();

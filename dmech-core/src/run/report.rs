@@ -9,6 +9,7 @@ use crate::text::Number;
 
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Work {
     pub(crate) steps: u64,
     pub(crate) evaluations: u64,
@@ -21,7 +22,7 @@ pub(crate) struct Work {
 }
 
 /// What a run kept and what it cost. `Display` shows it as a table for the terminal.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Report {
     scheme: &'static str,
     order: u32,
@@ -50,7 +51,7 @@ impl Report {
         self.drifts[Invariant::WorkEnergy as usize] = None;
     }
 
-    #[cfg(feature = "store")]
+    #[cfg(any(feature = "ranks", feature = "store"))]
     pub(crate) fn work(&self) -> Work {
         self.work
     }

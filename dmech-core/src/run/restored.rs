@@ -10,6 +10,7 @@ use crate::system::System;
 
 /// What a run does not have of its simulation.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Restored<X> {
     pub(crate) last: X,
     pub(crate) states: Vec<X>,
@@ -40,7 +41,10 @@ impl<L, X: Setup<L>, S> Simulation<L, X, S> {
         let system = start.system(law, settings.mass, length)?;
         run.states = before.states;
         run.report.keep(Invariant::ALL.map(|invariant| S::kept(&system, invariant)));
-        let own = OwnDrifts { names: system.own_invariants(), drifts: before.own, ..OwnDrifts::default() };
+        let mut own = OwnDrifts::default();
+        for (name, drift) in system.own_invariants().iter().zip(before.own) {
+            drift.into_iter().for_each(|drift| own.add(name, drift));
+        }
         run.report.finish(before.drifts, own, before.work);
         Ok(run)
     }

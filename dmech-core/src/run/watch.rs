@@ -52,12 +52,12 @@ impl<Y: System> Watch<Y> {
         let energies = [Y::Scalar::ZERO; Invariant::ALL.len()];
         let work = Compensated::new(Y::Scalar::ZERO);
         let own_start = [Y::Scalar::ZERO; MAX_OWN];
-        let own = OwnDrifts { names: stepper.system.own_invariants(), ..OwnDrifts::default() };
+        let own = OwnDrifts::default();
         let mut watch: Self = Watch { energies, work, drifts: [None; Invariant::ALL.len()], own_start, own };
         let state = stepper.state();
-        for (k, _) in own.names.iter().enumerate().take(MAX_OWN) {
+        for (k, name) in stepper.system.own_invariants().iter().enumerate().take(MAX_OWN) {
             watch.own_start[k] = stepper.system.own_invariant(k, &state);
-            watch.own.drifts[k] = Some(Drift::new(Y::time(&state), watch.own_start[k].to_f64()));
+            watch.own.add(name, Drift::new(Y::time(&state), watch.own_start[k].to_f64()));
         }
         for invariant in Invariant::ALL {
             let energy = watch.energy(invariant, stepper, &state);
@@ -103,7 +103,7 @@ impl<Y: System> Watch<Y> {
 
     /// Looks at the invariants that the law declares itself.
     pub(crate) fn observe_own<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
-        for (k, drift) in self.own.drifts.iter_mut().flatten().enumerate() {
+        for (k, drift) in self.own.iter_mut().enumerate() {
             let value = stepper.system.own_invariant(k, state);
             drift.observe(Y::time(state), value.to_f64(), (value - self.own_start[k]).to_f64());
         }
@@ -116,7 +116,7 @@ impl<Y: System> Watch<Y> {
 
     /// How the invariants moved that the law declares itself.
     pub fn own_drifts(&self) -> OwnDrifts {
-        self.own
+        self.own.clone()
     }
 
     fn energy<S: Scheme<Y>>(

@@ -26,6 +26,19 @@ impl<const D: usize> Eights<D> {
         &mut self.flat
     }
 
+    /// The columns.
+    #[inline(always)]
+    pub(super) fn columns(&self) -> [&[Lanes]; D] {
+        core::array::from_fn(|k| &self.flat[k * self.bodies..(k + 1) * self.bodies])
+    }
+
+    /// The columns, to be written to.
+    #[inline(always)]
+    pub(super) fn columns_mut(&mut self) -> [&mut [Lanes]; D] {
+        let mut rest = self.flat.as_mut_slice();
+        core::array::from_fn(|_| rest.split_off_mut(..self.bodies).unwrap_or_default())
+    }
+
     #[inline(always)]
     pub(super) fn get(&self, i: usize) -> [Lanes; D] {
         let mut all = [Lanes::default(); D];

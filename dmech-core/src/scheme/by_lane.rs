@@ -1,8 +1,9 @@
 //! What members carry side by side, one in each lane.
 
-use dmech_scalar::{CompensatedVector, Rows};
+use dmech_scalar::{CompensatedVector, Lanes, Real};
 
 use crate::invariant::Drift;
+use crate::ride::Ride;
 
 /// Values of a kind, one in each lane.
 pub trait ByLane<T> {
@@ -12,16 +13,44 @@ pub trait ByLane<T> {
         T: 'a;
     /// The one in a lane.
     fn lane(&self, lane: usize) -> T;
+    /// Another in a lane.
+    fn set(&mut self, lane: usize, one: &T);
+    /// Those of another where the mask holds.
+    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self);
 }
 
-impl<const N: usize> ByLane<f64> for Rows<N> {
+impl ByLane<f64> for Ride {
     #[inline(always)]
     fn of<'a>(one: &impl Fn(usize) -> &'a f64) -> Self {
-        Rows::from_fn(|lane| *one(lane))
+        Ride::from_fn(|lane| *one(lane))
     }
     #[inline(always)]
     fn lane(&self, lane: usize) -> f64 {
         self[lane]
+    }
+    #[inline(always)]
+    fn set(&mut self, lane: usize, one: &f64) {
+        self[lane] = *one;
+    }
+    #[inline(always)]
+    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+        *self = Ride::either(which, *other, *self);
+    }
+}
+
+/// The stages of one stand in lanes, those of several one after another.
+impl ByLane<Lanes> for [Ride; Lanes::COUNT] {
+    fn of<'a>(one: &impl Fn(usize) -> &'a Lanes) -> Self {
+        core::array::from_fn(|stage| Ride::from_fn(|lane| one(lane)[stage]))
+    }
+    fn lane(&self, lane: usize) -> Lanes {
+        Lanes::from_fn(|stage| self[stage][lane])
+    }
+    fn set(&mut self, lane: usize, one: &Lanes) {
+        self.iter_mut().enumerate().for_each(|(stage, own)| own[lane] = one[stage]);
+    }
+    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+        self.iter_mut().zip(other).for_each(|(own, other)| ByLane::<f64>::put(own, which, other));
     }
 }
 
@@ -35,29 +64,56 @@ impl<A: ByLane<T>, T, const N: usize> ByLane<[T; N]> for [A; N] {
     fn lane(&self, lane: usize) -> [T; N] {
         core::array::from_fn(|i| self[i].lane(lane))
     }
+    fn set(&mut self, lane: usize, one: &[T; N]) {
+        self.iter_mut().zip(one).for_each(|(own, one)| own.set(lane, one));
+    }
+    #[inline(always)]
+    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+        self.iter_mut().zip(other).for_each(|(own, other)| own.put(which, other));
+    }
 }
 
-impl<const D: usize, const N: usize> ByLane<CompensatedVector<D, f64>> for CompensatedVector<D, Rows<N>> {
+impl<const D: usize> ByLane<CompensatedVector<D, f64>> for CompensatedVector<D, Ride> {
     fn of<'a>(one: &impl Fn(usize) -> &'a CompensatedVector<D, f64>) -> Self {
         CompensatedVector { hi: ByLane::of(&|lane| &one(lane).hi), lo: ByLane::of(&|lane| &one(lane).lo) }
     }
     fn lane(&self, lane: usize) -> CompensatedVector<D, f64> {
         CompensatedVector { hi: self.hi.lane(lane), lo: self.lo.lane(lane) }
     }
+    fn set(&mut self, lane: usize, one: &CompensatedVector<D, f64>) {
+        self.hi.set(lane, &one.hi);
+        self.lo.set(lane, &one.lo);
+    }
+    #[inline(always)]
+    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+        self.hi.put(which, &other.hi);
+        self.lo.put(which, &other.lo);
+    }
 }
 
-impl<const N: usize> ByLane<Drift> for Drift<Rows<N>> {
+impl ByLane<Drift> for Drift<Ride> {
     fn of<'a>(one: &impl Fn(usize) -> &'a Drift) -> Self {
-        Drift::by_field(|field| Rows::from_fn(|lane| one(lane).fields()[field]))
+        Drift::by_field(|field| Ride::from_fn(|lane| one(lane).fields()[field]))
     }
     fn lane(&self, lane: usize) -> Drift {
         Drift::by_field(|field| self.fields()[field][lane])
     }
+    fn set(&mut self, lane: usize, one: &Drift) {
+        let mut own = self.fields();
+        own.set(lane, &one.fields());
+        *self = Drift::by_field(|field| own[field]);
+    }
+    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+        let (own, other) = (self.fields(), other.fields());
+        *self = Drift::by_field(|field| Ride::either(which, other[field], own[field]));
+    }
 }
 
-/// Says how the fields of what a scheme carries stand in lanes: each of the named ones has a number for each.
+/// Says how the fields of what a scheme carries stand in lanes: each of the named ones has a number for each. A memory of stages is one of
+/// `Staged with Pushes`.
 macro_rules! by_lane {
-    ($($name:ident $(<const $n:ident>)? { $($field:ident),* } $(all { $($same:ident),* })?;)*) => {$(
+    ($($name:ident $(<const $n:ident>)? $(of $system:ident with $more:ident)? { $($field:ident),* } $(all { $($same:ident),* })?
+        $(afresh { $($new:ident),* })?;)*) => {$(
         impl<A, B, $(const $n: usize)?> crate::scheme::by_lane::ByLane<$name<B $(, $n)?>> for $name<A $(, $n)?>
         where
             A: crate::system::System<
@@ -65,8 +121,8 @@ macro_rules! by_lane {
                 Vector: crate::scheme::by_lane::ByLane<B::Vector>,
                 Sum: crate::scheme::by_lane::ByLane<B::Sum>,
                 Work: crate::scheme::by_lane::ByLane<B::Work>,
-            >,
-            B: crate::system::System,
+            > $(+ crate::system::$system<$more: crate::scheme::by_lane::ByLane<B::$more>>)?,
+            B: crate::system::System $(+ crate::system::$system)?,
         {
             fn of<'a>(one: &impl Fn(usize) -> &'a $name<B $(, $n)?>) -> Self
             where
@@ -75,13 +131,22 @@ macro_rules! by_lane {
                 $name {
                     $($field: crate::scheme::by_lane::ByLane::of(&|lane| &one(lane).$field),)*
                     $($($same: one(0).$same,)*)?
+                    $($($new: Default::default(),)*)?
                 }
             }
             fn lane(&self, lane: usize) -> $name<B $(, $n)?> {
                 $name {
                     $($field: crate::scheme::by_lane::ByLane::lane(&self.$field, lane),)*
                     $($($same: self.$same,)*)?
+                    $($($new: Default::default(),)*)?
                 }
+            }
+            fn set(&mut self, lane: usize, one: &$name<B $(, $n)?>) {
+                $(crate::scheme::by_lane::ByLane::set(&mut self.$field, lane, &one.$field);)*
+            }
+            #[inline(always)]
+            fn put(&mut self, which: <crate::ride::Ride as dmech_scalar::Real>::Mask, other: &Self) {
+                $(crate::scheme::by_lane::ByLane::put(&mut self.$field, which, &other.$field);)*
             }
         }
     )*};

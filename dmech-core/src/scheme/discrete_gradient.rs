@@ -93,6 +93,8 @@ impl DiscreteGradient {
 impl<Y: System> Scheme<Y> for DiscreteGradient {
     const SHARE: f64 = Self::SHARE;
 
+    const STRETCHES: bool = false;
+
     type Memory = DiscreteGradientMemory<Y>;
     type Workspace = Y::Solver;
 

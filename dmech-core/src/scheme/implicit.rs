@@ -83,6 +83,8 @@ impl Implicit {
 impl<Y: System> Scheme<Y> for Implicit {
     const SHARE: f64 = Self::SHARE;
 
+    const STRETCHES: bool = false;
+
     type Memory = ImplicitMemory<Y>;
     type Workspace = Y::Solver;
 

@@ -39,6 +39,8 @@ pub use nystrom::Nystrom;
 pub use relaxed::{Relaxed, RelaxedMemory, RelaxedRoom};
 pub use splitting::{First, SplittingMemory};
 
+use dmech_scalar::Real;
+
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 pub use crate::method::Method;
@@ -56,6 +58,9 @@ pub use crate::system::{Effort, Guess, LinearVelocities, Newton, WithoutVelociti
 pub trait Scheme<Y: System>: Method {
     /// The share of h²/m that the unknown force has in the equation of a step; 0 if there is none.
     const SHARE: f64 = 0.0;
+
+    /// Whether something has to be done where steps change their length: [`stretch`](Scheme::stretch).
+    const STRETCHES: bool = true;
 
     /// What is carried from step to step.
     type Memory: Clone + core::fmt::Debug;
@@ -98,6 +103,12 @@ pub trait Scheme<Y: System>: Method {
         memory: &mut Self::Memory,
         workspace: &mut Self::Workspace,
     ) -> Result<Effort, NotConverged>;
+
+    /// Evaluations of the last step by each of several that stand side by side: what its effort says, unless they differ.
+    #[inline(always)]
+    fn evaluations(&self, effort: &Effort, _workspace: &Self::Workspace) -> Y::Scalar {
+        Y::Scalar::from_f64(effort.evaluations.into())
+    }
 
     /// Position and velocity after a single step of length dt from a state, and what it costs: what lies between two steps, at the
     /// order of the scheme.

@@ -18,25 +18,26 @@ pub struct Look<R = f64> {
     pub growth: R,
 }
 
-impl Look {
+impl<R: Real> Look<R> {
     /// ω, the angular frequency of the linearised motion.
     #[cold]
-    pub fn rate(&self) -> f64 {
+    pub fn rate(&self) -> R {
         self.power.sqrt().sqrt().cbrt() / self.s
     }
 
     /// ρ, or the end of the range `band` of ρ/ω where it lies outside.
-    #[inline]
-    pub fn within(&self, [least, most]: [f64; 2], density: f64) -> f64 {
+    #[inline(always)]
+    pub fn within(&self, [least, most]: [f64; 2], density: R) -> R {
+        let bound = |end: f64| R::from_f64(end.powi(12)) * self.power;
         // No density is negative.
-        let ratio = (density * self.s).max(0.0).powi(12);
-        if ratio < least.powi(12) * self.power {
-            least * self.rate()
-        } else if ratio > most.powi(12) * self.power {
-            most * self.rate()
-        } else {
-            density
+        let ratio = (density * self.s).max(R::ZERO).powi(12);
+        let (below, above) = (ratio.less(bound(least)), bound(most).less(ratio));
+        if !below.or(above).any() {
+            return density;
         }
+        let rate = self.rate();
+        let end = R::either(below, R::from_f64(least), R::from_f64(most)) * rate;
+        R::either(below.or(above), end, density)
     }
 }
 

@@ -9,8 +9,8 @@ use rusqlite::{Connection, OpenFlags};
 
 use super::layout::Layout;
 use super::record::{Members, read};
-use super::set_up::Plan;
 use super::settings::set;
+use crate::ensemble::plan::{Moved, Plan};
 use crate::ensemble::{Checksum, Outcome, Rides};
 use crate::error::{Error, StoreError};
 use crate::law::Fields;
@@ -88,7 +88,7 @@ impl Store {
         &self,
         plan: &Plan<'_, L, S, D>,
         members: Range<usize>,
-        moved: Vec<(usize, Outcome<State<D>>)>,
+        moved: Moved<State<D>>,
     ) -> Result<Vec<Outcome<State<D>>>, Error>
     where
         L: Fields<D>,

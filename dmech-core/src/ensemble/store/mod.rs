@@ -12,8 +12,7 @@ mod tests;
 
 use std::path::Path;
 
-pub(super) use moving::go;
-pub(super) use set_up::Plan;
+pub(super) use moving::Stored;
 
 use super::{Beside, Ensemble};
 

@@ -2,79 +2,51 @@
 
 use core::ops::Range;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::kept::Store;
-use super::set_up::Plan;
-use crate::ensemble::{Block, Checksum, Hands, Outcome, Rides};
+use crate::ensemble::plan::{Keep, Moved, Plan, Rows};
+use crate::ensemble::{Checksum, Outcome, Rides};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::Follow;
 use crate::state::State;
 
-/// Hands the members over in order: those that the store has, and the others as they come and are written.
-pub(in crate::ensemble) fn go<L, S, const D: usize>(
-    path: &Path,
-    plan: &Plan<'_, L, S, D>,
-    hands: Hands,
-    follow: &mut Follow,
-    mut see: impl FnMut(usize, Outcome<State<D>>),
-) -> Result<(), Error>
-where
-    L: Fields<D>,
-    S: Rides<L, D> + Sync,
-{
-    let store = Store::open(path, plan)?;
-    let done = store.done(plan.members)?;
-    let (stop, mut failure, mut sum) = (AtomicBool::new(false), None, Checksum::default());
-    let block = |members: Range<usize>| {
-        let mut moved = Vec::new();
-        for missing in missing(&done, members.clone()) {
-            if !stop.load(Ordering::Relaxed) {
-                let numbers = missing.clone();
-                let block = Block { members: missing, member: plan.member, span: plan.span, lanes: hands.lanes };
-                moved.extend(numbers.zip(S::ride(&block)));
-            }
-        }
-        (members, moved)
-    };
-    hands.share(plan.members, block, |(members, moved)| {
-        if failure.is_some() {
-            return;
-        }
-        let (any, end) = (!moved.is_empty(), members.end as u64);
-        match store.hand_over(plan, members.clone(), moved) {
-            Ok(outcomes) => {
-                for (k, outcome) in members.zip(outcomes) {
-                    sum.add(outcome.as_ref());
-                    see(k, outcome);
-                }
-                if any {
-                    follow.look(end);
-                } else {
-                    follow.pass(end);
-                }
-            }
-            Err(refused) => {
-                stop.store(true, Ordering::Relaxed);
-                failure = Some(refused);
-            }
-        }
-    });
-    match failure {
-        Some(refused) => Err(refused),
-        None => Ok(store.close(sum)?),
+/// A store on its way: what it has, and the checksum of what was seen.
+pub(in crate::ensemble) struct Stored<'a, L, S, const D: usize> {
+    plan: &'a Plan<'a, L, S, D>,
+    store: Store,
+    done: Vec<bool>,
+    sum: Checksum,
+}
+
+impl<'a, L: Fields<D>, S: Rides<L, D>, const D: usize> Stored<'a, L, S, D> {
+    /// Opens the store of an ensemble, or makes it.
+    pub(in crate::ensemble) fn open(path: &Path, plan: &'a Plan<'a, L, S, D>) -> Result<Self, Error> {
+        let store = Store::open(path, plan)?;
+        let done = store.done(plan.members)?;
+        Ok(Stored { plan, store, done, sum: Checksum::default() })
+    }
+
+    /// All members are in it.
+    pub(in crate::ensemble) fn close(self) -> Result<(), Error> {
+        Ok(self.store.close(self.sum)?)
     }
 }
 
-/// The members of a block that are not done, in rows.
-fn missing(done: &[bool], members: Range<usize>) -> Vec<Range<usize>> {
-    let mut rows: Vec<Range<usize>> = Vec::new();
-    for k in members.filter(|&k| !done[k]) {
-        match rows.last_mut() {
-            Some(row) if row.end == k => row.end = k + 1,
-            _ => rows.push(k..k + 1),
+impl<L: Fields<D>, S: Rides<L, D>, const D: usize> Keep<State<D>> for Stored<'_, L, S, D> {
+    fn missing(&self, members: Range<usize>) -> Rows {
+        let mut rows = Rows::new();
+        for k in members.filter(|&k| !self.done[k]) {
+            match rows.last_mut() {
+                Some(row) if row.end == k => row.end = k + 1,
+                _ => rows.push(k..k + 1),
+            }
         }
+        rows
     }
-    rows
+
+    fn keep(&mut self, members: Range<usize>, moved: Moved<State<D>>) -> Result<Vec<Outcome<State<D>>>, Error> {
+        let outcomes = self.store.hand_over(self.plan, members, moved)?;
+        outcomes.iter().for_each(|outcome| self.sum.add(outcome.as_ref()));
+        Ok(outcomes)
+    }
 }

@@ -7,20 +7,12 @@ use super::layout::Layout;
 use super::settings::{get, set};
 use super::table::{Reader, Seal, Writer};
 use crate::ensemble::Rides;
+use crate::ensemble::plan::Plan;
 use crate::error::StoreError;
 use crate::law::{Field, Fields, Numbers, Potential};
 use crate::name::Name;
 use crate::run::Simulation;
-use crate::span::Span;
 use crate::state::State;
-
-/// An ensemble as it moves.
-pub(in crate::ensemble) struct Plan<'a, L, S, const D: usize> {
-    pub(in crate::ensemble) members: usize,
-    pub(in crate::ensemble) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S> + Sync),
-    pub(in crate::ensemble) common: &'a Simulation<(), (), S>,
-    pub(in crate::ensemble) span: Span,
-}
 
 /// The numbers of a member, and what acts on it.
 struct Member {

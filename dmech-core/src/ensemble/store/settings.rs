@@ -4,8 +4,8 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, OptionalExtension};
 
 use super::layout::Layout;
-use super::set_up::Plan;
 use crate::ensemble::Rides;
+use crate::ensemble::plan::Plan;
 use crate::error::{Reach, StoreError};
 use crate::law::Fields;
 use crate::method::Method;

@@ -1,10 +1,10 @@
 //! A disk that is full, which a suite cannot have.
 
-use core::ops::Range;
-
+use super::Stored;
 use super::kept::Store;
-use super::{Plan, go};
-use crate::ensemble::{Block, Checksum, Hands, Outcome, Rides};
+use crate::ensemble::in_order::{Hands, Nobody};
+use crate::ensemble::plan::{Arrival, Plan};
+use crate::ensemble::{Checksum, Outcome};
 use crate::error::{Error, StoreError};
 use crate::law::{Conservative, Field, Fields, Potential};
 use crate::run::{Follow, Shown, Simulation};
@@ -60,19 +60,15 @@ fn a_full_disk_is_told_and_takes_nothing() {
     let _ = std::fs::remove_file(&file);
     let common = Simulation::of((), ()).scheme(Leapfrog).dt(0.01);
     let member = |k: usize| common.clone().moving(Spring { k: 1.0 + 0.1 * k as f64 }, State::new([1.0], [0.0]));
-    let span = Span::Steps(5);
-    let plan = Plan { members: MEMBERS, member: &member, common: &common, span };
-    let moved = |members: Range<usize>| -> Vec<(usize, Outcome<State<1>>)> {
-        let outcomes = Leapfrog::ride(&Block { members: members.clone(), member: &member, span, lanes: 8 });
-        members.zip(outcomes).collect()
-    };
+    let plan = Plan { members: MEMBERS, member: &member, common: &common, span: Span::Steps(5), lanes: 8 };
+    let go = |row| plan.go(vec![row]);
     let store = Store::open(&file, &plan).unwrap();
     let pages: i64 = store.database.query_row("PRAGMA page_count", [], |row| row.get(0)).unwrap();
     store.database.query_row(&format!("PRAGMA max_page_count = {}", pages + 20), [], |_| Ok(())).unwrap();
     let mut written = 0;
     let refused = loop {
         assert!(written < MEMBERS, "there is room for all");
-        match store.hand_over(&plan, written..written + 50, moved(written..written + 50)) {
+        match store.hand_over(&plan, written..written + 50, go(written..written + 50)) {
             Ok(outcomes) => written += outcomes.len(),
             Err(refused) => break refused,
         }
@@ -85,9 +81,11 @@ fn a_full_disk_is_told_and_takes_nothing() {
     drop(store);
     assert_eq!(Store::open(&file, &plan).unwrap().done(MEMBERS).unwrap(), expected);
     let mut sums = [Checksum::default(); 2];
-    moved(0..MEMBERS).iter().for_each(|(_, outcome)| sums[0].add(outcome.as_ref()));
-    let mut follow = Follow::new(Shown::default(), MEMBERS as u64);
-    go(&file, &plan, Hands::ALL, &mut follow, |_, outcome| sums[1].add(outcome.as_ref())).unwrap();
+    go(0..MEMBERS).iter().for_each(|(_, outcome)| sums[0].add(outcome.as_ref()));
+    let (mut stored, follow) = (Stored::open(&file, &plan).unwrap(), Follow::new(Shown::default(), MEMBERS as u64));
+    let see = &mut |_, outcome: Outcome<State<1>>| sums[1].add(outcome.as_ref());
+    plan.run(Hands::ALL, Arrival { keep: &mut stored, see, follow, seen: 0 }, &mut Nobody).unwrap();
+    stored.close().unwrap();
     std::fs::remove_file(&file).unwrap();
     assert_eq!(sums[0], sums[1]);
 }

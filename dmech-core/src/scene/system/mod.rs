@@ -1,6 +1,7 @@
 //! The bodies of a scene: the instructions over columns.
 
 mod passes;
+mod passing;
 #[cfg(feature = "serde")]
 mod saved;
 mod solve;
@@ -306,6 +307,10 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         to: &mut Vectors<D>,
         work: &mut Vectors<D>,
     ) {
+        if kick.e == 0.0 && !room.watched && self.acts.at_once() {
+            let (columns, v, to) = (stride.kick.columns(), v.columns(), to.columns_mut());
+            return self.acts.kick_and_drift(a, q, kick.t, Kicked { b: kick.b, kick: columns, v, to });
+        }
         self.slope(kick.t, q, v, &mut room.slope);
         let b = self.length(room, stride, kick, q);
         let (kick, slope) = (stride.kick.blocks(), room.slope.blocks());

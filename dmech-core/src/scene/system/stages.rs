@@ -1,7 +1,8 @@
-//! Eight stages of many bodies, side by side: one pass over the columns a sweep.
+//! Eight stages of many bodies, side by side.
 
-use dmech_scalar::{Lanes, Real};
+use dmech_scalar::{Lanes, Real, two_sum};
 
+use super::passing::PLACED_IN_PASSING;
 use super::{SceneStride, SceneSystem};
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::eights::Eights;
@@ -14,23 +15,25 @@ use crate::system::stages::{Eight, Nearing, Staged, of_path, weighed};
 #[derive(Clone, Debug)]
 pub struct SceneAim<const D: usize> {
     /// t + cᵢ h.
-    t: Lanes,
+    pub(super) t: Lanes,
     /// q + cᵢ h v, and the places of driven bodies.
-    base: Eights<D>,
+    pub(super) base: Eights<D>,
     /// v likewise, where a force depends on it.
-    speed: Eights<D>,
-    /// Where all are, in this sweep.
-    q: Eights<D>,
-    v: Eights<D>,
+    pub(super) speed: Eights<D>,
+    /// Where all are in this sweep, if that is stored.
+    pub(super) q: Eights<D>,
+    pub(super) v: Eights<D>,
     slopes: Eights<D>,
     /// The positions of each stage where distances decide who is linked.
     apart: Vec<Vectors<D>>,
+    /// −(h²/m) bᵢ, of each coordinate.
+    pub(super) shares: Eights<D>,
     /// 1 over the change of a push that counts, of each body.
-    per_unit: Vec<f64>,
-    /// The larger of |q| and |h v|, of each body.
+    pub(super) per_unit: Vec<f64>,
+    /// The larger of |q| and |h v|, of each body; then what the rounding of a position may make of a push.
     reach: Vec<f64>,
     /// How near the sweeps are.
-    nearing: Nearing<f64>,
+    pub(super) nearing: Nearing<f64>,
 }
 
 impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
@@ -41,7 +44,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
 
     fn pushes(&self, stride: &SceneStride<D>, slope: &Vectors<D>) -> Eights<D> {
         let mut pushes = Eights::zeros(slope.bodies());
-        let weights = Lanes::row(&GAUSS.weights);
+        let weights = Lanes::row(&GAUSS.weights, 0);
         for (push, (slope, kick)) in pushes.flat_mut().iter_mut().zip(slope.flat().iter().zip(stride.kick.flat())) {
             *push = weights * Lanes::splat(-stride.dt * kick * slope);
         }
@@ -50,13 +53,13 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
 
     fn aims(&self) -> SceneAim<D> {
         let bodies = self.masses.len();
-        let speeds = if A::FORCED { bodies } else { 0 };
-        let [base, q, slopes] = [(); 3].map(|()| Eights::zeros(bodies));
-        let [speed, v] = [(); 2].map(|()| Eights::zeros(speeds));
+        let stored = if A::CHAIN && PLACED_IN_PASSING { 0 } else { bodies };
+        let [base, q, slopes] = [bodies, stored, if A::CHAIN { 0 } else { bodies }].map(Eights::zeros);
+        let [speed, v] = [bodies, stored].map(|bodies| Eights::zeros(if A::FORCED { bodies } else { 0 }));
         let apart = vec![Vectors::zeros(bodies); if A::OF_DISTANCE { STAGES } else { 1 }];
-        let (t, nearing) = (Lanes::ZERO, Nearing::none());
+        let (t, nearing, shares) = (Lanes::ZERO, Nearing::none(), Eights::zeros(bodies));
         let [per_unit, reach] = [(); 2].map(|()| vec![0.0; bodies]);
-        SceneAim { t, base, speed, q, v, slopes, apart, per_unit, reach, nearing }
+        SceneAim { t, base, speed, q, v, slopes, apart, shares, per_unit, reach, nearing }
     }
 
     fn eights(pushes: &Eights<D>) -> &[Lanes] {
@@ -77,57 +80,62 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         pushes: &Eights<D>,
         aim: &mut SceneAim<D>,
     ) {
-        let (nodes, bodies) = (Lanes::row(&tableau.nodes), self.masses.len());
-        let (q, v) = (q.hi.flat(), v.hi.flat());
+        let (nodes, weights) = (Lanes::row(&tableau.nodes, 0), Lanes::row(&tableau.weights, 0));
+        let (places, speeds, kicks) = (q.hi.columns(), v.hi.columns(), stride.kick.columns());
         aim.t = nodes.mul_add(Lanes::splat(stride.dt), Lanes::splat(t));
         aim.per_unit.fill(0.0);
         aim.reach.fill(0.0);
-        let mut largest = 0.0_f64;
-        for (i, base) in aim.base.flat_mut().iter_mut().enumerate() {
-            let drift = stride.dt * v[i];
-            *base = nodes.mul_add(Lanes::splat(drift), Lanes::splat(q[i]));
-            let least = of_path(drift).max(Lanes::ZERO.or_larger(pushes.flat()[i]).largest());
-            let (unit, reach) = (&mut aim.per_unit[i % bodies], &mut aim.reach[i % bodies]);
-            (*unit, *reach) = (unit.max(least), reach.max(q[i].abs()).max(drift.abs()));
-            largest = largest.max(least);
+        let columns = aim.base.columns_mut().into_iter().zip(aim.shares.columns_mut()).zip(pushes.columns());
+        for (k, ((base, share), push)) in columns.enumerate() {
+            let n = base.len();
+            let (share, push) = (&mut share[..n], &push[..n]);
+            let (q, v, kick) = (&places[k][..n], &speeds[k][..n], &kicks[k][..n]);
+            let (unit, reach) = (&mut aim.per_unit[..n], &mut aim.reach[..n]);
+            for i in 0..n {
+                base[i] = nodes.mul_add(Lanes::splat(stride.dt * v[i]), Lanes::splat(q[i]));
+                share[i] = weights * Lanes::splat(-stride.dt * kick[i]);
+                unit[i] = unit[i].max(Lanes::larger(Lanes::ZERO, push[i]).largest());
+            }
+            // In registers of bodies.
+            for i in 0..n {
+                let drift = stride.dt * v[i];
+                unit[i] = unit[i].max(of_path(drift));
+                reach[i] = reach[i].max(q[i].abs()).max(drift.abs());
+            }
         }
         if A::FORCED {
-            aim.speed.flat_mut().iter_mut().zip(v).for_each(|(speed, &v)| *speed = Lanes::splat(v));
+            aim.speed.flat_mut().iter_mut().zip(v.hi.flat()).for_each(|(speed, &v)| *speed = Lanes::splat(v));
         }
         self.place_driven(aim);
-        aim.nearing = Nearing::begin(largest);
-        for (unit, reach) in aim.per_unit.iter_mut().zip(&aim.reach) {
-            *unit = aim.nearing.per_unit(*unit, *reach);
+        aim.nearing = Nearing::begin(largest(&aim.per_unit));
+        for (unit, reach) in aim.per_unit.iter_mut().zip(&mut aim.reach) {
+            [*unit, *reach] = aim.nearing.per_unit(*unit, *reach);
         }
+        aim.nearing.allow(largest(&aim.reach));
     }
 
     fn sweep(&self, tableau: &Tableau, stride: &SceneStride<D>, aim: &mut SceneAim<D>, pushes: &mut Eights<D>) -> bool {
-        let SceneAim { t, base, speed, q, v, slopes, apart, per_unit, nearing, .. } = aim;
-        for (q, (push, base)) in q.flat_mut().iter_mut().zip(pushes.flat().iter().zip(base.flat())) {
-            *q = weighed(&tableau.places, *push, *base);
+        if A::CHAIN {
+            return self.sweep_in_passing(tableau, stride, aim, pushes);
         }
-        if A::FORCED {
-            let rate = Lanes::splat(stride.dt.recip());
-            for (v, (push, speed)) in v.flat_mut().iter_mut().zip(pushes.flat().iter().zip(speed.flat())) {
-                *v = weighed(&tableau.speeds, *push, Lanes::ZERO).mul_add(rate, *speed);
-            }
-        }
+        aim.place(A::FORCED, tableau, stride, pushes);
+        let SceneAim { t, q, v, slopes, apart, shares, per_unit, nearing, .. } = aim;
         if A::OF_DISTANCE {
             apart.iter_mut().enumerate().for_each(|(stage, apart)| q.copy_to(stage, apart));
         }
         slopes.clear();
         self.acts.add_slopes(&Moments { t: *t, q, v, apart }, slopes);
-        let (weights, mut most) = (Lanes::row(&tableau.weights), Lanes::ZERO);
-        let bodies = per_unit.len();
-        for (k, kick) in stride.kick.columns().into_iter().enumerate() {
-            let columns = (&mut pushes.flat_mut()[k * bodies..], &slopes.flat()[k * bodies..]);
-            for (i, (push, slope)) in columns.0.iter_mut().zip(columns.1).take(bodies).enumerate() {
-                let new = weights * Lanes::splat(-stride.dt * kick[i]) * *slope;
-                most = most.or_larger((new - *push) * Lanes::splat(per_unit[i]));
+        let mut most = Lanes::ZERO;
+        let columns = pushes.columns_mut().into_iter().zip(slopes.columns()).zip(shares.columns());
+        for ((pushes, slopes), shares) in columns {
+            let parts = pushes.iter_mut().zip(slopes.iter().zip(shares)).zip(&*per_unit);
+            for ((push, (slope, share)), per_unit) in parts {
+                let new = *share * *slope;
+                most = Lanes::larger(most, (new - *push) * Lanes::splat(*per_unit));
                 *push = new;
             }
         }
-        nearing.comes_nearer(most)
+        nearing.comes_nearer(0, most)
     }
 
     fn nearing(aim: &SceneAim<D>) -> &Nearing<f64> {
@@ -140,19 +148,39 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         pushes: &Eights<D>,
         [q, v]: [&mut CompensatedVectors<D>; 2],
     ) {
-        let (rests, dt, pushes) = (Lanes::row(&tableau.rests), stride.dt, pushes.flat());
-        q.add(|i| dt.mul_add(v.hi.flat()[i], dt.mul_add(v.lo.flat()[i], (rests * pushes[i]).sum())));
-        // A true quotient: a product with a rounded 1/h would be wrong by the same relative amount in each step.
-        v.add(|i| pushes[i].sum() / dt);
+        let (rests, dt) = (Lanes::row(&tableau.rests, 0), stride.dt);
+        let places = q.hi.flat_mut().iter_mut().zip(q.lo.flat_mut());
+        let speeds = v.hi.flat_mut().iter_mut().zip(v.lo.flat_mut());
+        for (((q, q_low), (v, v_low)), push) in places.zip(speeds).zip(pushes.flat()) {
+            let moved = dt.mul_add(*v, dt.mul_add(*v_low, (rests * *push).sum()));
+            (*q, *q_low) = two_sum(*q, moved + *q_low);
+            // A true quotient: a product with a rounded 1/h would be wrong by the same relative amount in each step.
+            (*v, *v_low) = two_sum(*v, push.sum() / dt + *v_low);
+        }
     }
 
     fn work_of_pushes(&self, tableau: &Tableau, dt: f64, v: &Vectors<D>, pushes: &Eights<D>) -> f64 {
         let (rate, bodies) = (dt.recip(), self.weights.len());
         let works = pushes.flat().iter().zip(v.flat()).enumerate().map(|(i, (push, v))| {
-            let speed = weighed(&tableau.working, *push, Lanes::ZERO).mul_add(Lanes::splat(rate), Lanes::splat(*v));
+            let speed = weighed(&tableau.working, push, 0, Lanes::ZERO).mul_add(Lanes::splat(rate), Lanes::splat(*v));
             self.weights[i % bodies] * ((speed * *push).sum() / dt)
         });
         works.sum()
+    }
+}
+
+impl<const D: usize> SceneAim<D> {
+    /// Stores where all bodies are, and their velocities where a force depends on them.
+    pub(super) fn place(&mut self, forced: bool, tableau: &Tableau, stride: &SceneStride<D>, pushes: &Eights<D>) {
+        for (q, (push, base)) in self.q.flat_mut().iter_mut().zip(pushes.flat().iter().zip(self.base.flat())) {
+            *q = weighed(&tableau.places, push, 0, *base);
+        }
+        if forced {
+            let rate = Lanes::splat(stride.dt.recip());
+            for (v, (push, speed)) in self.v.flat_mut().iter_mut().zip(pushes.flat().iter().zip(self.speed.flat())) {
+                *v = weighed(&tableau.speeds, push, 0, Lanes::ZERO).mul_add(rate, *speed);
+            }
+        }
     }
 }
 
@@ -175,4 +203,11 @@ impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
             }
         }
     }
+}
+
+/// The largest of numbers, in lanes that do not wait for each other.
+fn largest(x: &[f64]) -> f64 {
+    let (lines, rest) = x.as_chunks();
+    let lanes = lines.iter().fold(Lanes::ZERO, |all, &line| Lanes::larger(all, Lanes::from_array(line)));
+    rest.iter().fold(lanes.largest(), |all, x| all.max(x.abs()))
 }

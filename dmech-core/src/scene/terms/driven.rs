@@ -86,6 +86,16 @@ impl<const D: usize, A: Acts<D>> Acts<D> for Driven<D, A> {
     }
 
     #[inline]
+    fn kick_and_drift(&self, a: f64, q: &mut Vectors<D>, t: f64, kick: Kicked<'_, D>) {
+        self.acts.kick_and_drift(a, q, t, kick);
+    }
+
+    #[inline]
+    fn at_once(&self) -> bool {
+        self.drives.is_empty() && self.acts.at_once()
+    }
+
+    #[inline]
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if A::FORCED {
             self.moving(t, q, v, |acts, q, v| acts.subtract_force(c, q, v, t, out));

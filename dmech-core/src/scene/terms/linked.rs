@@ -197,6 +197,15 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
         }
     }
 
+    #[inline]
+    fn kick_and_drift(&self, a: f64, q: &mut Vectors<D>, t: f64, kick: Kicked<'_, D>) {
+        self.links.kick_and_drift(&self.slope(t), a, q, &self.numbers, kick);
+    }
+
+    fn at_once(&self) -> bool {
+        Self::AT_ONCE && self.acting.all()
+    }
+
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if !Self::FORCED {
             return;

@@ -106,6 +106,17 @@ pub trait Links {
     ) {
     }
 
+    /// The same, and drifts by the new velocities: q += a v′.
+    fn kick_and_drift<const D: usize, N: Numbers>(
+        &self,
+        _kernel: &impl Kernels<D, 1, N>,
+        _a: f64,
+        _q: &mut Vectors<D>,
+        _numbers: &NumberColumns<N>,
+        _kick: Kicked<'_, D>,
+    ) {
+    }
+
     /// What it means for the Jacobian.
     fn topology(&self) -> Topology;
 
@@ -152,7 +163,8 @@ impl Links for Chain {
         numbers: &NumberColumns<N>,
         out: &mut Vectors<D>,
     ) {
-        sweep::chain(*kernel, q, numbers, sweep::Gradient::<D, SET>(out.columns_mut()));
+        let q = q.map(|q| q.columns());
+        sweep::chain(*kernel, numbers, sweep::Gradient::<D, S, SET> { q, out: out.columns_mut() });
     }
 
     fn kick<const D: usize, N: Numbers>(
@@ -160,9 +172,20 @@ impl Links for Chain {
         kernel: &impl Kernels<D, 1, N>,
         q: &Vectors<D>,
         numbers: &NumberColumns<N>,
-        kick: Kicked<'_, D>,
+        kicked: Kicked<'_, D>,
     ) {
-        sweep::chain(*kernel, [q], numbers, kick);
+        sweep::chain(*kernel, numbers, sweep::Staying { q: q.columns(), kicked });
+    }
+
+    fn kick_and_drift<const D: usize, N: Numbers>(
+        &self,
+        kernel: &impl Kernels<D, 1, N>,
+        a: f64,
+        q: &mut Vectors<D>,
+        numbers: &NumberColumns<N>,
+        kicked: Kicked<'_, D>,
+    ) {
+        sweep::chain(*kernel, numbers, sweep::Drifting { a, q: q.columns_mut(), kicked });
     }
 
     fn topology(&self) -> Topology {

@@ -27,7 +27,7 @@ pub use links::{Bonds, Chain};
 pub use moving::Moving;
 pub use near::Near;
 pub use pairs::Pairs;
-pub(in crate::scene) use staged::{ActsAtStages, Moments};
+pub(in crate::scene) use staged::{ActsAtStages, BodyAtStages, Moments};
 pub use sweep::Kicked;
 
 use core::any::{Any, TypeId};
@@ -95,6 +95,12 @@ pub trait Acts<const D: usize> {
     /// Kicks by all that acts as it is computed, in one pass over the bodies, where this can be done
     /// ([`AT_ONCE`](Acts::AT_ONCE)).
     fn kick(&self, _q: &Vectors<D>, _t: f64, _kick: Kicked<'_, D>) {}
+    /// The same, and drifts by the new velocities, q += a v′, where [`at_once`](Acts::at_once) says so.
+    fn kick_and_drift(&self, _a: f64, _q: &mut Vectors<D>, _t: f64, _kick: Kicked<'_, D>) {}
+    /// A kick and a drift can be made in one pass: all bodies act, and none is driven.
+    fn at_once(&self) -> bool {
+        false
+    }
     /// −c F(q, v).
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);
     /// ∂F/∂v of each body by its own velocity. Asked for only where every force is linear in it; a law between bodies then

@@ -1,8 +1,6 @@
 //! What acts at eight moments side by side.
 
-use core::array::from_fn;
-
-use dmech_scalar::Lanes;
+use dmech_scalar::{Lanes, Real};
 
 use super::each::EachReady;
 use super::linked::LinkedReady;
@@ -13,6 +11,7 @@ use crate::scene::eights::Eights;
 use crate::scene::space::Space;
 use crate::scene::vectors::Vectors;
 use crate::system::AtStages;
+use crate::vector::{difference, sum};
 
 /// Where all bodies are at eight moments.
 #[derive(Clone, Copy, Debug)]
@@ -27,104 +26,182 @@ pub struct Moments<'a, const D: usize> {
     pub(in crate::scene) apart: &'a [Vectors<D>],
 }
 
+impl<const D: usize> Moments<'_, D> {
+    #[inline(always)]
+    fn body(&self, i: usize, forced: bool) -> BodyAtStages<D> {
+        BodyAtStages { q: self.q.get(i), v: if forced { self.v.get(i) } else { [Lanes::ZERO; D] } }
+    }
+}
+
+/// One body at eight moments.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyAtStages<const D: usize> {
+    /// Where it is.
+    pub(in crate::scene) q: [Lanes; D],
+    /// Its velocity, where a force depends on it.
+    pub(in crate::scene) v: [Lanes; D],
+}
+
 /// What acts in a scene, asked for eight moments at once: each law in lanes.
 pub trait ActsAtStages<const D: usize>: Acts<D> {
     /// Distances decide who is linked.
     const OF_DISTANCE: bool;
+    /// What the bodies of one link feel of each other.
+    type Felt: Copy;
+    /// Nothing.
+    const UNFELT: Self::Felt;
 
     /// out += ∇Φ − F.
     fn add_slopes(&self, at: &Moments<'_, D>, out: &mut Eights<D>);
+    /// What acts between body a and the next one. Asked for only of a [chain](Acts::CHAIN), as is [`slope`](Self::slope).
+    fn felt(&self, t: Lanes, a: usize, bodies: [&BodyAtStages<D>; 2]) -> Self::Felt;
+    /// ∇Φ − F of a body between the links to the one before and the one after.
+    fn slope(&self, t: Lanes, body: usize, at: &BodyAtStages<D>, links: [&Self::Felt; 2]) -> [Lanes; D];
 }
 
 impl<const D: usize> ActsAtStages<D> for () {
     const OF_DISTANCE: bool = false;
+    type Felt = ();
+    const UNFELT: () = ();
 
     fn add_slopes(&self, _: &Moments<'_, D>, _: &mut Eights<D>) {}
+
+    fn felt(&self, _: Lanes, _: usize, _: [&BodyAtStages<D>; 2]) {}
+
+    #[inline(always)]
+    fn slope(&self, _: Lanes, _: usize, _: &BodyAtStages<D>, _: [&(); 2]) -> [Lanes; D] {
+        [Lanes::ZERO; D]
+    }
 }
 
 impl<const D: usize, A: ActsAtStages<D>, B: ActsAtStages<D>> ActsAtStages<D> for (A, B) {
     const OF_DISTANCE: bool = A::OF_DISTANCE || B::OF_DISTANCE;
+    type Felt = (A::Felt, B::Felt);
+    const UNFELT: Self::Felt = (A::UNFELT, B::UNFELT);
 
     #[inline]
     fn add_slopes(&self, at: &Moments<'_, D>, out: &mut Eights<D>) {
         self.0.add_slopes(at, out);
         self.1.add_slopes(at, out);
     }
+
+    #[inline(always)]
+    fn felt(&self, t: Lanes, a: usize, bodies: [&BodyAtStages<D>; 2]) -> Self::Felt {
+        (self.0.felt(t, a, bodies), self.1.felt(t, a, bodies))
+    }
+
+    #[inline(always)]
+    fn slope(&self, t: Lanes, body: usize, at: &BodyAtStages<D>, [before, after]: [&Self::Felt; 2]) -> [Lanes; D] {
+        let last = self.1.slope(t, body, at, [&before.1, &after.1]);
+        // A sum with nothing would be rounded to a zero of the other sign, and so cannot be left out by a compiler.
+        if A::NOTHING { last } else { sum(self.0.slope(t, body, at, [&before.0, &after.0]), last) }
+    }
 }
 
 /// Driven bodies are where they are: [`Moments`] has them there.
 impl<const D: usize, A: ActsAtStages<D>> ActsAtStages<D> for Driven<D, A> {
     const OF_DISTANCE: bool = A::OF_DISTANCE;
+    type Felt = A::Felt;
+    const UNFELT: Self::Felt = A::UNFELT;
 
     #[inline]
     fn add_slopes(&self, at: &Moments<'_, D>, out: &mut Eights<D>) {
         self.acts.add_slopes(at, out);
     }
+
+    #[inline(always)]
+    fn felt(&self, t: Lanes, a: usize, bodies: [&BodyAtStages<D>; 2]) -> A::Felt {
+        self.acts.felt(t, a, bodies)
+    }
+
+    #[inline(always)]
+    fn slope(&self, t: Lanes, body: usize, at: &BodyAtStages<D>, links: [&A::Felt; 2]) -> [Lanes; D] {
+        self.acts.slope(t, body, at, links)
+    }
 }
 
 impl<const D: usize, X: Law<D> + AtStages<D, f64>> ActsAtStages<D> for EachReady<X> {
     const OF_DISTANCE: bool = false;
+    type Felt = ();
+    const UNFELT: () = ();
 
     fn add_slopes(&self, at: &Moments<'_, D>, out: &mut Eights<D>) {
-        for (i, &mass) in self.masses.iter().enumerate() {
-            let v = if Self::FORCED { at.v.get(i) } else { [Lanes::default(); D] };
-            out.add(i, self.law.slopes(mass, at.t, at.q.get(i), v));
+        for i in 0..self.masses.len() {
+            out.add(i, self.slope(at.t, i, &at.body(i, Self::FORCED), [&(); 2]));
         }
+    }
+
+    fn felt(&self, _: Lanes, _: usize, _: [&BodyAtStages<D>; 2]) {}
+
+    #[inline(always)]
+    fn slope(&self, t: Lanes, body: usize, at: &BodyAtStages<D>, _: [&(); 2]) -> [Lanes; D] {
+        self.law.slopes(self.masses[body], t, at.q, at.v)
     }
 }
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> ActsAtStages<D> for LinkedReady<X, T, P, B> {
     const OF_DISTANCE: bool = T::OF_DISTANCE;
+    /// What the first feels, and the opposite of what the second does.
+    type Felt = [[Lanes; D]; 2];
+    const UNFELT: Self::Felt = [[Lanes::ZERO; D]; 2];
 
     #[inline]
     fn add_slopes(&self, at: &Moments<'_, D>, out: &mut Eights<D>) {
-        let visit = |a, b| self.add_link_at_stages(a, b, at, out);
+        let visit = |a, b| {
+            let [on_a, off_b] =
+                self.between_at_stages(at.t, [a, b], [a, b].map(|i| at.body(i, Self::FORCED)).each_ref());
+            out.add(a, on_a);
+            out.subtract(b, off_b);
+        };
         match (T::OF_DISTANCE, at.apart) {
             (true, [a, b, c, d, e, f, g, h]) => self.each([a, b, c, d, e, f, g, h], visit),
             (_, [first, ..]) => self.each([first], visit),
             _ => {}
         }
     }
+
+    #[inline(always)]
+    fn felt(&self, t: Lanes, a: usize, bodies: [&BodyAtStages<D>; 2]) -> Self::Felt {
+        self.between_at_stages(t, [a, a + 1], bodies)
+    }
+
+    #[inline(always)]
+    fn slope(&self, _: Lanes, _: usize, _: &BodyAtStages<D>, [before, after]: [&Self::Felt; 2]) -> [Lanes; D] {
+        difference(after[0], before[1])
+    }
 }
 
 impl<X: crate::law::Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
-    /// What the bodies of a link feel of each other.
+    /// What the bodies of a link feel of each other: ∇Φ − F of the first, and the opposite for the second.
     #[inline(always)]
-    fn add_link_at_stages<const D: usize>(&self, a: usize, b: usize, at: &Moments<'_, D>, out: &mut Eights<D>)
+    fn between_at_stages<const D: usize>(
+        &self,
+        t: Lanes,
+        [a, b]: [usize; 2],
+        [at_a, at_b]: [&BodyAtStages<D>; 2],
+    ) -> [[Lanes; D]; 2]
     where
         X: LinkLaw<D, P>,
         B: Space<D>,
     {
-        let between = |a, b| PairLaw::<D, P, Lanes>::between(&self.law, self.numbers.at(a), self.numbers.at(b), at.t);
-        let (qa, qb) = (at.q.get(a), at.q.get(b));
-        let mut d = qa;
-        for k in 0..D {
-            d[k] -= qb[k];
-        }
-        let (d, forward) = (self.space.image(d), between(a, b));
-        let (acts_a, acts_b) = (self.acting.acts(a), self.acting.acts(b));
-        let mut on_a = [Lanes::default(); D];
+        let between = |a, b| PairLaw::<D, P, Lanes>::between(&self.law, self.numbers.at(a), self.numbers.at(b), t);
+        let (d, forward) = (self.space.image(difference(at_a.q, at_b.q)), between(a, b));
+        let none = [Lanes::ZERO; D];
+        let mut on_a = none;
         if <X as PairLaw<D, P, Lanes>>::Between::<'_>::POTENTIAL {
             on_a = forward.gradient(d);
         }
-        let forced = <X as PairLaw<D, P, Lanes>>::Between::<'_>::FORCED;
-        let reciprocal = !forced || <X as PairLaw<D, P, Lanes>>::Between::<'_>::RECIPROCAL;
-        if forced {
-            let (va, vb) = (at.v.get(a), at.v.get(b));
-            if !reciprocal && acts_a {
-                let back = between(b, a).force(d.map(|x| -x), vb, va);
-                out.subtract(b, from_fn(|k| on_a[k] + back[k]));
-            }
-            let force = forward.force(d, va, vb);
-            for k in 0..D {
-                on_a[k] -= force[k];
-            }
+        let mut off_b = on_a;
+        if <X as PairLaw<D, P, Lanes>>::Between::<'_>::FORCED {
+            let (force, gradient) = (forward.force(d, at_a.v, at_b.v), on_a);
+            on_a = difference(gradient, force);
+            off_b = if <X as PairLaw<D, P, Lanes>>::Between::<'_>::RECIPROCAL {
+                on_a
+            } else {
+                sum(gradient, between(b, a).force(d.map(|x| -x), at_b.v, at_a.v))
+            };
         }
-        if acts_b {
-            out.add(a, on_a);
-        }
-        if reciprocal && acts_a {
-            out.subtract(b, on_a);
-        }
+        let (acts_a, acts_b) = (self.acting.acts(a), self.acting.acts(b));
+        [if acts_b { on_a } else { none }, if acts_a { off_b } else { none }]
     }
 }

@@ -121,6 +121,14 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) {
         self.1.kick(q, t, kick);
     }
+    #[inline]
+    fn kick_and_drift(&self, a: f64, q: &mut Vectors<D>, t: f64, kick: Kicked<'_, D>) {
+        self.1.kick_and_drift(a, q, t, kick);
+    }
+    #[inline]
+    fn at_once(&self) -> bool {
+        A::NOTHING && self.1.at_once()
+    }
     fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         self.0.subtract_force(c, q, v, t, out);
         self.1.subtract_force(c, q, v, t, out);

@@ -157,18 +157,16 @@ fn row<const D: usize, const S: usize, N: Numbers>(
 /// that numbers of the law stay in registers.
 pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
     kernel: impl Kernels<D, S, N>,
-    q: [&Vectors<D>; S],
     numbers: &NumberColumns<N>,
-    mut sink: impl Sink,
+    mut sink: impl Sink<D, S>,
 ) {
     let bodies = numbers.bodies();
     let links = bodies.saturating_sub(1);
-    let q = q.map(|q| q.columns());
     let blocks = links - links % Lanes::COUNT;
     // The register before: its last number is the gradient of the link before.
     let mut before = [Lanes::splat(0.0); D];
     for j in (0..blocks).step_by(Lanes::COUNT) {
-        let gradient: [Lanes; D] = neighbours(&kernel, &q, numbers, j);
+        let gradient: [Lanes; D] = neighbours(&kernel, &sink.q(), numbers, j);
         for k in 0..D {
             sink.put(k, j, gradient[k] - gradient[k].following(before[k]));
         }
@@ -176,7 +174,7 @@ pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
     }
     let mut last = before.map(Lanes::last);
     for j in blocks..links {
-        let gradient: [f64; D] = neighbours(&kernel, &q, numbers, j);
+        let gradient: [f64; D] = neighbours(&kernel, &sink.q(), numbers, j);
         for k in 0..D {
             sink.put(k, j, gradient[k] - last[k]);
         }
@@ -187,19 +185,29 @@ pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
     }
 }
 
-/// Where the gradient of a chain goes.
-pub(super) trait Sink {
-    /// Component k of the gradient at body j, or at so many from j on.
+/// Where a chain is, and where its gradient goes.
+pub(super) trait Sink<const D: usize, const S: usize> {
+    /// The columns of the positions.
+    fn q(&self) -> Moments<'_, D, S>;
+    /// Component k of the gradient at body j, or at so many from j on. Where the bodies before those are is not asked for again.
     fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R);
 }
 
 /// Into columns, in place of what is there or to be added to it.
-pub(super) struct Gradient<'a, const D: usize, const SET: bool>(pub(super) [&'a mut [f64]; D]);
+pub(super) struct Gradient<'a, const D: usize, const S: usize, const SET: bool> {
+    pub(super) q: Moments<'a, D, S>,
+    pub(super) out: [&'a mut [f64]; D],
+}
 
-impl<const D: usize, const SET: bool> Sink for Gradient<'_, D, SET> {
+impl<const D: usize, const S: usize, const SET: bool> Sink<D, S> for Gradient<'_, D, S, SET> {
+    #[inline(always)]
+    fn q(&self) -> Moments<'_, D, S> {
+        self.q
+    }
+
     #[inline(always)]
     fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R) {
-        if SET { gradient.store(self.0[k], j) } else { gradient.add_to(self.0[k], j) }
+        if SET { gradient.store(self.out[k], j) } else { gradient.add_to(self.out[k], j) }
     }
 }
 
@@ -216,11 +224,50 @@ pub struct Kicked<'a, const D: usize> {
     pub to: [&'a mut [f64]; D],
 }
 
-impl<const D: usize> Sink for Kicked<'_, D> {
+impl<const D: usize> Kicked<'_, D> {
     #[inline(always)]
-    fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R) {
+    fn by<R: Packed>(&mut self, k: usize, j: usize, gradient: R) -> R {
         let next = R::load(self.v[k], j) - R::from_f64(self.b) * R::load(self.kick[k], j) * gradient;
         next.store(self.to[k], j);
+        next
+    }
+}
+
+/// Velocities of bodies that stay where they are.
+pub(super) struct Staying<'a, const D: usize> {
+    pub(super) q: [&'a [f64]; D],
+    pub(super) kicked: Kicked<'a, D>,
+}
+
+impl<const D: usize> Sink<D, 1> for Staying<'_, D> {
+    #[inline(always)]
+    fn q(&self) -> Moments<'_, D, 1> {
+        [self.q]
+    }
+
+    #[inline(always)]
+    fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R) {
+        self.kicked.by(k, j, gradient);
+    }
+}
+
+/// Velocities, and at once positions: q += a v′.
+pub(super) struct Drifting<'a, const D: usize> {
+    pub(super) a: f64,
+    pub(super) q: [&'a mut [f64]; D],
+    pub(super) kicked: Kicked<'a, D>,
+}
+
+impl<const D: usize> Sink<D, 1> for Drifting<'_, D> {
+    #[inline(always)]
+    fn q(&self) -> Moments<'_, D, 1> {
+        [self.q.each_ref().map(|q| &**q)]
+    }
+
+    #[inline(always)]
+    fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R) {
+        let next = self.kicked.by(k, j, gradient);
+        (R::load(self.q[k], j) + R::from_f64(self.a) * next).store(self.q[k], j);
     }
 }
 

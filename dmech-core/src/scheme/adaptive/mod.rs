@@ -1,11 +1,13 @@
 //! Steps that follow the time scale of the motion, reversibly.
 
 mod adaptable;
+mod pacing;
 
 #[cfg(test)]
 mod tests;
 
 pub use adaptable::Adaptable;
+pub(crate) use pacing::Pacing;
 
 use dmech_scalar::Compensated;
 
@@ -14,7 +16,8 @@ use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
 use crate::newton::NotConverged;
-use crate::system::{Beginning, EVALUATIONS, Look, System, TimeScale};
+use crate::system::{Beginning, EVALUATIONS, System, TimeScale};
+use pacing::MIDDLE;
 
 /// Steps as long as the motion allows, short at a pericentre and long at an apocentre, by a rule that runs backward as it
 /// runs forward; [`Simulation::adaptive`](crate::Simulation::adaptive) makes it.
@@ -58,37 +61,12 @@ pub struct Adaptive<S> {
 }
 
 /// What [`Adaptive`] carries.
-#[derive(Copy, Debug, PartialEq)]
+#[derive(Copy, Debug)]
 pub struct AdaptiveMemory<M> {
     /// What the scheme itself carries.
     pub inner: M,
     /// Where its steps are.
     pub(crate) pacing: Pacing,
-}
-
-/// Where steps that follow the motion are: the last, the next, and the time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pacing {
-    /// ρ, the density of the steps: it is h = ε/ρ.
-    density: f64,
-    /// The last step, at the start the next.
-    last: f64,
-    /// The next step.
-    pub(crate) dt: f64,
-    /// How many more of the same follow.
-    left: f64,
-    /// Whether that ends at the end.
-    landing: bool,
-    pub(crate) time: Compensated<f64>,
-    /// The shortest and the longest step so far, but for the one that was shortened to land.
-    range: [f64; 2],
-}
-
-impl Pacing {
-    /// How many times as long as the last the next step is.
-    pub(crate) fn ratio(&self) -> f64 {
-        self.dt / self.last
-    }
 }
 
 impl<M: Clone> Clone for AdaptiveMemory<M> {
@@ -115,14 +93,8 @@ impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemor
     }
 }
 
-/// ρ/ω stays between these, at the ends of steps.
-const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
-
 /// The angle that a row of equal steps turns at most, unless it is a single step.
 const ROW: f64 = 0.125;
-
-/// The same in the middle of steps, where ω of their end differs: no step is negative.
-const MIDDLE: [f64; 2] = [0.25, 4.0];
 
 impl<S: Adaptable> Adaptive<S> {
     const TITLE: Name = Name::of(&["Adaptive(", S::NAME, ")"]);
@@ -142,64 +114,18 @@ impl<S: Adaptable> Adaptive<S> {
         self.scheme.pace(system, &workspace.stride, &mut workspace.inner);
     }
 
-    /// ρ in the next step from that in the last.
-    fn follow(&self, density: f64, look: &Look) -> f64 {
-        let half = 0.5 * self.row * self.angle * look.growth;
-        look.within(MIDDLE, look.within(BAND, density + half) + half)
-    }
-
     /// The scheme that makes the steps.
     pub(crate) fn inner(&self) -> S {
         self.scheme
     }
 
-    /// The smallest ω that counts, where a step is this long at most.
-    pub(crate) fn least(&self, longest: f64) -> f64 {
-        self.angle / longest
-    }
-
-    /// Chooses the next step.
-    pub(crate) fn plan(&self, longest: f64, pacing: &mut Pacing) {
-        let dt = (self.angle / pacing.density).min(longest);
-        let left = (self.end - pacing.time.hi) - pacing.time.lo;
-        // A little longer rather than another step that is nothing but rounding.
-        pacing.landing = dt.is_finite() && dt * (1.0 + 1e-9) >= left;
-        pacing.dt = if pacing.landing { left } else { dt };
-    }
-
-    /// The step was made: whether the law is to be looked at.
-    #[inline(always)]
-    pub(crate) fn made(&self, pacing: &mut Pacing) -> bool {
-        let dt = pacing.dt;
-        pacing.last = dt;
-        pacing.left -= 1.0;
-        pacing.time.add(dt);
-        if pacing.landing {
-            pacing.time = Compensated::new(self.end);
-        } else {
-            pacing.range = [pacing.range[0].min(dt), pacing.range[1].max(dt)];
-        }
-        pacing.left < 1.0
-    }
-
-    /// ρ follows what the law was seen to be like.
-    #[inline(always)]
-    pub(crate) fn looked(&self, look: &Look, pacing: &mut Pacing) {
-        pacing.density = self.follow(pacing.density, look);
-        pacing.left = self.row;
-    }
-
-    pub(crate) fn has_arrived(&self, pacing: &Pacing) -> bool {
-        pacing.time.value() >= self.end
-    }
-
     /// Whether there is a next step.
     #[inline]
     pub(crate) fn is_ready(&self, step: u64, pacing: &Pacing) -> Result<(), Error> {
-        let (time, dt) = (pacing.time.value(), pacing.dt);
-        if (dt > time.abs() * f64::EPSILON && dt.is_finite()) || self.has_arrived(pacing) || pacing.landing {
+        if pacing.moves_on() || self.has_arrived(pacing) {
             return Ok(());
         }
+        let (time, dt) = (pacing.time.value(), pacing.dt);
         Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
     }
 }
@@ -304,7 +230,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
             let v = self.scheme.velocity(system, now, end, memory);
             let look = system.look(room, end, q, &v, self.least(longest));
             effort.evaluations += EVALUATIONS;
-            self.looked(&look, pacing);
+            self.looked(&look, true, pacing);
         }
         self.plan(longest, pacing);
         Ok(effort)

@@ -83,6 +83,8 @@ impl<S: OneStep, C: Coefficients<N>, const N: usize> Composed<Steps<S>, C, N> {
 }
 
 impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<Steps<S>, C, N> {
+    const STRETCHES: bool = S::STRETCHES;
+
     type Memory = StepsMemory<S::Memory, Y::Scalar>;
     type Workspace = StepsRoom<Y::Stride, S::Memory, S::Workspace, N>;
 

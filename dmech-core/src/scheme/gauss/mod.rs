@@ -1,6 +1,7 @@
 //! Gauss's method with eight stages, side by side.
 
 mod digits;
+mod ended;
 mod line_integral;
 mod step;
 pub(crate) mod tableau;

@@ -1,11 +1,13 @@
 //! A step of eight stages: sweeps to rounding.
 
-use dmech_scalar::Real;
+use dmech_scalar::{Mask, Real};
 
+use super::ended::{Ended, Which};
 use super::tableau::Tableau;
 use super::{Gauss, LineIntegral};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
+use crate::scheme::by_lane::by_lane;
 use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::{Effort, Method, Scheme};
 use crate::system::stages;
@@ -13,7 +15,7 @@ use crate::system::{Beginning, Staged};
 
 memory! {
     /// What [`Gauss`] and [`LineIntegral`] carry.
-    pub struct GaussMemory<Y: Staged with Pushes> {
+    pub struct GaussMemory<Y: Staged with Pushes, Scalar> {
         /// Position.
         pub q: Y::Sum,
         /// Velocity.
@@ -21,9 +23,9 @@ memory! {
         /// Pushes of the last step, from which those of the next are guessed.
         pub pushes: Y::Pushes,
         /// The next step in units of the last; 0 where the pushes are a guess already.
-        ratio: f64,
+        ratio: Y::Scalar,
         /// Steps that were no smooth motion, or too long: see [`Report::rough`](crate::Report::rough).
-        rough: f64,
+        rough: Y::Scalar,
     }
     lists {}
     uncarried {
@@ -34,10 +36,12 @@ memory! {
     }
 }
 
+by_lane! { GaussMemory of Staged with Pushes { q, v, pushes, ratio, rough, dt } afresh { in_parts }; }
+
 /// A change of the pushes that is this many times too large may be left by rounding.
 const ROUNDING: f64 = 3e4;
 /// Sweeps that may fail to come nearer, and sweeps of one step.
-const STALLS: u32 = 3;
+const STALLS: f64 = 3.0;
 const SWEEPS: u32 = 60;
 /// How often a step is halved where its sweeps do not come nearer.
 const HALVINGS: u32 = 6;
@@ -58,11 +62,13 @@ pub struct Sweeps<Y: Staged> {
     watched: bool,
     /// Sweeps of this step.
     made: u32,
+    /// Those of each of several side by side.
+    of_each: Y::Scalar,
 }
 
 impl<Y: Staged> Sweeps<Y> {
     fn new(system: &Y) -> Self {
-        Sweeps { aim: system.aims(), watched: false, made: 0 }
+        Sweeps { aim: system.aims(), watched: false, made: 0, of_each: Y::Scalar::ZERO }
     }
 }
 
@@ -79,7 +85,7 @@ impl<Y: Staged> core::fmt::Debug for Sweeps<Y> {
 }
 
 #[inline(always)]
-fn finite<Y: Staged>(pushes: &Y::Pushes) -> bool {
+fn finite<Y: Staged>(pushes: &Y::Pushes) -> Which<Y> {
     stages::are_finite::<Y::Scalar>(Y::eights(pushes))
 }
 
@@ -89,19 +95,17 @@ fn finite<Y: Staged>(pushes: &Y::Pushes) -> bool {
 fn whole<Y: Staged>(
     (system, tableau): (&Y, &Tableau),
     stride: &Y::Stride,
-    (t, ratio): (Y::Scalar, f64),
+    (t, ratio): (Y::Scalar, Y::Scalar),
     [q, v]: [&mut Y::Sum; 2],
     pushes: &mut Y::Pushes,
     sweeps: &mut Sweeps<Y>,
-) -> Result<bool, Astray> {
-    if ratio != 0.0 {
-        stages::go_on(Y::eights_mut(pushes), tableau, Y::Scalar::from_f64(ratio));
-    }
-    let Sweeps { aim, watched, made } = sweeps;
-    system.aim(tableau, stride, t, q, v, pushes, aim);
-    until_rounding(system, tableau, stride, aim, pushes, made)?;
+) -> Result<Which<Y>, Astray> {
+    stages::go_on(Y::eights_mut(pushes), tableau, ratio);
+    system.aim(tableau, stride, t, q, v, pushes, &mut sweeps.aim);
+    until_rounding(system, tableau, stride, pushes, sweeps)?;
     Y::settle_pushes(tableau, stride, pushes, [q, v]);
-    Ok((Y::PIECEWISE || *watched) && stages::bends::<Y::Scalar>(tableau, Y::eights(pushes)))
+    let looks = Y::PIECEWISE || sweeps.watched;
+    Ok(if looks { stages::bends::<Y::Scalar>(tableau, Y::eights(pushes)) } else { stages::nowhere::<Y::Scalar>() })
 }
 
 /// The same with copies of which nobody else knows, so that they stay in registers.
@@ -109,16 +113,16 @@ fn whole<Y: Staged>(
 fn whole_in_registers<Y: Staged>(
     with: (&Y, &Tableau),
     stride: &Y::Stride,
-    at: (Y::Scalar, f64),
+    at: (Y::Scalar, Y::Scalar),
     [q, v]: [&mut Y::Sum; 2],
     pushes: &mut Y::Pushes,
     sweeps: &mut Sweeps<Y>,
-) -> Result<bool, Astray> {
+) -> Result<Which<Y>, Astray> {
     let (mut place, mut speed, mut near) = (q.clone(), v.clone(), pushes.clone());
     let mut here = Sweeps { watched: sweeps.watched, ..Sweeps::new(with.0) };
     let bent = whole(with, stride, at, [&mut place, &mut speed], &mut near, &mut here);
     (*q, *v, *pushes) = (place, speed, near);
-    sweeps.made = here.made;
+    (sweeps.made, sweeps.of_each) = (here.made, here.of_each);
     bent
 }
 
@@ -127,30 +131,33 @@ fn until_rounding<Y: Staged>(
     system: &Y,
     tableau: &Tableau,
     stride: &Y::Stride,
-    aim: &mut Y::Aim,
     pushes: &mut Y::Pushes,
-    made: &mut u32,
+    Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
 ) -> Result<(), Astray> {
-    let mut stalls = 0;
+    let (mut ended, mut stalls) = (Ended::<Y>::none(), Y::Scalar::ZERO);
     for _ in 0..SWEEPS {
         *made += 1;
-        if system.sweep(tableau, stride, aim, pushes) {
+        let goes_on = ended.or(system.sweep(tableau, stride, aim, pushes));
+        if goes_on.all() {
             continue;
         }
-        if !finite::<Y>(pushes) {
+        let finite = finite::<Y>(pushes);
+        if !goes_on.or(finite).all() {
             return Err(Astray(f64::NAN));
         }
-        if Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING) {
+        let near = goes_on.or(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
+        if ended.add(near.and(goes_on.not()), pushes, *made) {
+            *of_each = ended.sweeps;
             return Ok(());
         }
-        stalls += 1;
-        if stalls == STALLS {
+        stalls += Y::Scalar::either(near, Y::Scalar::ZERO, Y::Scalar::ONE);
+        if stalls.equal(Y::Scalar::from_f64(STALLS)).any() {
             return Err(Astray(Y::nearing(aim).change()));
         }
     }
     // Where nothing tells what counts, rounding itself may go to and fro.
-    let near = finite::<Y>(pushes) && Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING);
-    if near { Ok(()) } else { Err(Astray(Y::nearing(aim).change())) }
+    let near = finite::<Y>(pushes).and(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
+    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Astray(Y::nearing(aim).change())) }
 }
 
 /// A step in two halves, of which each may be halved again. Returns the work done; the pushes become those of a force that stays
@@ -171,13 +178,13 @@ fn in_parts<Y: Staged>(
         system.slope(t, Y::value(q), Y::value(v), &mut slope);
         *pushes = system.pushes(&half, &slope);
         let before = Y::value(v).clone();
-        if let Err(astray) = whole(with, &half, (t, 0.0), [&mut *q, &mut *v], pushes, sweeps) {
+        if let Err(astray) = whole(with, &half, (t, Y::Scalar::ZERO), [&mut *q, &mut *v], pushes, sweeps) {
             if halvings < HALVINGS {
                 work += in_parts(with, &half, t, [&mut *q, &mut *v], pushes, sweeps, halvings + 1)?;
                 continue;
             }
             // Where a force jumps between two sides there may be no solution: the last guess is as good as any.
-            if !(Y::PIECEWISE && finite::<Y>(pushes)) {
+            if !(Y::PIECEWISE && finite::<Y>(pushes).all()) {
                 return Err(astray);
             }
             Y::settle_pushes(tableau, &half, pushes, [&mut *q, &mut *v]);
@@ -212,7 +219,8 @@ macro_rules! stepped_by_stages {
                 _: &mut Sweeps<Y>,
             ) -> Result<Self::Memory, NotConverged> {
                 let (q, v, pushes) = (Y::sum(start.q), Y::sum(start.v), system.pushes(stride, start.slope));
-                Ok(GaussMemory { q, v, pushes, ratio: 0.0, rough: 0.0, dt: Y::dt(stride), in_parts: None })
+                let none = Y::Scalar::ZERO;
+                Ok(GaussMemory { q, v, pushes, ratio: none, rough: none, dt: Y::dt(stride), in_parts: None })
             }
 
             #[inline(always)]
@@ -226,17 +234,24 @@ macro_rules! stepped_by_stages {
             ) -> Result<Effort, NotConverged> {
                 let GaussMemory { q, v, pushes, ratio, rough, dt, in_parts: parts } = memory;
                 let (with, at) = ((system, Self::TABLEAU), (t, *ratio));
-                (*ratio, *dt, *parts, sweeps.made) = (1.0, Y::dt(stride), None, 0);
-                let made = if Y::IN_REGISTERS {
+                let (zero, one) = (Y::Scalar::ZERO, Y::Scalar::ONE);
+                (*ratio, *dt, *parts, sweeps.made) = (one, Y::dt(stride), None, 0);
+                let made = if Y::IN_REGISTERS && !Ended::<Y>::MANY {
                     whole_in_registers(with, stride, at, [q, v], pushes, sweeps)
                 } else {
                     whole(with, stride, at, [q, v], pushes, sweeps)
                 };
                 match made {
-                    Ok(false) => {}
-                    Ok(true) => *rough += 1.0,
+                    Ok(bent) => {
+                        if bent.any() {
+                            *rough += Y::Scalar::either(bent, one, zero);
+                        }
+                    }
+                    Err(Astray(residual)) if Ended::<Y>::MANY => {
+                        return Err(NotConverged { iterations: sweeps.made.into(), residual });
+                    }
                     Err(_) => {
-                        (*ratio, *rough) = (0.0, *rough + 1.0);
+                        (*ratio, *rough) = (zero, *rough + one);
                         let made = in_parts(with, stride, t, [q, v], pushes, sweeps, 1);
                         *parts = Some(made.map_err(|Astray(residual)| NotConverged {
                             iterations: sweeps.made.into(),
@@ -245,6 +260,11 @@ macro_rules! stepped_by_stages {
                     }
                 }
                 Ok(Effort { evaluations: 8 * sweeps.made, iterations: 0 })
+            }
+
+            #[inline(always)]
+            fn evaluations(&self, _: &Effort, sweeps: &Sweeps<Y>) -> Y::Scalar {
+                Y::Scalar::from_f64(8.0) * sweeps.of_each
             }
 
             #[inline(always)]
@@ -257,7 +277,7 @@ macro_rules! stepped_by_stages {
                 memory: &mut Self::Memory,
                 _: &mut Sweeps<Y>,
             ) -> u32 {
-                memory.ratio *= ratio.to_f64();
+                memory.ratio *= ratio;
                 0
             }
 
@@ -272,7 +292,7 @@ macro_rules! stepped_by_stages {
             }
 
             fn rough(&self, memory: &Self::Memory) -> u64 {
-                memory.rough as u64
+                memory.rough.to_f64() as u64
             }
 
             fn kept(_: &Y, invariant: Invariant) -> Kept {

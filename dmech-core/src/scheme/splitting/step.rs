@@ -91,6 +91,8 @@ impl<Y: System> SplittingMemory<Y> {
 macro_rules! stepped_by_drifts_and_kicks {
     ($($scheme:ty, $n:tt, $forces:ident, <$($coefficients:ident: $bound:path, const $m:ident: usize)?>;)*) => {$(
         impl<$($coefficients: $bound, const $m: usize,)? Y: System + $forces> Scheme<Y> for $scheme {
+            const STRETCHES: bool = !matches!(Self::FIRST, First::Drift);
+
             type Memory = SplittingMemory<Y>;
             type Workspace = Y::Room;
 

@@ -2,11 +2,11 @@
 
 use core::array::from_fn;
 
-use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Real};
+use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Mask, Real, Rows};
 
 use super::{Particle, Stride};
 use crate::law::{Field, Law, Potential};
-use crate::system::stages::{Eight, Nearing, Staged, Staging, Tableau, of_path, weighed};
+use crate::system::stages::{Eight, Nearing, Part, Staged, Staging, Tableau, nowhere, of_path, times, weighed};
 use crate::vector::{by_component, weighted};
 
 /// A law that can be asked for eight slopes at once: every law over `f64` that is one over eight lanes too, as those are that a
@@ -18,8 +18,8 @@ use crate::vector::{by_component, weighted};
     note = "`Nystrom::order8()` and `Composed::order8(DiscreteGradient)` take a law over `f64` alone"
 )]
 pub trait AtStages<const D: usize, R: Staging>: Law<D, R> {
-    /// ∇Φ − F at eight times, positions and velocities.
-    fn slopes(&self, mass: R, t: R::Eight, q: [R::Eight; D], v: [R::Eight; D]) -> [R::Eight; D];
+    /// ∇Φ − F at the times, positions and velocities of some of the stages.
+    fn slopes(&self, mass: R, t: Part<R>, q: [Part<R>; D], v: [Part<R>; D]) -> [Part<R>; D];
 }
 
 #[diagnostic::do_not_recommend]
@@ -31,24 +31,18 @@ impl<const D: usize, L: Law<D> + Law<D, Lanes>> AtStages<D, f64> for L {
 }
 
 macro_rules! one_by_one {
-    ($($real:ty)*) => {$(
+    ($($real:ty $(, $n:ident)?;)*) => {$(
         #[diagnostic::do_not_recommend]
-        impl<const D: usize, L: Law<D, $real>> AtStages<D, $real> for L {
-            fn slopes(&self, mass: $real, t: [$real; 8], q: [[$real; 8]; D], v: [[$real; 8]; D]) -> [[$real; 8]; D] {
-                let mut slopes = [[<$real>::ZERO; 8]; D];
-                for i in 0..8 {
-                    let slope = self.field(mass, t[i]).slope(q.map(|q| q[i]), v.map(|v| v[i]));
-                    for k in 0..D {
-                        slopes[k][i] = slope[k];
-                    }
-                }
-                slopes
+        impl<const D: usize, L: Law<D, $real>, $(const $n: usize)?> AtStages<D, $real> for L {
+            #[inline(always)]
+            fn slopes(&self, mass: $real, t: $real, q: [$real; D], v: [$real; D]) -> [$real; D] {
+                self.field(mass, t).slope(q, v)
             }
         }
     )*};
 }
 
-one_by_one! { f32 DoubleDouble Lanes }
+one_by_one! { f32; DoubleDouble; Lanes; Rows<N>, N; }
 
 /// What stays the same from sweep to sweep.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +50,10 @@ pub struct Aim<const D: usize, R: Staging> {
     /// q + cᵢ h v.
     base: [R::Eight; D],
     /// v.
-    v: [R; D],
+    speed: [R; D],
+    /// Qᵢ and, where a force depends on it, Vᵢ, in this sweep.
+    q: [R::Eight; D],
+    v: [R::Eight; D],
     /// t + cᵢ h.
     t: R::Eight,
     /// −(h²/m) bᵢ.
@@ -74,13 +71,15 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     const PIECEWISE: bool = L::Field::<'_>::PIECEWISE;
 
     fn pushes(&self, stride: &Stride<R>, slope: &[R; D]) -> [R::Eight; D] {
-        let weights = R::Eight::row(&crate::scheme::tableau::GAUSS.weights);
-        from_fn(|k| weights.times(R::Eight::splat(-stride.fall * slope[k])))
+        let weights = &crate::scheme::tableau::GAUSS.weights;
+        from_fn(|k| times(weights, &R::Eight::splat(-stride.fall * slope[k])))
     }
 
     fn aims(&self) -> Aim<D, R> {
         let (zero, none) = (R::ZERO, R::Eight::splat(R::ZERO));
-        Aim { base: [none; D], v: [zero; D], t: none, push: none, per_unit: [zero; D], nearing: Nearing::none() }
+        let (numbers, eights) = ([zero; D], [none; D]);
+        let nearing = Nearing::none();
+        Aim { base: eights, speed: numbers, q: eights, v: eights, t: none, push: none, per_unit: numbers, nearing }
     }
 
     #[inline(always)]
@@ -104,46 +103,59 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         pushes: &[R::Eight; D],
         aim: &mut Aim<D, R>,
     ) {
-        let nodes = R::Eight::row(&tableau.nodes);
+        let nodes = |part| R::Eight::row(&tableau.nodes, part);
+        let alike = R::Eight::alike;
         let (mut counts, mut reach, mut largest) = ([R::ZERO; D], [R::ZERO; D], R::ZERO);
         for k in 0..D {
             let drift = stride.dt * v.hi[k];
-            aim.base[k] = nodes.fused(R::Eight::splat(drift), R::Eight::splat(q.hi[k]));
-            let path = R::Eight::splat(of_path(drift));
-            counts[k] = path.or_larger(pushes[k]).largest();
+            aim.base[k] = R::Eight::by_part(|part| nodes(part).mul_add(alike(drift), alike(q.hi[k])));
+            let path = alike(of_path(drift));
+            counts[k] = R::Eight::by_part(|part| R::Eight::larger(path, pushes[k].part(part))).largest();
             reach[k] = q.hi[k].abs().max(drift.abs());
             largest = largest.max(counts[k]);
         }
-        aim.v = v.hi;
-        aim.t = nodes.fused(R::Eight::splat(stride.dt), R::Eight::splat(t));
-        aim.push = R::Eight::row(&tableau.weights).times(R::Eight::splat(-stride.fall));
+        aim.speed = v.hi;
+        aim.t = R::Eight::by_part(|part| nodes(part).mul_add(alike(stride.dt), alike(t)));
+        aim.push = times(&tableau.weights, &R::Eight::splat(-stride.fall));
         aim.nearing = Nearing::begin(largest);
         for k in 0..D {
-            aim.per_unit[k] = aim.nearing.per_unit(counts[k], reach[k]);
+            let [per_unit, rounding] = aim.nearing.per_unit(counts[k], reach[k]);
+            aim.per_unit[k] = per_unit;
+            aim.nearing.allow(rounding);
         }
     }
 
     #[inline(always)]
-    fn sweep(&self, tableau: &Tableau, stride: &Stride<R>, aim: &mut Aim<D, R>, pushes: &mut [R::Eight; D]) -> bool {
-        let (mut q, mut v) = (aim.base, aim.v.map(R::Eight::splat));
-        for k in 0..D {
-            q[k] = weighed(&tableau.places, pushes[k], q[k]);
-        }
-        if L::Field::<'_>::FORCED {
-            let rate = R::Eight::splat(stride.dt.recip());
+    fn sweep(&self, tableau: &Tableau, stride: &Stride<R>, aim: &mut Aim<D, R>, pushes: &mut [R::Eight; D]) -> R::Mask {
+        let Aim { base, speed, q, v, t, push: fall, per_unit, nearing } = aim;
+        // All positions are those of the last pushes, also where these stand one after another.
+        for part in 0..R::Eight::PARTS {
             for k in 0..D {
-                let gained = weighed(&tableau.speeds, pushes[k], R::Eight::splat(R::ZERO));
-                v[k] = gained.fused(rate, v[k]);
+                q[k].set(part, weighed(&tableau.places, &pushes[k], part, base[k].part(part)));
+            }
+            if L::Field::<'_>::FORCED {
+                let rate = R::Eight::alike(stride.dt.recip());
+                for k in 0..D {
+                    let gained = weighed(&tableau.speeds, &pushes[k], part, R::Eight::alike(R::ZERO));
+                    v[k].set(part, gained.mul_add(rate, R::Eight::alike(speed[k])));
+                }
             }
         }
-        let slopes = self.law.slopes(self.mass, aim.t, q, v);
-        let mut change = R::Eight::splat(R::ZERO);
-        for k in 0..D {
-            let push = aim.push.times(slopes[k]);
-            change = change.or_larger(push.minus(pushes[k]).times(R::Eight::splat(aim.per_unit[k])));
-            pushes[k] = push;
+        let mut nearer = nowhere::<R>();
+        for part in 0..R::Eight::PARTS {
+            let at = from_fn(|k| q[k].part(part));
+            let speed = from_fn(|k| if L::Field::<'_>::FORCED { v[k].part(part) } else { R::Eight::alike(speed[k]) });
+            let slopes = self.law.slopes(self.mass, t.part(part), at, speed);
+            let mut change = R::Eight::alike(R::ZERO);
+            for k in 0..D {
+                let push = fall.part(part) * slopes[k];
+                let units = (push - pushes[k].part(part)) * R::Eight::alike(per_unit[k]);
+                change = R::Eight::larger(change, units);
+                pushes[k].set(part, push);
+            }
+            nearer = nearer.or(nearing.comes_nearer(part, change));
         }
-        aim.nearing.comes_nearer(change)
+        nearer
     }
 
     #[inline(always)]
@@ -158,9 +170,8 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         pushes: &[R::Eight; D],
         [q, v]: [&mut CompensatedVector<D, R>; 2],
     ) {
-        let rests = R::Eight::row(&tableau.rests);
         let moved = by_component!(|k| {
-            let pushed = rests.times(pushes[k]).sum();
+            let pushed = times(&tableau.rests, &pushes[k]).sum();
             stride.dt.mul_add(v.hi[k], stride.dt.mul_add(v.lo[k], pushed))
         });
         q.add(moved);
@@ -170,9 +181,12 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
 
     fn work_of_pushes(&self, tableau: &Tableau, dt: R, v: &[R; D], pushes: &[R::Eight; D]) -> R {
         let work = by_component!(|k| {
-            let gained = weighed(&tableau.working, pushes[k], R::Eight::splat(R::ZERO));
-            let speed = gained.times(R::Eight::splat(dt.recip())).plus(R::Eight::splat(v[k]));
-            speed.times(pushes[k]).sum() / dt
+            let work = R::Eight::by_part(|part| {
+                let gained = weighed(&tableau.working, &pushes[k], part, R::Eight::alike(R::ZERO));
+                let speed = gained * R::Eight::alike(dt.recip()) + R::Eight::alike(v[k]);
+                speed * pushes[k].part(part)
+            });
+            work.sum() / dt
         });
         self.mass * weighted(self.law.mass_ratios(), work, [R::ONE; D])
     }

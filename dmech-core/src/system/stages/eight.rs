@@ -1,9 +1,9 @@
 //! Eight numbers side by side: one for each stage of a step.
 
-use core::array::from_fn;
 use core::fmt::Debug;
+use core::ops::Add;
 
-use dmech_scalar::{DoubleDouble, Lanes, Mask, Real};
+use dmech_scalar::{DoubleDouble, Lanes, LanesMask, Mask, Real, Rows};
 
 use super::{Columns, Row, STAGES};
 
@@ -11,178 +11,228 @@ use super::{Columns, Row, STAGES};
 pub trait Staging: Real {
     /// Eight of them.
     type Eight: Eight<Self>;
+
+    /// A coefficient of two parts.
+    fn coefficient(hi: f64, lo: f64) -> Self;
+    /// The larger of two numbers.
+    #[inline(always)]
+    fn larger_number(self, other: Self) -> Self {
+        Self::either(other.less_or_equal(self), self, other)
+    }
 }
 
+/// Those of eight numbers that take part in an operation together.
+pub(crate) type Part<R> = <<R as Staging>::Eight as Eight<R>>::Part;
+
 /// Eight numbers of the type R.
-pub trait Eight<R>: Copy + Debug + Send + Sync {
+pub trait Eight<R: Real>: Copy + Debug + Send + Sync {
+    /// Those that take part in an operation together: all eight, or one after another.
+    type Part: Real;
+    /// How many of these there are.
+    const PARTS: usize;
+
     /// The same number eight times.
     fn splat(x: R) -> Self;
-    /// Coefficients.
-    fn row(row: &Row) -> Self;
-    /// Number i, of a row that is known.
-    fn to_array(self) -> [R; STAGES];
-    /// Component by component.
-    fn plus(self, other: Self) -> Self;
-    /// Component by component.
-    fn minus(self, other: Self) -> Self;
-    /// Component by component.
-    fn times(self, other: Self) -> Self;
-    /// self·b + c.
-    fn fused(self, b: Self, c: Self) -> Self;
-    /// max(self, |other|) of numbers.
-    fn or_larger(self, other: Self) -> Self;
+    /// The same number for all of a part.
+    fn alike(x: R) -> Self::Part;
+    /// Coefficients of a part.
+    fn row(row: &Row, part: usize) -> Self::Part;
+    /// A part of these.
+    fn part(&self, part: usize) -> Self::Part;
+    /// Puts a part in its place.
+    fn set(&mut self, part: usize, x: Self::Part);
+    /// Number j, for all of a part.
+    fn each(&self, j: usize) -> Self::Part;
+    /// max(x, |y|) of numbers.
+    fn larger(x: Self::Part, y: Self::Part) -> Self::Part;
+    /// Whether a comparison holds for all of a part.
+    fn all(mask: <Self::Part as Real>::Mask) -> R::Mask;
+    /// Whether it holds for some.
+    fn any(mask: <Self::Part as Real>::Mask) -> R::Mask;
+    /// `yes` where the mask holds, `no` elsewhere.
+    fn either(mask: R::Mask, yes: Self::Part, no: Self::Part) -> Self::Part;
     /// The largest of numbers.
-    fn largest(self) -> R;
-    /// self ≤ other everywhere.
-    fn at_most(self, other: Self) -> bool;
-    /// Somewhere self² ≥ least and self < before: this has come nearer, and is not near enough.
-    fn comes_nearer(self, least: Self, before: Self) -> bool;
+    fn largest(&self) -> R;
     /// The sum.
-    fn sum(self) -> R;
+    fn sum(&self) -> R;
+
+    /// Part by part.
+    #[inline(always)]
+    fn by_part(f: impl Fn(usize) -> Self::Part) -> Self {
+        let mut all = Self::splat(R::ZERO);
+        for part in 0..Self::PARTS {
+            all.set(part, f(part));
+        }
+        all
+    }
 }
 
 const HALF: usize = STAGES / 2;
 
-/// Σⱼ columnⱼ xⱼ, on top of `start`.
+/// A part of Σⱼ columnⱼ xⱼ, on top of `start`.
 #[inline(always)]
-pub(crate) fn weighed<R: Real, E: Eight<R>>(columns: &Columns, x: E, start: E) -> E {
-    let x = x.to_array();
+pub(crate) fn weighed<R: Real, E: Eight<R>>(columns: &Columns, x: &E, part: usize, start: E::Part) -> E::Part {
+    let column = |j: usize| E::row(&columns[j], part);
     // Two sums that do not wait for each other.
-    let mut early = start;
-    let mut late = E::row(&columns[HALF]).times(E::splat(x[HALF]));
+    let (mut early, mut late) = (start, column(HALF) * x.each(HALF));
     for j in 0..HALF {
-        early = E::row(&columns[j]).fused(E::splat(x[j]), early);
+        early = column(j).mul_add(x.each(j), early);
     }
     for j in HALF + 1..STAGES {
-        late = E::row(&columns[j]).fused(E::splat(x[j]), late);
+        late = column(j).mul_add(x.each(j), late);
     }
-    early.plus(late)
+    early + late
 }
 
 impl Staging for f64 {
     type Eight = Lanes;
+
+    #[inline(always)]
+    fn coefficient(hi: f64, _: f64) -> f64 {
+        hi
+    }
 }
 
 impl Eight<f64> for Lanes {
+    type Part = Lanes;
+    const PARTS: usize = 1;
+
     #[inline(always)]
     fn splat(x: f64) -> Self {
         Lanes::splat(x)
     }
     #[inline(always)]
-    fn row(row: &Row) -> Self {
+    fn alike(x: f64) -> Self {
+        Lanes::splat(x)
+    }
+    #[inline(always)]
+    fn row(row: &Row, _: usize) -> Self {
         Lanes::from_array(row.hi)
     }
     #[inline(always)]
-    fn to_array(self) -> [f64; STAGES] {
-        Lanes::to_array(self)
+    fn part(&self, _: usize) -> Self {
+        *self
     }
     #[inline(always)]
-    fn plus(self, other: Self) -> Self {
-        self + other
+    fn set(&mut self, _: usize, x: Self) {
+        *self = x;
     }
     #[inline(always)]
-    fn minus(self, other: Self) -> Self {
-        self - other
+    fn each(&self, j: usize) -> Self {
+        Lanes::splat(self.to_array()[j])
     }
     #[inline(always)]
-    fn times(self, other: Self) -> Self {
-        self * other
+    fn larger(x: Self, y: Self) -> Self {
+        x.larger_number(y.abs())
     }
     #[inline(always)]
-    fn fused(self, b: Self, c: Self) -> Self {
-        self.mul_add(b, c)
+    fn all(mask: LanesMask) -> bool {
+        mask.all()
     }
     #[inline(always)]
-    fn or_larger(self, other: Self) -> Self {
-        self.larger_number(other.abs())
+    fn any(mask: LanesMask) -> bool {
+        mask.any()
     }
     #[inline(always)]
-    fn at_most(self, other: Self) -> bool {
-        self.less_or_equal(other).all()
+    fn either(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
     }
     #[inline(always)]
-    fn comes_nearer(self, least: Self, before: Self) -> bool {
-        least.less_or_equal(self * self).and(self.less(before)).any()
+    fn largest(&self) -> f64 {
+        folded(&self.to_array(), Staging::larger_number)
     }
     #[inline(always)]
-    fn largest(self) -> f64 {
-        largest(Lanes::to_array(self))
+    fn sum(&self) -> f64 {
+        Lanes::sum(*self)
     }
     #[inline(always)]
-    fn sum(self) -> f64 {
-        Lanes::sum(self)
+    fn by_part(f: impl Fn(usize) -> Self) -> Self {
+        f(0)
     }
 }
 
-/// The largest, halves folded onto each other.
+/// Eight in one, halves folded onto each other, as [`Lanes::sum`] does.
 #[inline(always)]
-fn largest<R: Real>(x: [R; STAGES]) -> R {
-    let more = |a: R, b: R| R::either(b.less_or_equal(a), a, b);
-    let four: [R; 4] = from_fn(|i| more(x[i], x[i + 4]));
-    more(more(four[0], four[2]), more(four[1], four[3]))
+fn folded<R: Real>(x: &[R; STAGES], onto: impl Fn(R, R) -> R) -> R {
+    let four = |i: usize| onto(x[i], x[i + HALF]);
+    onto(onto(four(0), four(2)), onto(four(1), four(3)))
+}
+
+impl<R: Staging> Eight<R> for [R; STAGES] {
+    type Part = R;
+    const PARTS: usize = STAGES;
+
+    #[inline(always)]
+    fn splat(x: R) -> Self {
+        [x; STAGES]
+    }
+    #[inline(always)]
+    fn alike(x: R) -> R {
+        x
+    }
+    #[inline(always)]
+    fn row(row: &Row, part: usize) -> R {
+        R::coefficient(row.hi[part], row.lo[part])
+    }
+    #[inline(always)]
+    fn part(&self, part: usize) -> R {
+        self[part]
+    }
+    #[inline(always)]
+    fn set(&mut self, part: usize, x: R) {
+        self[part] = x;
+    }
+    #[inline(always)]
+    fn each(&self, j: usize) -> R {
+        self[j]
+    }
+    #[inline(always)]
+    fn larger(x: R, y: R) -> R {
+        x.larger_number(y.abs())
+    }
+    #[inline(always)]
+    fn all(mask: R::Mask) -> R::Mask {
+        mask
+    }
+    #[inline(always)]
+    fn any(mask: R::Mask) -> R::Mask {
+        mask
+    }
+    #[inline(always)]
+    fn either(mask: R::Mask, yes: R, no: R) -> R {
+        R::either(mask, yes, no)
+    }
+    #[inline(always)]
+    fn largest(&self) -> R {
+        folded(self, R::larger_number)
+    }
+    #[inline(always)]
+    fn sum(&self) -> R {
+        folded(self, Add::add)
+    }
 }
 
 macro_rules! one_by_one {
-    ($($real:ty)*) => {$(
-        impl Staging for $real {
-            type Eight = [$real; STAGES];
-        }
+    ($($real:ty $(, $n:ident)?: |$hi:ident, $lo:ident| $coefficient:expr $(, $larger:ident)?;)*) => {$(
+        impl$(<const $n: usize>)? Staging for $real {
+            type Eight = [Self; STAGES];
 
-        impl Eight<$real> for [$real; STAGES] {
-            #[inline]
-            fn splat(x: $real) -> Self {
-                [x; STAGES]
+            #[inline(always)]
+            fn coefficient($hi: f64, $lo: f64) -> Self {
+                $coefficient
             }
-            #[inline]
-            fn row(row: &Row) -> Self {
-                from_fn(|i| <$real>::from_f64(row.hi[i]) + <$real>::from_f64(row.lo[i]))
-            }
-            #[inline]
-            fn to_array(self) -> Self {
-                self
-            }
-            #[inline]
-            fn plus(self, other: Self) -> Self {
-                from_fn(|i| self[i] + other[i])
-            }
-            #[inline]
-            fn minus(self, other: Self) -> Self {
-                from_fn(|i| self[i] - other[i])
-            }
-            #[inline]
-            fn times(self, other: Self) -> Self {
-                from_fn(|i| self[i] * other[i])
-            }
-            #[inline]
-            fn fused(self, b: Self, c: Self) -> Self {
-                from_fn(|i| Real::mul_add(self[i], b[i], c[i]))
-            }
-            #[inline]
-            fn or_larger(self, other: Self) -> Self {
-                from_fn(|i| {
-                    let other = Real::abs(other[i]);
-                    <$real>::either(other.less_or_equal(self[i]), self[i], other)
-                })
-            }
-            #[inline]
-            fn at_most(self, other: Self) -> bool {
-                (0..STAGES).all(|i| self[i].less_or_equal(other[i]).all())
-            }
-            #[inline]
-            fn comes_nearer(self, least: Self, before: Self) -> bool {
-                (0..STAGES).any(|i| least[i].less_or_equal(self[i] * self[i]).and(self[i].less(before[i])).any())
-            }
-            #[inline]
-            fn largest(self) -> $real {
-                largest(self)
-            }
-            #[inline]
-            fn sum(self) -> $real {
-                let four: [$real; 4] = from_fn(|i| self[i] + self[i + 4]);
-                (four[0] + four[2]) + (four[1] + four[3])
-            }
+            $(#[inline(always)]
+            fn $larger(self, other: Self) -> Self {
+                <$real>::$larger(self, other)
+            })?
         }
     )*};
 }
 
-one_by_one! { f32 DoubleDouble Lanes }
+one_by_one! {
+    f32: |hi, lo| hi as f32 + lo as f32;
+    DoubleDouble: |hi, lo| DoubleDouble::from(hi) + DoubleDouble::from(lo);
+    Lanes: |hi, _lo| Lanes::splat(hi), larger_number;
+    // Members side by side, of which each has the bits of one alone.
+    Rows<N>, N: |hi, _lo| Self::from_f64(hi), larger_number;
+}

@@ -3,6 +3,7 @@
 mod eight;
 mod nearing;
 
+pub(crate) use eight::Part;
 pub(crate) use eight::weighed;
 pub use eight::{Eight, Staging};
 pub use nearing::Nearing;
@@ -53,7 +54,13 @@ pub trait Staged: System<Scalar: Staging> {
     );
     /// Positions from the pushes, and pushes from the positions. Whether some push has come nearer, and by the two last changes
     /// another sweep would bring it nearer still: by more than the position's rounding.
-    fn sweep(&self, tableau: &Tableau, stride: &Self::Stride, aim: &mut Self::Aim, pushes: &mut Self::Pushes) -> bool;
+    fn sweep(
+        &self,
+        tableau: &Tableau,
+        stride: &Self::Stride,
+        aim: &mut Self::Aim,
+        pushes: &mut Self::Pushes,
+    ) -> <Self::Scalar as Real>::Mask;
     /// How near the last sweep has come.
     fn nearing(aim: &Self::Aim) -> &Nearing<Self::Scalar>;
     /// Moves position and velocity to the end of the step.
@@ -68,47 +75,57 @@ pub trait Staged: System<Scalar: Staging> {
     ) -> Self::Scalar;
 }
 
-/// The polynomial through the pushes of the last step, continued into the next, `ratio` times as long.
+/// The polynomial through the pushes of the last step, continued into the next, `ratio` times as long; where that is 0 they are a guess
+/// already.
 #[inline(always)]
 pub(crate) fn go_on<R: Staging>(pushes: &mut [R::Eight], tableau: &Tableau, ratio: R) {
-    if ratio.equal(R::ONE).all() {
-        for push in pushes {
-            *push = weighed(&tableau.continued, *push, R::Eight::splat(R::ZERO));
+    let (guessed, even) = (ratio.equal(R::ZERO), ratio.equal(R::ONE));
+    if guessed.all() {
+        return;
+    }
+    let evenly = |push: &R::Eight, part| weighed(&tableau.continued, push, part, R::Eight::alike(R::ZERO));
+    if even.all() {
+        return pushes.iter_mut().for_each(|push| *push = R::Eight::by_part(|part| evenly(push, part)));
+    }
+    let columns = continued(tableau, ratio);
+    for push in pushes {
+        let mut next = R::Eight::by_part(|part| mixed(&columns, push, part));
+        if even.any() {
+            next = either(even, &R::Eight::by_part(|part| evenly(push, part)), &next);
         }
-    } else {
-        let columns = continued(tableau, ratio);
-        for push in pushes {
-            *push = mixed(&columns, *push);
-        }
+        *push = either(guessed, push, &next);
     }
 }
 
 /// A row for each column of [`Tableau::continued`], for a step `ratio` times as long as the last: with ℓⱼ(1 + ρ cᵢ) by products
 /// of the distances from the nodes, none of which is divided by.
 fn continued<R: Staging>(tableau: &Tableau, ratio: R) -> [R::Eight; STAGES] {
-    let eight = |x: f64| R::Eight::splat(R::from_f64(x));
-    let at = R::Eight::row(&tableau.nodes).fused(R::Eight::splat(ratio), eight(1.0));
-    let away = tableau.nodes.hi.map(|node| at.minus(eight(node)));
-    // b ρ², on the way up the product of what is before, on the way down of what is behind.
-    let mut columns = [R::Eight::row(&tableau.weights).times(R::Eight::splat(ratio * ratio)); STAGES];
-    let mut after = eight(1.0);
-    for j in 1..STAGES {
-        columns[j] = columns[j - 1].times(away[j - 1]);
-    }
-    for j in (0..STAGES).rev() {
-        columns[j] = columns[j].times(after).times(eight(tableau.barycentric.hi[j]));
-        after = after.times(away[j]);
+    let number = |x: f64| R::Eight::alike(R::from_f64(x));
+    let mut columns = [R::Eight::splat(R::ZERO); STAGES];
+    for part in 0..R::Eight::PARTS {
+        let at = R::Eight::row(&tableau.nodes, part).mul_add(R::Eight::alike(ratio), number(1.0));
+        let away = |j: usize| at - number(tableau.nodes.hi[j]);
+        // b ρ², on the way up the product of what is before, on the way down of what is behind.
+        let mut before = R::Eight::row(&tableau.weights, part) * R::Eight::alike(ratio * ratio);
+        for j in 0..STAGES {
+            columns[j].set(part, before);
+            before *= away(j);
+        }
+        let mut after = number(1.0);
+        for j in (0..STAGES).rev() {
+            columns[j].set(part, columns[j].part(part) * after * number(tableau.barycentric.hi[j]));
+            after *= away(j);
+        }
     }
     columns
 }
 
-/// Σⱼ columnⱼ xⱼ.
+/// A part of Σⱼ columnⱼ xⱼ.
 #[inline(always)]
-fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: E) -> E {
-    let x = x.to_array();
-    let mut sum = columns[0].times(E::splat(x[0]));
+fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: &E, part: usize) -> E::Part {
+    let mut sum = columns[0].part(part) * x.each(0);
     for j in 1..STAGES {
-        sum = columns[j].fused(E::splat(x[j]), sum);
+        sum = columns[j].part(part).mul_add(x.each(j), sum);
     }
     sum
 }
@@ -121,23 +138,49 @@ const NO_ROUNDING: f64 = 1e3;
 /// Whether the highest polynomial has a share in the force on some coordinate that tells of a bend or a jump: what eight stages
 /// cannot see is about as large.
 #[cold]
-pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> bool {
-    let rounding = (R::from_f64(NO_ROUNDING) * R::EPSILON * largest_of::<R>(pushes)).to_f64();
-    pushes.iter().any(|push| {
-        let highest = R::Eight::row(&tableau.highest).times(*push).sum().to_f64().abs();
-        highest > rounding && highest > SEAM * largest_of::<R>(&[*push]).to_f64()
+pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> R::Mask {
+    let rounding = R::from_f64(NO_ROUNDING) * R::EPSILON * largest_of::<R>(pushes);
+    pushes.iter().fold(nowhere::<R>(), |bent, push| {
+        let highest = times(&tableau.highest, push).sum().abs();
+        let seam = R::from_f64(SEAM) * largest_of::<R>(core::slice::from_ref(push));
+        bent.or(rounding.less(highest).and(seam.less(highest)))
     })
+}
+
+/// Coefficients times numbers.
+#[inline(always)]
+pub(crate) fn times<R: Real, E: Eight<R>>(row: &Row, x: &E) -> E {
+    E::by_part(|part| E::row(row, part) * x.part(part))
+}
+
+/// `yes` where the mask holds, `no` elsewhere.
+#[inline(always)]
+pub(crate) fn either<R: Real, E: Eight<R>>(mask: R::Mask, yes: &E, no: &E) -> E {
+    E::by_part(|part| E::either(mask, yes.part(part), no.part(part)))
+}
+
+/// A mask that holds nowhere.
+#[inline(always)]
+pub(crate) fn nowhere<R: Real>() -> R::Mask {
+    R::ONE.less(R::ZERO)
 }
 
 /// The largest of all.
 #[inline(always)]
 fn largest_of<R: Staging>(pushes: &[R::Eight]) -> R {
-    pushes.iter().fold(R::Eight::splat(R::ZERO), |all, push| all.or_larger(*push)).largest()
+    let largest = |part| {
+        let none = R::Eight::alike(R::ZERO);
+        pushes.iter().fold(none, |all, push| R::Eight::larger(all, push.part(part)))
+    };
+    R::Eight::by_part(largest).largest()
 }
 
 /// Whether every push is finite: 0·x is 0 for a finite x and NaN for any other.
 #[inline(always)]
-pub(crate) fn are_finite<R: Staging>(pushes: &[R::Eight]) -> bool {
-    let none = R::Eight::splat(R::ZERO);
-    pushes.iter().fold(none, |sum, push| none.fused(*push, sum)).sum().equal(R::ZERO).all()
+pub(crate) fn are_finite<R: Staging>(pushes: &[R::Eight]) -> R::Mask {
+    let zeros = |part| {
+        let none = R::Eight::alike(R::ZERO);
+        pushes.iter().fold(none, |sum, push| none.mul_add(push.part(part), sum))
+    };
+    R::Eight::by_part(zeros).sum().equal(R::ZERO)
 }

@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Mask, Real};
 
-use super::{Eight, Staging, largest_of};
+use super::{Eight, Part, Staging, largest_of};
 
 /// A change of a push counts from this part of an ulp of it on: what sweeps leave has one sign, and adds up from step to step.
 const COUNTS: f64 = 1.0 / 32.0;
@@ -24,6 +24,8 @@ pub(crate) fn of_path<R: Real>(drift: R) -> R {
 pub struct Nearing<R: Staging> {
     /// The largest change of each stage in the last sweep.
     change: R::Eight,
+    /// The same, or the least so far where rounding may have made it.
+    before: R::Eight,
     /// Its square counts from here on in the next.
     least: R::Eight,
     /// What the rounding of a position may make of a push.
@@ -38,7 +40,7 @@ impl<R: Staging> Nearing<R> {
     /// Before any step.
     pub(crate) fn none() -> Self {
         let none = R::Eight::splat(R::ZERO);
-        Nearing { change: none, least: none, rounding: R::ZERO, floor: R::ZERO, unit: R::ZERO }
+        Nearing { change: none, before: none, least: none, rounding: R::ZERO, floor: R::ZERO, unit: R::ZERO }
     }
 
     /// Before the sweeps of a step; `largest` is the largest push, or [path](of_path).
@@ -48,38 +50,50 @@ impl<R: Staging> Nearing<R> {
         let unit = R::either(at_rest, R::ZERO, R::ONE);
         let floor = R::either(at_rest, R::ONE, R::from_f64(LEAST) * largest);
         let change = R::Eight::splat(R::from_f64(f64::INFINITY));
-        Nearing { change, least: R::Eight::splat(unit), rounding: R::ZERO, floor, unit }
+        Nearing { change, before: change, least: R::Eight::splat(unit), rounding: R::ZERO, floor, unit }
     }
 
-    /// 1 over the change that counts of a push, which is, or has a path that counts as, `push`; |q| and |h v| are at most `reach`.
+    /// 1 over the change that counts of a push, which is, or has a path that counts as, `push`; and what the rounding of a position
+    /// may make of it, as |q| and |h v| are at most `reach`.
     #[inline(always)]
-    pub(crate) fn per_unit(&mut self, push: R, reach: R) -> R {
+    pub(crate) fn per_unit(&self, push: R, reach: R) -> [R; 2] {
         let per_unit = (R::from_f64(COUNTS) * R::EPSILON * push.max(self.floor)).recip();
         let by_place = R::from_f64(BY_PLACE) * R::EPSILON * reach;
-        self.rounding = self.rounding.max(by_place * per_unit);
-        per_unit
+        [per_unit, by_place * per_unit]
     }
 
-    /// After a sweep with these changes: whether some push has come nearer, and is not yet so near that by the last two changes
-    /// another sweep would be lost.
+    /// A rounding may be so large.
     #[inline(always)]
-    pub(crate) fn comes_nearer(&mut self, change: R::Eight) -> bool {
-        let nearer = change.comes_nearer(self.least, self.change);
-        self.change = change;
-        self.least = change.times(R::Eight::splat(self.unit));
-        nearer
+    pub(crate) fn allow(&mut self, rounding: R) {
+        self.rounding = self.rounding.max(rounding);
+    }
+
+    /// After a sweep with these changes in a part of the stages: whether some push has come nearer, and is not yet so near that by the
+    /// last two changes another sweep would be lost.
+    #[inline(always)]
+    pub(crate) fn comes_nearer(&mut self, part: usize, change: Part<R>) -> R::Mask {
+        let before = self.before.part(part);
+        let nearer = self.least.part(part).less_or_equal(change * change).and(change.less(before));
+        // Roundings go to and fro: of eight stages one would come nearer to what it was before again and again.
+        let by_rounding = change.less_or_equal(R::Eight::alike(self.rounding)).and(before.less(change));
+        self.before.set(part, Part::<R>::either(by_rounding, before, change));
+        self.change.set(part, change);
+        self.least.set(part, change * R::Eight::alike(self.unit));
+        R::Eight::any(nearer)
     }
 
     /// Whether no push has changed in the last sweep by more than so many units; where nothing moved before, by more than so many of
     /// the largest.
     #[inline(always)]
-    pub(crate) fn is_near(&self, pushes: &[R::Eight], units: f64) -> bool {
+    pub(crate) fn is_near(&self, pushes: &[R::Eight], units: f64) -> R::Mask {
         let mut units = R::from_f64(units);
         let at_rest = self.unit.equal(R::ZERO);
         if at_rest.any() {
             units = R::either(at_rest, units * largest_of::<R>(pushes), units);
         }
-        self.change.at_most(R::Eight::splat(self.rounding.max(units)))
+        let most = R::Eight::alike(self.rounding.max(units));
+        let near = |part| R::Eight::all(self.change.part(part).less_or_equal(most));
+        (1..R::Eight::PARTS).fold(near(0), |all, part| all.and(near(part)))
     }
 
     /// The largest change in the last sweep.

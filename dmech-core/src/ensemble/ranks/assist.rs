@@ -1,0 +1,57 @@
+//! The other ranks: move what they are given.
+
+use std::thread::sleep;
+
+use super::message::{Arrived, Order, Report, SetUp, read, write};
+use super::{PATIENCE, Ranks};
+use crate::ensemble::Rides;
+use crate::ensemble::plan::{Moved, Plan, Rows};
+use crate::ensemble::share::{Board, with_hands};
+use crate::error::Error;
+use crate::law::Fields;
+use crate::state::State;
+
+/// Moves members for the first rank until that has all.
+pub(super) fn assist<R, L, S, const D: usize>(
+    ranks: &R,
+    plan: &Plan<'_, L, S, D>,
+    threads: usize,
+    set_up: SetUp,
+) -> Result<(), Error>
+where
+    R: Ranks + ?Sized,
+    L: Fields<D>,
+    S: Rides<L, D> + Sync,
+{
+    let tell = |report: &Report<D>| ranks.send(0, &write(report));
+    tell(&Report::Here { set_up, hands: threads });
+    let all_is_well = with_hands(threads, |rows| plan.go(rows), |board| obey(ranks, board, &tell));
+    tell(&Report::Bye);
+    while ranks.receive().is_none_or(|(rank, bytes)| !matches!(read(rank, &bytes), Ok(Order::Leave))) {
+        sleep(PATIENCE);
+    }
+    if all_is_well? { Ok(()) } else { Err(Error::FirstRank) }
+}
+
+/// Whether the first rank has all.
+fn obey<R: Ranks + ?Sized, const D: usize>(
+    ranks: &R,
+    board: &Board<Rows, Moved<State<D>>>,
+    tell: &impl Fn(&Report<D>),
+) -> Result<bool, Error> {
+    loop {
+        while let Some((block, moved)) = board.take_any() {
+            let members = moved.iter().map(|(k, outcome)| (*k, Arrived::of(outcome))).collect();
+            tell(&Report::Moved { block, members });
+        }
+        match ranks.receive() {
+            Some((rank, bytes)) => match read(rank, &bytes)? {
+                Order::Move { block, rows } => board.add(block, rows.rows()),
+                Order::End { failed } => return Ok(!failed),
+                Order::Leave => return Ok(false),
+            },
+            None if !board.wait(None, Some(PATIENCE)) => return Ok(false),
+            None => {}
+        }
+    }
+}

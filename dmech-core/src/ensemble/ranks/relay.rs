@@ -1,0 +1,111 @@
+//! The first rank: hands out, and takes what comes.
+
+use std::collections::VecDeque;
+use std::thread::sleep;
+
+use super::message::{Lengths, Order, Report, SetUp, home, read, write};
+use super::{PATIENCE, Ranks};
+use crate::ensemble::Rides;
+use crate::ensemble::in_order::Aides;
+use crate::ensemble::plan::{Moved, Plan, Rows};
+use crate::ensemble::share::Board;
+use crate::error::Error;
+use crate::law::Fields;
+use crate::state::State;
+
+/// The other ranks, as the first sees them.
+pub(super) struct Relay<'a, R: ?Sized, L, S, const D: usize> {
+    ranks: &'a R,
+    plan: &'a Plan<'a, L, S, D>,
+    set_up: SetUp,
+    /// Ranks that are there, and threads that they have.
+    here: usize,
+    hands: usize,
+    /// Ranks that ask for a block, each as often as it asks.
+    asking: VecDeque<usize>,
+    /// Ranks that are gone.
+    gone: usize,
+}
+
+impl<'a, R: Ranks + ?Sized, L: Fields<D>, S: Rides<L, D> + Sync, const D: usize> Relay<'a, R, L, S, D> {
+    pub(super) fn new(ranks: &'a R, plan: &'a Plan<'a, L, S, D>, set_up: SetUp) -> Self {
+        Relay { ranks, plan, set_up, here: 1, hands: 0, asking: VecDeque::new(), gone: 0 }
+    }
+
+    fn next(&self) -> Result<Option<(usize, Report<D>)>, Error> {
+        let Some((rank, bytes)) = self.ranks.receive() else { return Ok(None) };
+        Ok(Some((rank, read(rank, &bytes)?)))
+    }
+
+    fn greet(&mut self, rank: usize, set_up: SetUp, hands: usize) -> Result<(), Error> {
+        self.here += 1;
+        if set_up != self.set_up {
+            return Err(Error::OtherEnsemble { rank });
+        }
+        self.hands += hands;
+        // One more than there are threads, so that none waits for a message.
+        self.asking.extend([rank].into_iter().cycle().take(hands + 1));
+        Ok(())
+    }
+}
+
+impl<R: Ranks + ?Sized, L: Fields<D>, S: Rides<L, D> + Sync, const D: usize> Aides<Rows, Moved<State<D>>>
+    for Relay<'_, R, L, S, D>
+{
+    const PATIENCE: Option<core::time::Duration> = Some(PATIENCE);
+
+    fn processes(&self) -> usize {
+        self.ranks.count()
+    }
+
+    fn hands(&self) -> usize {
+        self.hands
+    }
+
+    fn attend(&mut self, board: &Board<Rows, Moved<State<D>>>) -> Result<(), Error> {
+        while let Some((rank, report)) = self.next()? {
+            match report {
+                Report::Here { set_up, hands } => self.greet(rank, set_up, hands)?,
+                Report::Moved { block, members } => {
+                    board.put(block, home(members, self.plan)?);
+                    self.asking.push_back(rank);
+                }
+                Report::Bye => self.gone += 1,
+            }
+        }
+        while !self.asking.is_empty()
+            && let Some((block, rows)) = board.give()
+            && let Some(rank) = self.asking.pop_front()
+        {
+            self.ranks.send(rank, &write(&Order::Move { block, rows: Lengths::of(&rows) }));
+        }
+        Ok(())
+    }
+
+    /// Tells all, and waits until all have heard it: nothing is left on its way.
+    fn end(&mut self, failed: bool) -> Result<(), Error> {
+        let mut outcome = Ok(());
+        let others = self.ranks.count() - 1;
+        let ranks = self.ranks;
+        let tell = |order: &Order| (1..=others).for_each(|rank| ranks.send(rank, &write(order)));
+        let mut told = false;
+        while self.gone < others {
+            if !told && self.here == self.ranks.count() {
+                told = true;
+                let failed = failed || outcome.is_err();
+                tell(&Order::End { failed });
+            }
+            match self.next() {
+                Ok(Some((rank, Report::Here { set_up, hands }))) => {
+                    outcome = outcome.and(self.greet(rank, set_up, hands))
+                }
+                Ok(Some((_, Report::Bye))) => self.gone += 1,
+                Ok(Some((_, Report::Moved { .. }))) => {}
+                Ok(None) => sleep(PATIENCE),
+                Err(_) => {}
+            }
+        }
+        tell(&Order::Leave);
+        outcome
+    }
+}

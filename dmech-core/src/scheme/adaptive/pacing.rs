@@ -1,0 +1,140 @@
+//! Where steps that follow the motion are, for one motion or for several side by side.
+
+use dmech_scalar::{Compensated, Mask, Real};
+
+use super::Adaptive;
+use crate::ride::Ride;
+use crate::scheme::{Adaptable, ByLane};
+use crate::system::Look;
+
+/// The last step, the next, and the time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pacing<R: Real = f64> {
+    /// ρ, the density of the steps: it is h = ε/ρ.
+    pub(super) density: R,
+    /// The last step, at the start the next.
+    pub(super) last: R,
+    /// The next step.
+    pub(crate) dt: R,
+    /// How many more of the same follow.
+    pub(super) left: R,
+    /// Whether that ends at the end.
+    pub(super) landing: R::Mask,
+    pub(crate) time: Compensated<R>,
+    /// The shortest and the longest step so far, but for the one that was shortened to land.
+    pub(super) range: [R; 2],
+}
+
+/// ρ/ω stays between these, at the ends of steps.
+const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
+
+/// The same in the middle of steps, where ω of their end differs: no step is negative.
+pub(super) const MIDDLE: [f64; 2] = [0.25, 4.0];
+
+impl<R: Real> Pacing<R> {
+    /// How many times as long as the last the next step is.
+    pub(crate) fn ratio(&self) -> R {
+        self.dt / self.last
+    }
+
+    /// Where the next step is one: longer than the rounding of the time, and a number.
+    pub(crate) fn moves_on(&self) -> R::Mask {
+        let (time, dt) = (self.time.value(), self.dt);
+        (time.abs() * R::EPSILON).less(dt).and(dt.finite()).or(self.landing)
+    }
+}
+
+impl<S: Adaptable> Adaptive<S> {
+    /// Chooses the next step.
+    #[inline(always)]
+    pub(crate) fn plan<R: Real>(&self, longest: R, pacing: &mut Pacing<R>) {
+        let dt = (R::from_f64(self.angle) / pacing.density).min(longest);
+        let left = (R::from_f64(self.end) - pacing.time.hi) - pacing.time.lo;
+        // A little longer rather than another step that is nothing but rounding.
+        pacing.landing = dt.finite().and(left.less_or_equal(dt * R::from_f64(1.0 + 1e-9)));
+        pacing.dt = R::either(pacing.landing, left, dt);
+    }
+
+    /// The step was made: where the law is to be looked at.
+    #[inline(always)]
+    pub(crate) fn made<R: Real>(&self, pacing: &mut Pacing<R>) -> R::Mask {
+        let Pacing { dt, landing, range: [shortest, longest], .. } = *pacing;
+        pacing.last = dt;
+        pacing.left -= R::ONE;
+        pacing.time.add(dt);
+        let Compensated { hi, lo } = pacing.time;
+        let (end, either) = (R::from_f64(self.end), |yes, no| R::either(landing, yes, no));
+        pacing.time = Compensated { hi: either(end, hi), lo: either(R::ZERO, lo) };
+        pacing.range = [either(shortest, shortest.min(dt)), either(longest, longest.max(dt))];
+        pacing.left.less(R::ONE)
+    }
+
+    /// ρ follows what the law was seen to be like, where that was looked at.
+    #[inline(always)]
+    pub(crate) fn looked<R: Real>(&self, look: &Look<R>, due: R::Mask, pacing: &mut Pacing<R>) {
+        pacing.density = R::either(due, self.follow(pacing.density, look), pacing.density);
+        pacing.left = R::either(due, R::from_f64(self.row), pacing.left);
+    }
+
+    /// ρ in the next step from that in the last.
+    #[inline(always)]
+    pub(super) fn follow<R: Real>(&self, density: R, look: &Look<R>) -> R {
+        let half = R::from_f64(0.5 * self.row * self.angle) * look.growth;
+        look.within(MIDDLE, look.within(BAND, density + half) + half)
+    }
+
+    /// The smallest ω that counts, where a step is this long at most.
+    pub(crate) fn least<R: Real>(&self, longest: R) -> R {
+        R::from_f64(self.angle) / longest
+    }
+
+    /// Where the end is reached.
+    pub(crate) fn has_arrived<R: Real>(&self, pacing: &Pacing<R>) -> R::Mask {
+        R::from_f64(self.end).less_or_equal(pacing.time.value())
+    }
+}
+
+impl ByLane<Pacing> for Pacing<Ride> {
+    fn of<'a>(one: &impl Fn(usize) -> &'a Pacing) -> Self {
+        let of = |field: fn(&Pacing) -> f64| Ride::from_fn(|lane| field(one(lane)));
+        Pacing {
+            density: of(|pacing| pacing.density),
+            last: of(|pacing| pacing.last),
+            dt: of(|pacing| pacing.dt),
+            left: of(|pacing| pacing.left),
+            landing: of(|pacing| f64::from(pacing.landing)).equal(Ride::ONE),
+            time: Compensated { hi: of(|pacing| pacing.time.hi), lo: of(|pacing| pacing.time.lo) },
+            range: [of(|pacing| pacing.range[0]), of(|pacing| pacing.range[1])],
+        }
+    }
+
+    fn lane(&self, lane: usize) -> Pacing {
+        let Pacing { density, last, dt, left, landing, time: Compensated { hi, lo }, range } = *self;
+        Pacing {
+            density: density[lane],
+            last: last[lane],
+            dt: dt[lane],
+            left: left[lane],
+            landing: Ride::either(landing, Ride::ONE, Ride::ZERO)[lane] > 0.0,
+            time: Compensated { hi: hi[lane], lo: lo[lane] },
+            range: range.map(|step| step[lane]),
+        }
+    }
+    fn set(&mut self, lane: usize, one: &Pacing) {
+        let mut landing = Ride::either(self.landing, Ride::ONE, Ride::ZERO);
+        landing[lane] = f64::from(one.landing);
+        self.landing = landing.equal(Ride::ONE);
+        self.density[lane] = one.density;
+        self.last[lane] = one.last;
+        self.dt[lane] = one.dt;
+        self.left[lane] = one.left;
+        (self.time.hi[lane], self.time.lo[lane]) = (one.time.hi, one.time.lo);
+        self.range.set(lane, &one.range);
+    }
+
+    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+        (0..Ride::COUNT).filter(|&lane| Ride::either(which, Ride::ONE, Ride::ZERO)[lane] > 0.0).for_each(|lane| {
+            self.set(lane, &other.lane(lane));
+        });
+    }
+}

@@ -51,7 +51,7 @@
 //! On 1000 ranks of one thread 10⁶ members of 10 ms take 10 s, and one more at the end for the last block of each (1.3 s); with 64 threads
 //! each 0.5 s of reading, 0.16 s of motion and 0.3 s at the end. Members shorter than 0.5 ms do not keep a thousand threads busy.
 //!
-//! [store]: dmech_core::Ensemble::store
+//! [store]: https://docs.rs/dmech-core/latest/dmech_core/struct.Ensemble.html#method.store
 #![forbid(unsafe_code)]
 
 use std::thread::panicking;

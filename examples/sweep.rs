@@ -19,10 +19,10 @@ mod picture;
 use std::time::Instant;
 
 use dmech::models::HenonHeiles;
+use dmech::plot::plotters::prelude::{Color, RGBColor, Rectangle};
 use dmech::prelude::*;
 use henon_heiles::{APART, END, SIDE, V, Y, cells, start};
 use picture::{Axis, Drawn, INK};
-use plotters::prelude::{Color, RGBColor, Rectangle};
 
 /// Powers of ten by which neighbours may have parted, from below, and their colours: order is pale, chaos dark
 /// (S. van der Walt and N. Smith's "magma", backwards).

@@ -28,12 +28,12 @@ use std::time::Duration;
 
 use dmech::extend::AtStages;
 use dmech::models::{Anharmonic, HenonHeiles, Kepler, Morse, Pendulum};
+use dmech::plot::plotters::style::RGBColor;
 use dmech::prelude::*;
 use dmech::{StudyError, StudyReport};
 use indicatif::{ProgressBar, ProgressStyle};
 use page::Section;
 use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED, TEAL};
-use plotters::style::RGBColor;
 
 /// What a motion is called, what is to be seen in it, and its study.
 type Motion = (&'static str, &'static str, &'static str, fn() -> Result<StudyReport, StudyError>);

@@ -254,6 +254,8 @@ pub use dmech_core::{
 #[doc(inline)]
 pub use dmech_core::{Scene, SceneError, SceneState};
 #[doc(inline)]
+#[cfg(feature = "plot")]
+pub use dmech_plot as plot;
 pub use dmech_study::{Study, StudyError, StudyReport, verify, verify_scheme};
 
 // The schemes.

@@ -19,8 +19,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use cases::{CASES, Case, Kind, Length, Picture, Scale, label};
+use dmech::plot::plotters::style::RGBColor;
 use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PALE, PURPLE, RED};
-use plotters::style::RGBColor;
 
 fn main() -> Drawn<ExitCode> {
     let wanted: Vec<_> = std::env::args().skip(1).collect();

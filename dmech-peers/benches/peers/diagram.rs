@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use dmech::plot::plotters::style::RGBColor;
 use dmech_peers::{Crate, Line, Report};
-use plotters::style::RGBColor;
 
 use super::picture::{self, Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
 

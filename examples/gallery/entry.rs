@@ -67,7 +67,7 @@ impl Entry {
         for block in &source.words {
             *body += &match block {
                 Block::Prose(words) => format!("<p>{}</p>\n", prose(words)),
-                Block::Formula(lines) => format!("<pre>{}</pre>\n", escaped(lines)),
+                Block::Formula(lines) => format!("<pre class=\"formula\">{}</pre>\n", escaped(lines)),
             };
         }
         *body += &format!("<pre>{}</pre>\n<div class=\"pictures\">", escaped(source.code.trim_end()));
@@ -79,7 +79,8 @@ impl Entry {
         if let Some(failure) = &outcome.failure {
             *body += &format!("<p class=\"failed\">It failed.</p><pre>{}</pre>\n", escaped(failure.trim()));
         }
-        let time = outcome.time.map_or(String::new(), |time| format!(" · {}", seconds(time)));
+        let time =
+            outcome.time.map_or(String::new(), |time| format!(" · <span class=\"time\">{}</span>", seconds(time)));
         *body += &format!("<p><code>cargo run --release --example {name}</code>{time}</p>\n</section>\n");
         Ok(())
     }

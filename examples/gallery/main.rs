@@ -88,6 +88,8 @@ fn run_all(groups: Groups<(&'static str, Source)>, folder: &Path) -> Drawn<Group
     let bar = ProgressBar::new(groups.iter().map(|(_, sources)| sources.len() as u64).sum());
     bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len}  {msg}  {elapsed}")?);
     bar.enable_steady_tick(Duration::from_millis(200));
+    bar.set_message("building");
+    run::build_all(groups.iter().flat_map(|(_, sources)| sources).map(|(name, _)| *name))?;
     let mut all = Vec::new();
     for (title, sources) in groups {
         let mut entries = Vec::new();

@@ -1,8 +1,8 @@
 //! Examples as programs of their own: built as this one was, and run.
 
+use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, io};
 
 use crate::clock::Clock;
 use crate::entry::Outcome;
@@ -36,33 +36,60 @@ pub(crate) fn run(name: &str, folder: &Path) -> Outcome {
     Outcome { numbers, pictures, time, failure }
 }
 
-/// By cargo, in the profile, with the features and in the folders of this program.
+/// Builds examples, several at a time, as far as they can be built: what is wrong with one is told when its turn comes.
+///
+/// # Errors
+/// This program is not where cargo builds examples, or cargo does not run.
+pub(crate) fn build_all(names: impl Iterator<Item = &'static str>) -> Result<(), String> {
+    let mut cargo = cargo(&place()?);
+    cargo.arg("--keep-going").args(names.flat_map(|name| ["--example", name]));
+    cargo.output().map(|_| ()).map_err(|error| error.to_string())
+}
+
 fn build(name: &str) -> Result<PathBuf, String> {
-    let said = |error: io::Error| error.to_string();
-    let this = env::current_exe().map_err(said)?;
-    // TARGET/release/examples/gallery, or TARGET/TRIPLE/release/examples/gallery.
-    let unknown = || format!("{} is not where cargo builds examples", this.display());
-    let examples = this.parent().ok_or_else(unknown)?;
-    let profile = examples.parent().ok_or_else(unknown)?;
-    let target = profile.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file()).ok_or_else(unknown)?;
-    let (Some(profile_name), Some(above)) = (name_of(profile), profile.parent()) else { return Err(unknown()) };
+    let place = place()?;
+    let output = cargo(&place).args(["--example", name]).output().map_err(|error| error.to_string())?;
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    Ok(place.examples.join(name).with_extension(env::consts::EXE_EXTENSION))
+}
+
+/// TARGET/release/examples, or TARGET/TRIPLE/release/examples.
+struct Place {
+    examples: PathBuf,
+    target: PathBuf,
+    triple: Option<String>,
+    profile: String,
+}
+
+/// Where this program is.
+fn place() -> Result<Place, String> {
+    let this = env::current_exe().map_err(|error| error.to_string())?;
+    let found = || {
+        let examples = this.parent()?;
+        let profile = examples.parent()?;
+        let above = profile.parent()?;
+        let target = above.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file())?;
+        let name = |folder: &Path| Some(folder.file_name()?.to_str()?.to_owned());
+        let triple = if above == target { None } else { Some(name(above)?) };
+        Some(Place { examples: examples.to_owned(), target: target.to_owned(), triple, profile: name(profile)? })
+    };
+    found().ok_or_else(|| format!("{} is not where cargo builds examples", this.display()))
+}
+
+/// A build in the profile, with the features and in the folders of this program.
+fn cargo(place: &Place) -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["build", "--quiet", "--package", "dmech", "--example", name, "--features", &machine::features()]);
-    cargo.args(["--profile", if profile_name == "debug" { "dev" } else { profile_name }]);
-    cargo.arg("--target-dir").arg(target);
-    if let (true, Some(triple)) = (above != target, name_of(above)) {
+    cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
+    cargo.args(["build", "--quiet", "--package", "dmech", "--features", &machine::features()]);
+    cargo.args(["--profile", if place.profile == "debug" { "dev" } else { &place.profile }]);
+    cargo.arg("--target-dir").arg(&place.target);
+    if let Some(triple) = &place.triple {
         cargo.args(["--target", triple]);
     }
     if !cfg!(feature = "scene") {
         cargo.arg("--no-default-features");
     }
-    let output = cargo.current_dir(env!("CARGO_MANIFEST_DIR")).output().map_err(said)?;
-    if !output.status.success() {
-        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
-    }
-    Ok(examples.join(name).with_extension(env::consts::EXE_EXTENSION))
-}
-
-fn name_of(folder: &Path) -> Option<&str> {
-    folder.file_name()?.to_str()
+    cargo
 }

@@ -10,7 +10,7 @@ pub(crate) struct Facts {
     /// The paper that it had, and what it needed.
     pub(crate) client: f64,
     pub(crate) scroll: f64,
-    /// Pictures that are seen, in the page and beside it, and those beside it that are not.
+    /// Pictures that are seen, and those that are not.
     pub(crate) pictures: f64,
     pub(crate) missing: f64,
     /// The smallest letters outside pictures, in pixels.
@@ -22,13 +22,13 @@ pub(crate) struct Facts {
 /// Put at the head of a page: tells its facts to the page that it is framed by, which names it.
 const TELL: &str = "<script>let errors=0;addEventListener('error',()=>errors++,true);
 console.error=console.warn=()=>errors++;
-addEventListener('load',()=>{const root=document.documentElement,images=[...document.images],letters=[];
-const loaded=images.filter(image=>image.complete&&image.naturalWidth>0&&image.clientWidth>0).length;
-const drawn=[...document.querySelectorAll('svg')].filter(svg=>svg.clientWidth>0).length;
+addEventListener('load',()=>{const root=document.documentElement,letters=[];
+const all=[...document.querySelectorAll('svg,img')];
+const seen=all.filter(one=>one.clientWidth>0&&one.clientHeight>0&&(one.naturalWidth??1)>0).length;
 const texts=document.createTreeWalker(document.body,NodeFilter.SHOW_TEXT);
 while(texts.nextNode()){const of=texts.currentNode.parentElement;
 if(!of.closest('svg')&&texts.currentNode.data.trim())letters.push(parseFloat(getComputedStyle(of).fontSize))}
-parent.postMessage([name,root.clientWidth,root.scrollWidth,loaded+drawn,images.length-loaded,Math.min(...letters),errors].join(' '),'*')})
+parent.postMessage([name,root.clientWidth,root.scrollWidth,seen,all.length-seen,Math.min(...letters),errors].join(' '),'*')})
 </script>";
 
 /// Frames the pages that it is to be told of.

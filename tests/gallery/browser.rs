@@ -7,12 +7,15 @@ use std::{env, fs};
 /// What a page has told of itself.
 #[derive(Clone, Debug)]
 pub(crate) struct Facts {
-    /// The paper that it had, and what it needed.
+    /// The width that it had, what it needed, and what it needed with all pictures in full size and all lines unfolded.
     pub(crate) client: f64,
     pub(crate) scroll: f64,
+    pub(crate) unfolded: f64,
     /// Pictures that are seen, and those that are not.
     pub(crate) pictures: f64,
     pub(crate) missing: f64,
+    /// Of the widths of pictures before that, the most that is not seen.
+    pub(crate) cut: f64,
     /// The smallest letters outside pictures, in pixels.
     pub(crate) letters: f64,
     /// Messages to the console and resources that could not be had.
@@ -28,7 +31,11 @@ const seen=all.filter(one=>one.clientWidth>0&&one.clientHeight>0&&(one.naturalWi
 const texts=document.createTreeWalker(document.body,NodeFilter.SHOW_TEXT);
 while(texts.nextNode()){const of=texts.currentNode.parentElement;
 if(!of.closest('svg')&&texts.currentNode.data.trim())letters.push(parseFloat(getComputedStyle(of).fontSize))}
-parent.postMessage([name,root.clientWidth,root.scrollWidth,seen,all.length-seen,Math.min(...letters),errors].join(' '),'*')})
+const told=[name,root.clientWidth,root.scrollWidth];
+const cut=Math.max(...[...document.querySelectorAll('.picture')].map(picture=>picture.scrollWidth-picture.clientWidth));
+document.querySelectorAll('input').forEach(input=>input.click());
+document.querySelectorAll('details').forEach(details=>details.open=true);
+parent.postMessage([...told,root.scrollWidth,seen,all.length-seen,cut,Math.min(...letters),errors].join(' '),'*')})
 </script>";
 
 /// Frames the pages that it is to be told of.
@@ -72,7 +79,7 @@ pub(crate) fn facts<const N: usize>(browser: &str, folder: &Path, page: &str, wi
         let line = seen.lines().find_map(|line| Some(line.split_once(&from)?.1));
         let line = line.unwrap_or_else(|| panic!("nothing was told at {width}: {seen}\n{log}"));
         let numbers: Vec<f64> = line.split_whitespace().map(|number| number.parse().unwrap()).collect();
-        let [client, scroll, pictures, missing, letters, errors] = numbers[..] else { panic!("{line}") };
-        Facts { client, scroll, pictures, missing, letters, errors: errors + console }
+        let [client, scroll, unfolded, pictures, missing, cut, letters, errors] = numbers[..] else { panic!("{line}") };
+        Facts { client, scroll, unfolded, pictures, missing, cut, letters, errors: errors + console }
     })
 }

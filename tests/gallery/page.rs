@@ -93,16 +93,18 @@ fn a_browser_shows_the_page_within_its_width_with_all_pictures() {
     let page = page(&folder.0);
     for (facts, width) in browser::facts(&browser, &folder.0, &page, WIDTHS).into_iter().zip(WIDTHS) {
         assert!(facts.client > f64::from(width) - 20.0 && facts.client <= f64::from(width), "{facts:?}");
-        assert!(facts.scroll <= facts.client, "too wide: {facts:?}");
+        assert!(facts.scroll.max(facts.unfolded) <= facts.client, "too wide: {facts:?}");
+        assert!(facts.cut <= 0.0, "{facts:?}");
         assert_eq!((facts.pictures, facts.missing, facts.errors), (3.0, 0.0, 0.0), "{facts:?}");
         assert!(facts.letters >= 15.0, "{facts:?}");
     }
     // What is wrong is seen.
     let mut wrong = page.replace("overflow-x:auto", "overflow-x:visible").replace("font-size:15px", "font-size:14px");
+    wrong = wrong.replace("max-width:100%", "max-width:200%");
     wrong = wrong.replace("</body>", "<script>nothing.at.all</script><img src=\"nothing.svg\"></body>");
     wrong = wrong.replacen("height=\"400\"", "height=\"400\" style=\"display:none\"", 1);
     for facts in browser::facts(&browser, &folder.0, &wrong, WIDTHS) {
-        assert!(facts.scroll > facts.client && facts.letters < 15.0, "{facts:?}");
+        assert!(facts.scroll > facts.client && facts.cut > 0.0 && facts.letters < 15.0, "{facts:?}");
         assert!(facts.pictures == 2.0 && facts.missing == 2.0 && facts.errors >= 2.0, "{facts:?}");
     }
 }

@@ -53,11 +53,11 @@ fn head(text: &str) -> Vec<Block> {
     for line in text.lines().map_while(|line| line.strip_prefix("//!")).chain([""]) {
         let line = line.strip_prefix(' ').unwrap_or(line);
         let fence = line.starts_with("```");
-        if (fence || (line.is_empty() && !formula)) && !block.is_empty() {
+        if !fence && (formula || !line.is_empty()) {
+            block.push(line);
+        } else if !block.is_empty() {
             blocks.push(if formula { Block::Formula(block.join("\n")) } else { Block::Prose(block.join(" ")) });
             block.clear();
-        } else if !fence && !(line.is_empty() && block.is_empty()) {
-            block.push(line);
         }
         formula ^= fence;
     }

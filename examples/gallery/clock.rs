@@ -26,8 +26,10 @@ impl Clock {
     /// What is told.
     pub(crate) fn what() -> &'static str {
         match processor() {
-            Some(_) => "of the processor, in user code and system, the sum over all threads",
-            None => "by the wall clock",
+            Some(_) => {
+                "beside the commands: of the processor, all threads together; in what is printed: by the wall clock"
+            }
+            None => "by the wall clock, here and in what is printed",
         }
     }
 }

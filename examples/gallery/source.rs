@@ -92,14 +92,16 @@ fn in_short(blocks: impl Iterator<Item = Block>) -> Vec<Block> {
     words
 }
 
-/// Where sentences end: at a full stop that is not in brackets, nor behind an initial, and before a capital.
+/// Where sentences end: at a full stop that is not in brackets, nor behind an initial, and before a capital, a name that has none, or code.
 fn sentence_ends(prose: &str) -> Vec<usize> {
     let (mut ends, mut depth) = (Vec::new(), 0);
     for (at, c) in prose.char_indices() {
         depth += i32::from(c == '(') - i32::from(c == ')');
         let (before, after) = (&prose[..at], &prose[at + c.len_utf8()..]);
         let initial = before.chars().rev().take_while(|c| c.is_alphanumeric()).count() == 1;
-        let capital = after.is_empty() || (after.starts_with(' ') && after[1..].starts_with(char::is_uppercase));
+        let begins =
+            |next: &str| next.starts_with(|c: char| c.is_uppercase() || c == '`') || next.starts_with("dmech ");
+        let capital = after.is_empty() || after.strip_prefix(' ').is_some_and(begins);
         if c == '.' && depth == 0 && !initial && capital {
             ends.push(at + 1);
         }

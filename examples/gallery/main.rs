@@ -55,14 +55,14 @@ fn main() -> Drawn<ExitCode> {
     fs::write(&page, entry::page(&machine::facts(), &groups)?)?;
     println!("Page: {}", page.display());
 
-    let entries = || groups.iter().flat_map(|(_, entries)| entries);
-    if options.contains(&"--docs") {
-        let pictures: Vec<_> = entries().flat_map(|entry| &entry.outcome.pictures).collect();
-        copy_pictures(here, &pictures)?;
-    }
-    let failed: Vec<_> = entries().filter(|entry| entry.outcome.failure.is_some()).collect();
+    let entries = groups.iter().flat_map(|(_, entries)| entries);
+    let (failed, complete): (Vec<_>, Vec<_>) = entries.partition(|entry| entry.outcome.failure.is_some());
     for Entry { name, outcome, .. } in &failed {
         eprintln!("{name} failed: {}", outcome.failure.as_deref().unwrap_or_default().trim());
+    }
+    if options.contains(&"--docs") {
+        let pictures: Vec<_> = complete.iter().flat_map(|entry| &entry.outcome.pictures).collect();
+        copy_pictures(here, &pictures)?;
     }
     Ok(if failed.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
@@ -114,7 +114,8 @@ fn copy_pictures(here: &Path, pictures: &[&PathBuf]) -> Drawn {
     let shown = readme.split("](docs/").skip(1).filter_map(|rest| rest.split_once(')'));
     for name in shown.map(|(name, _)| name).filter(|name| name.ends_with(".svg")) {
         let drawn = pictures.iter().find(|path| path.file_name().is_some_and(|file| file == name));
-        let drawn = drawn.ok_or_else(|| format!("README.md shows docs/{name}, which no example that ran has drawn"))?;
+        let drawn = drawn
+            .ok_or_else(|| format!("README.md shows docs/{name}, which no example that ran to its end has drawn"))?;
         fs::copy(drawn, here.join("docs").join(name))?;
         println!("Copied: docs/{name}");
     }

@@ -92,7 +92,8 @@ fn in_short(blocks: impl Iterator<Item = Block>) -> Vec<Block> {
     words
 }
 
-/// Where sentences end: at a full stop that is not in brackets, nor behind an initial, and before a capital, a name that has none, or code.
+/// Where sentences end: at a full stop that is not in brackets, nor behind an initial, and before a capital, code, or the
+/// one name that is written small.
 fn sentence_ends(prose: &str) -> Vec<usize> {
     let (mut ends, mut depth) = (Vec::new(), 0);
     for (at, c) in prose.char_indices() {

@@ -24,7 +24,8 @@ dl{display:grid;grid-template-columns:max-content minmax(0,1fr);gap:.2rem 1rem}d
 .numbers:has([open])>pre{display:none}summary{cursor:pointer;color:#1f5a99}\
 .failed{color:#b00020;font-weight:600}\
 .table{overflow-x:auto}table{border-collapse:collapse}\
-td,th{padding:.15rem .9rem .15rem 0;text-align:right;white-space:nowrap}td:first-child,th:first-child{text-align:left}\
+td,th{padding:.15rem .9rem .15rem 0;text-align:right;white-space:nowrap}\
+td:first-child,th:first-child{text-align:left;white-space:normal;overflow-wrap:anywhere;min-width:9rem}\
 th{border-bottom:1px solid #ccc;font-weight:600}.best{font-weight:700;color:#1b7030}";
 
 /// A whole page around its body.

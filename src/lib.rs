@@ -236,6 +236,9 @@
 
 pub use dmech_macros::{Law, law};
 
+// Texts: nothing of it is compiled into a program.
+#[cfg(any(doc, doctest))]
+pub mod guide;
 pub mod models;
 
 // What a program declares, sets up and gets back.

@@ -70,6 +70,12 @@ fn links_lead_somewhere() {
         let mut used = BTreeSet::new();
         for line in prose(text) {
             assert!(!line.contains(".md)"), "{name}: a link by name leads somewhere in rustdoc too: {line}");
+            for heading in between(line, "](#", ")") {
+                assert!(
+                    prose(text).any(|line| line.starts_with('#') && anchor(line) == heading),
+                    "{name}: no {heading}"
+                );
+            }
             used.extend(between(line, "][", "]"));
         }
         let defined: Vec<_> = prose(text).filter_map(|line| line.strip_prefix('[')?.split_once("]: ")).collect();

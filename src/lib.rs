@@ -24,6 +24,8 @@
 //! # }
 //! ```
 //!
+//! The [`guide`] goes from a first motion to a scheme of one's own, and says where each thing is found.
+//!
 //! # The law
 //!
 //! `#[dmech::law]` stands on an inherent `impl` block, `#[potential]` on the method that returns the potential energy.

@@ -24,6 +24,8 @@
 //! # }
 //! ```
 //!
+//! The [`guide`] goes from a first motion to a scheme of one's own, and says where each thing is found.
+//!
 //! # The law
 //!
 //! `#[dmech::law]` stands on an inherent `impl` block, `#[potential]` on the method that returns the potential energy.
@@ -236,6 +238,9 @@
 
 pub use dmech_macros::{Law, law};
 
+// Texts: nothing of it is compiled into a program.
+#[cfg(any(doc, doctest))]
+pub mod guide;
 pub mod models;
 
 // What a program declares, sets up and gets back.

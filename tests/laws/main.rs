@@ -6,6 +6,7 @@ mod degree;
 mod derivation;
 mod forces;
 mod generated;
+mod guide;
 mod language;
 mod magnetic;
 mod masses;

@@ -24,9 +24,16 @@ pub struct State<const D: usize, R = f64> {
     pub v: [R; D],
 }
 
-impl<const D: usize, R> State<D, R> {
+impl<const D: usize> State<D> {
     /// Position and velocity at t = 0.
-    pub const fn new(q: [R; D], v: [R; D]) -> Self {
+    pub const fn new(q: [f64; D], v: [f64; D]) -> Self {
+        State::of(q, v)
+    }
+}
+
+impl<const D: usize, R> State<D, R> {
+    /// Position and velocity at t = 0 in other numbers than `f64`.
+    pub const fn of(q: [R; D], v: [R; D]) -> Self {
         State { t: 0.0, q, v }
     }
 

@@ -44,7 +44,9 @@ pub(crate) fn draw(picture: &Picture) -> Drawn<PathBuf> {
         _ => PANEL,
     };
     let key = "Dot: the start. Cross: the run stops, or leaves the picture. All quantities are dimensionless.";
-    let words: Vec<_> = words.iter().map(String::as_str).chain([key]).collect();
+    let most = (f64::from(WIDTH) / (WIDE * 14.0)) as usize;
+    let mut words = lines_of(&words.join(" "), most);
+    words.push(key.to_owned());
     let head = HEAD[0] + HEAD[1] * words.len() as u32;
     picture::save(&format!("{name}.svg"), [WIDTH, head + high * rows as u32], |area| {
         let mut area = area.titled(fits(title, 19.0, WIDTH)?, text(19.0))?;
@@ -132,6 +134,24 @@ fn fits(words: &str, size: f64, width: u32) -> Drawn<&str> {
         return Err(format!("{length:.0} pixels of words in {width}: {words}").into());
     }
     Ok(words)
+}
+
+/// Lines of at most so many characters.
+fn lines_of(words: &str, most: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words.split_whitespace() {
+        let full = lines.last().is_some_and(|line| line.chars().count() + 1 + word.chars().count() > most);
+        if full {
+            lines.push(String::new());
+        }
+        if let Some(line) = lines.last_mut() {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+    }
+    lines
 }
 
 fn text(size: f64) -> TextStyle<'static> {

@@ -78,8 +78,7 @@ fn picture(trials: &[Trial<SceneState<1>>]) -> Picture {
     let last = (trials[3].asked as f64).log10();
     Picture {
         name: "hard_long_chain",
-        title: "Chain of Fermi, Pasta, Ulam and Tsingou, eight masses, dt = 0.1: the largest energy error so far"
-            .to_owned(),
+        title: "Eight masses of Fermi, Pasta, Ulam and Tsingou, dt = 0.1: the largest energy error so far".to_owned(),
         words: vec![
             "DiscreteGradient keeps the energy to rounding over ten million steps;".to_owned(),
             "Leapfrog and Implicit keep it within a bound that does not grow.".to_owned(),

@@ -169,11 +169,11 @@ pub(crate) struct Line {
 
 impl Line {
     pub(crate) fn new<X: Recorded>(trial: &Trial<X>, points: Vec<(f64, f64)>) -> Self {
-        let (t, steps) = (trial.run.last().t(), trial.run.steps());
+        let t = trial.run.last().t();
         let stop = |cause| {
             let cause = in_short(cause);
             let why = cause.split(" (").next().unwrap_or_default();
-            format!("stops at t = {} after {steps} steps, {why}", short(t))
+            format!("stops at t = {}, {why}", short(t))
         };
         let note = trial.cause.map(stop);
         Line { name: label(trial.scheme), points, stopped: note.is_some(), note }

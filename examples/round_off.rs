@@ -1,7 +1,7 @@
 //! How fast do rounding errors grow in the energy?
 //!
 //! ```text
-//! cargo run --release --example round_off                10⁵ steps of each scheme, some seconds
+//! cargo run --release --example round_off                10⁵ steps of each scheme, a minute and a half of one core
 //! cargo run --release --example round_off -- 7           10⁷ steps, hours, nearly all of them for the chain
 //! cargo run --release --example round_off -- 7 chain     of one motion: kepler, components, henon or chain
 //! ```
@@ -96,7 +96,7 @@ fn draw(motion: Motion, lines: &[Growth]) -> Drawn<PathBuf> {
         let title = format!("{}: growth of the energy error by rounding, {} starts", motion.name(), growth::STARTS);
         let mut area = area.titled(&title, text(19.0))?;
         for words in [
-            "Root mean square of the largest error until then. Light: the other schemes. Grey: √n, a random walk from the first point.",
+            "Root mean square of the largest error until then. Light: the other schemes. Dark, straight: √n, a random walk from the first point.",
             "Orders 4, 6 and 8 are compositions of DiscreteGradient. The errors are relative to the energy at the start.",
         ] {
             area = area.titled(words, text(14.0))?;

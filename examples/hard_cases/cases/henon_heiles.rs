@@ -61,7 +61,7 @@ fn picture(trials: &[Trial<State<2>>]) -> Picture {
     Picture {
         name: "hard_henon_heiles",
         title: "Hénon and Heiles at E = 1/6, dt = 0.5: the last 120 steps".to_owned(),
-        words: vec!["Grey: the triangle on which Φ = 1/6, with saddles in its corners; the exact motion stays inside for ever.".to_owned(), "DiscreteGradient stays inside. Kanatani and Implicit, whose energy errs, get out at a corner. 120 steps are shown.".to_owned()],
+        words: vec!["Grey: the triangle on which Φ = 1/6, with saddles in its corners; the exact motion stays inside for ever.".to_owned(), "DiscreteGradient stays inside. Kanatani and Implicit, whose energy errs, get out at a corner. Shown are its last 120 steps, from the dot on.".to_owned()],
         x: Scale::equal("x", -1.3, 1.3),
         y: Scale::equal("y", -0.8, 1.2),
         lines,

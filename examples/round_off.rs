@@ -1,7 +1,7 @@
 //! How fast do rounding errors grow in the energy?
 //!
 //! ```text
-//! cargo run --release --example round_off                10⁵ steps of each scheme, a minute and a half of one core
+//! cargo run --release --example round_off                10⁵ steps of each scheme, half a minute of one core
 //! cargo run --release --example round_off -- 7           10⁷ steps, hours, nearly all of them for the chain
 //! cargo run --release --example round_off -- 7 chain     of one motion: kepler, components, henon or chain
 //! ```

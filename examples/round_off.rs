@@ -1,7 +1,7 @@
 //! How fast do rounding errors grow in the energy?
 //!
 //! ```text
-//! cargo run --release --example round_off                10⁵ steps of each scheme, some seconds
+//! cargo run --release --example round_off                10⁵ steps of each scheme, half a minute of one core
 //! cargo run --release --example round_off -- 7           10⁷ steps, hours, nearly all of them for the chain
 //! cargo run --release --example round_off -- 7 chain     of one motion: kepler, components, henon or chain
 //! ```
@@ -19,10 +19,13 @@ mod growth;
 mod picture;
 
 use std::path::PathBuf;
+use std::time::Duration;
 
+use dmech::plot::plotters::style::{IntoFont, TextStyle};
 use dmech::prelude::*;
 use growth::{Growth, Motion};
-use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED};
+use indicatif::{ProgressBar, ProgressStyle};
+use picture::{Axis, BLUE, Drawn, INK, OCHRE, PURPLE, RED, TEAL};
 
 fn main() -> Drawn {
     let decades = std::env::args().nth(1).map_or(Ok(5), |n| n.parse())?;
@@ -31,17 +34,31 @@ fn main() -> Drawn {
     if motions.is_empty() {
         return Err(format!("no motion is called {wanted}: there are kepler, components, henon and chain").into());
     }
+    // Only on a terminal. The chain, which comes last, takes most of the time.
+    let bar = ProgressBar::new(5 * motions.len() as u64);
+    bar.set_style(ProgressStyle::with_template("{elapsed} {bar:30} {pos} of {len} schemes done, {msg}")?);
+    bar.enable_steady_tick(Duration::from_millis(500));
     for motion in motions {
+        bar.set_message(motion.name());
+        let told = |line: Growth| {
+            bar.inc(1);
+            line
+        };
         let lines = [
-            motion.growth(DiscreteGradient, Invariant::Energy, decades)?,
-            motion.growth(Kanatani, Invariant::DiscreteEnergy, decades)?,
-            motion.growth(Composed::order4(DiscreteGradient), Invariant::Energy, decades)?,
-            motion.growth(Composed::order6(DiscreteGradient), Invariant::Energy, decades)?,
-            motion.growth(Composed::order8(DiscreteGradient), Invariant::Energy, decades)?,
+            motion.growth(DiscreteGradient, Invariant::Energy, decades).map(told)?,
+            motion.growth(Kanatani, Invariant::DiscreteEnergy, decades).map(told)?,
+            motion.growth(Composed::order4(DiscreteGradient), Invariant::Energy, decades).map(told)?,
+            motion.growth(Composed::order6(DiscreteGradient), Invariant::Energy, decades).map(told)?,
+            motion.growth(Composed::order8(DiscreteGradient), Invariant::Energy, decades).map(told)?,
         ];
-        print(motion, &lines);
-        println!("Picture: {}\n", draw(motion, &lines)?.display());
+        let path = draw(motion, &lines)?;
+        // The bar would be written over.
+        bar.suspend(|| {
+            print(motion, &lines);
+            println!("Picture: {}\n", path.display());
+        });
     }
+    bar.finish_and_clear();
     Ok(())
 }
 
@@ -71,23 +88,40 @@ fn print(motion: Motion, lines: &[Growth]) {
 fn draw(motion: Motion, lines: &[Growth]) -> Drawn<PathBuf> {
     let logs = |line: &Growth| -> Vec<_> { line.points.iter().map(|(n, error)| (n.log10(), error.log10())).collect() };
     let end = lines[0].points.last().map_or(5.0, |point| point.0.log10());
-    let highest = lines.iter().flat_map(logs).map(|point| point.1).fold(-14.0, f64::max);
-    picture::save(file(motion), [860, 560], |area| {
-        let title = format!("{}: growth of the energy error by rounding", motion.name());
-        let x = Axis::powers_of_ten("steps", 2.0..end);
-        let y = Axis::powers_of_ten("relative error of the energy", -17.0..highest.ceil() + 0.5);
-        let mut chart = picture::chart(area, &title, x, y, 150)?;
-        // What a random walk would do.
-        let walk = (end, -16.5 + 0.5 * (end - 2.0));
-        picture::line(&mut chart, vec![(2.0, -16.5), walk], picture::PALE, 2.0)?;
-        let names = ["DiscreteGradient", "Kanatani", "order 4", "order 6", "order 8"];
-        let mut ends = vec![(walk, "√n", INK)];
-        for ((line, name), colour) in lines.iter().zip(names).zip([RED, OCHRE, BLUE, GREEN, PURPLE]) {
-            let points = logs(line);
-            ends.push((*points.last().expect("points"), name, colour));
+    let errors = || lines.iter().flat_map(logs).map(|point| point.1);
+    let low = errors().fold(-16.0, f64::min).floor();
+    let high = errors().fold(-14.0, f64::max).ceil();
+    let names = ["DiscreteGradient", "Kanatani", "order 4", "order 6", "order 8"];
+    picture::save(file(motion), [1000, 96 + 2 * 300], |area| {
+        let title = format!("{}: growth of the energy error by rounding, {} starts", motion.name(), growth::STARTS);
+        let mut area = area.titled(&title, text(19.0))?;
+        for words in [
+            "Root mean square of the largest error until then. Light: the other schemes. Dark, straight: √n, a random walk from the first point.",
+            "Orders 4, 6 and 8 are compositions of DiscreteGradient. The errors are relative to the energy at the start.",
+        ] {
+            area = area.titled(words, text(14.0))?;
+        }
+        let panels = area.split_evenly((2, 3));
+        for (k, colour) in [RED, OCHRE, PURPLE, TEAL, BLUE].into_iter().enumerate() {
+            let power = lines[k].exponent().map_or(String::new(), |p| format!(": grows as n^{p:.2}"));
+            let x = Axis::powers_of_ten("steps n", 2.0..end);
+            let y = Axis::powers_of_ten("relative energy error", low..high);
+            let mut chart = picture::chart(&panels[k], &format!("{}{power}", names[k]), x, y, 14)?;
+            for other in lines {
+                picture::line(&mut chart, logs(other), picture::PALE, 1.5)?;
+            }
+            let points = logs(&lines[k]);
+            let walk = |x: f64| (x, points[0].1 + 0.5 * (x - 2.0));
+            let leaves = end.min(2.0 + 2.0 * (high - points[0].1));
+            picture::line(&mut chart, vec![walk(2.0), walk(leaves)], INK, 1.0)?;
             picture::line(&mut chart, points.clone(), colour, 1.5)?;
             picture::dots(&mut chart, &points, colour, 2.0)?;
         }
-        picture::name_ends(&chart, ends)
+        Ok(())
     })
+}
+
+fn text(size: f64) -> TextStyle<'static> {
+    // In quarters of a pixel; the backend divides font sizes by 1.24.
+    ("sans-serif", 1.24 * size * 4.0).into_font().color(&INK)
 }

@@ -12,15 +12,15 @@
 //! what must hold; here a failure is printed and is the exit code.
 
 mod cases;
+mod figure;
 #[path = "../shared/picture.rs"]
 mod picture;
 
 use std::process::ExitCode;
 use std::time::Instant;
 
-use cases::{CASES, Case, Kind, Length, Picture, Scale, label};
-use dmech::plot::plotters::style::RGBColor;
-use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PALE, PURPLE, RED};
+use cases::{CASES, Case, Length, label};
+use picture::Drawn;
 
 fn main() -> Drawn<ExitCode> {
     let wanted: Vec<_> = std::env::args().skip(1).collect();
@@ -38,7 +38,7 @@ fn main() -> Drawn<ExitCode> {
         }
         println!("  {} statements checked, {:.1} s", case.checks.len(), clock.elapsed().as_secs_f64());
         for picture in &case.pictures {
-            println!("  picture: {}", draw(picture)?.display());
+            println!("  picture: {}", figure::draw(picture)?.display());
         }
         println!();
     }
@@ -90,58 +90,4 @@ fn wrapped(head: &str, text: &str) -> Vec<String> {
         }
     }
     lines
-}
-
-/// The colour of a line by its name, the same in all pictures.
-fn colour(name: &str) -> RGBColor {
-    match name {
-        "Leapfrog" => BLUE,
-        "Implicit" => GREEN,
-        "DiscreteGradient" => RED,
-        "Kanatani" => OCHRE,
-        "Explicit" => INK,
-        "reference" | "Φ = 1/6" => PALE,
-        _ => PURPLE,
-    }
-}
-
-fn draw(picture: &Picture) -> Drawn<std::path::PathBuf> {
-    let Picture { name, title, x, y, lines } = picture;
-    let equal = x.kind == Kind::Equal;
-    let height = if equal { (160.0 + 640.0 * (y.to - y.from) / (x.to - x.from)) as u32 } else { 480 };
-    let size = if equal { [940, height] } else { [1000, 480] };
-    picture::save(&format!("{name}.svg"), size, |area| {
-        let mut chart = if equal {
-            picture::equal_chart_beside(area, title, x.from..x.to, 0.5 * (y.from + y.to), 210)?
-        } else {
-            picture::chart(area, title, axis(x), axis(y), 210)?
-        };
-        let mut names = Vec::new();
-        for (k, line) in lines.iter().enumerate() {
-            let colour = colour(&line.name);
-            // Wider below: lines that coincide over time are all seen.
-            let wider = if equal { 0.0 } else { 1.2 * (lines.len() - 1 - k) as f64 };
-            let width = if colour == PALE { 6.0 } else { 1.5 + wider };
-            let inside = |(a, b): &(f64, f64)| {
-                let range = chart.plotting_area().get_y_range();
-                *a >= x.from && *a <= x.to && range.contains(b)
-            };
-            let pieces: Vec<Vec<_>> = line.points.chunk_by(|a, b| inside(a) && inside(b)).map(<[_]>::to_vec).collect();
-            for piece in pieces.into_iter().filter(|piece| piece.len() > 1) {
-                picture::line(&mut chart, piece, colour, width)?;
-            }
-            let ink = if colour == PALE { INK } else { colour };
-            names.push((line.name.as_str(), ink));
-        }
-        // The corner as drawn: equal scales choose the height.
-        let corner = chart.plotting_area().get_y_range().end;
-        picture::name_column(&chart, (x.to, corner), &names)
-    })
-}
-
-fn axis(scale: &Scale) -> Axis<'static> {
-    match scale.kind {
-        Kind::Powers => Axis::powers_of_ten(scale.name, scale.from..scale.to),
-        _ => Axis::linear(scale.name, scale.from..scale.to),
-    }
 }

@@ -10,7 +10,7 @@ use dmech::scene::{Chain, Linked, SceneSystem, Term};
 use dmech::scheme::{Method, Scheme};
 
 /// Starts of one motion, whose errors are averaged.
-const STARTS: u32 = 8;
+pub(crate) const STARTS: u32 = 8;
 /// Steps to a period: no simple fraction, or a planet would come back to where it was, with the same rounding errors.
 const STEPS: f64 = 200.618034;
 /// At how many states of a run the quantity is looked at.

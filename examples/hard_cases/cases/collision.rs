@@ -69,17 +69,20 @@ fn measure(case: &mut Case, trial: &Trial<State<2>>) {
 }
 
 fn picture(trials: &[Trial<State<2>>]) -> Picture {
+    let every = trials[0].asked as usize / 1000;
     let drawn = ["Leapfrog", "Implicit", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4)"];
     let lines = drawn.iter().filter_map(|name| {
         let trial = trials.iter().find(|trial| trial.scheme == *name)?;
-        let shown = trial.states().step_by(trials[0].asked as usize / 1000).take_while(|s| distance(s) < 2.0);
-        Some(Line::new(name, shown.map(|s| (s.t, distance(s))).collect()))
+        let shown = trial.states().enumerate().filter(|(k, s)| k % every == 0 || distance(s) < 0.01);
+        Some(Line::new(trial, shown.map(|(_, s)| (s.t, distance(s))).collect()))
     });
     Picture {
         name: "hard_collision",
-        title: format!("Distance from a softened centre, dt = {:e}", trials[0].dt),
-        x: Scale::linear("t", 0.0, 10.0),
-        y: Scale::linear("r", 0.0, 2.0),
+        title: format!("Head-on into a softened centre, Φ = −1/r + 10⁻⁶/r³, from rest at r = 1, dt = {}", trials[0].dt),
+        words: vec!["The exact motion falls from r = 1 to r = 0.001 and back, again and again, in periods of 2.22.".to_owned(), "Where the turn is not resolved, only DiscreteGradient and its compositions come back to r = 1 and no farther.".to_owned()],
+        x: Scale::linear("time t", 0.0, 10.0),
+        y: Scale::linear("distance r", 0.0, 2.0),
         lines: lines.collect(),
+        behind: None,
     }
 }

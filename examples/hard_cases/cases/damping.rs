@@ -53,13 +53,20 @@ fn picture(trials: &[Trial<State<1>>]) -> Picture {
     let lines = drawn.iter().filter_map(|name| {
         let trial = trials.iter().find(|trial| trial.scheme == *name)?;
         let speeds = trial.run.states().iter().step_by(10);
-        Some(Line::new(name, speeds.map(|s| (s.t, s.v[0].abs())).collect()))
+        Some(Line::new(trial, speeds.map(|s| (s.t, s.v[0].abs().log10())).collect()))
     });
     Picture {
         name: "hard_damping",
-        title: "Friction with α h = 10⁵: the speed, which is 10⁻⁶ in truth".to_owned(),
-        x: Scale::linear("t", 0.0, 100.0),
-        y: Scale::linear("|v|", 0.0, 1.1),
+        title: "A pendulum in syrup from 2 radians at speed 1, α h = 10⁵: the speed".to_owned(),
+        words: vec![
+            "Grey: the exact speed, 10⁻⁶. Each implicit step turns the velocity round and damps it by 1 − 4/αh only:"
+                .to_owned(),
+            "the body creeps rightly in the mean while its speed stays near that of the start.".to_owned(),
+        ],
+        x: Scale::linear("time t", 0.0, 100.0),
+        y: Scale::powers("speed |v|", -7.0, 1.0),
         lines: lines.collect(),
+        // α v = −sin q, and q hardly moves from 2.
+        behind: Some([0.0, 100.0].map(|t| (t, (2.0_f64.sin() / 1e6).log10())).to_vec()),
     }
 }

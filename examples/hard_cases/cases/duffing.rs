@@ -67,17 +67,23 @@ fn measure(case: &mut Case, trial: &Trial<State<1>>, right: f64) {
 }
 
 fn picture(trials: &[Trial<State<1>>], reference: &Trial<State<1>>) -> Picture {
-    let line = |name: &str, trial: &Trial<State<1>>| {
-        Line::new(name, trial.run.states().iter().take_while(|s| s.t < 100.0).map(|s| (s.t, s.q[0])).collect())
+    let points = |trial: &Trial<State<1>>| -> Vec<_> {
+        trial.run.states().iter().take_while(|s| s.t <= 100.0).map(|s| (s.t, s.q[0])).collect()
     };
-    let drawn = ["DiscreteGradient", "Composed(DiscreteGradient, Suzuki4)"];
-    let mut lines = vec![line("reference", reference)];
-    lines.extend(drawn.iter().filter_map(|name| Some(line(name, trials.iter().find(|trial| trial.scheme == *name)?))));
+    let drawn = ["Implicit", "DiscreteGradient", "Composed(DiscreteGradient, Suzuki4)"];
+    let find = |name: &&str| trials.iter().find(|trial| trial.scheme == *name);
+    let lines = drawn.iter().filter_map(find).map(|trial| Line::new(trial, points(trial)));
     Picture {
         name: "hard_duffing",
         title: "Duffing's oscillator in chaos, 40 steps in a period of the force".to_owned(),
-        x: Scale::linear("t", 0.0, 100.0),
-        y: Scale::linear("q", -1.8, 1.8),
-        lines,
+        words: vec![
+            "Grey: a reference of order 8. The schemes part from it one after the other, the higher order later,"
+                .to_owned(),
+            "and stay on the same attractor, |q| < 1.6: a chaotic motion is right for a limited time only.".to_owned(),
+        ],
+        x: Scale::linear("time t", 0.0, 100.0),
+        y: Scale::linear("position q", -1.8, 1.8),
+        lines: lines.collect(),
+        behind: Some(points(reference)),
     }
 }

@@ -49,20 +49,22 @@ fn outside(state: &State<2>) -> f64 {
 fn picture(trials: &[Trial<State<2>>]) -> Picture {
     let corner = 0.5 * 3.0_f64.sqrt();
     let triangle = vec![(0.0, 1.0), (corner, -0.5), (-corner, -0.5), (0.0, 1.0)];
-    let mut lines = vec![Line::new("Φ = 1/6", triangle)];
+    let mut lines = Vec::new();
     for name in ["DiscreteGradient", "Kanatani", "Implicit"] {
         let Some(trial) = trials.iter().find(|trial| trial.scheme == name) else { continue };
         // The last of the motion: the way out, or as many steps inside.
         let states: Vec<_> = trial.run.states().iter().collect();
         let inside = states.iter().take_while(|s| s.q[0].hypot(s.q[1]) < 1.5).count();
         let shown = &states[inside.saturating_sub(120)..(inside + 1).min(states.len())];
-        lines.push(Line::new(name, shown.iter().map(|s| (s.q[0], s.q[1])).collect()));
+        lines.push(Line::new(trial, shown.iter().map(|s| (s.q[0], s.q[1])).collect()));
     }
     Picture {
         name: "hard_henon_heiles",
         title: "Hénon and Heiles at E = 1/6, dt = 0.5: the last 120 steps".to_owned(),
+        words: vec!["Grey: the triangle on which Φ = 1/6, with saddles in its corners; the exact motion stays inside for ever.".to_owned(), "DiscreteGradient stays inside. Kanatani and Implicit, whose energy errs, get out at a corner. Shown are its last 120 steps, from the dot on.".to_owned()],
         x: Scale::equal("x", -1.3, 1.3),
         y: Scale::equal("y", -0.8, 1.2),
         lines,
+        behind: Some(triangle),
     }
 }

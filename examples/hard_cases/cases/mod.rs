@@ -107,9 +107,20 @@ impl Check {
 pub(crate) struct Picture {
     pub(crate) name: &'static str,
     pub(crate) title: String,
+    /// What is to be seen, in lines.
+    pub(crate) words: Vec<String>,
     pub(crate) x: Scale,
     pub(crate) y: Scale,
     pub(crate) lines: Vec<Line>,
+    /// What the motion is in truth, or a boundary, behind each of the lines.
+    pub(crate) behind: Option<Vec<(f64, f64)>>,
+}
+
+impl Picture {
+    /// Whether the lines lie far from each other: errors that differ by powers of ten, and nothing behind them.
+    pub(crate) fn together(&self) -> bool {
+        self.y.kind == Kind::Powers && self.behind.is_none()
+    }
 }
 
 /// An axis of a picture.
@@ -150,11 +161,22 @@ impl Scale {
 pub(crate) struct Line {
     pub(crate) name: String,
     pub(crate) points: Vec<(f64, f64)>,
+    /// What became of it.
+    pub(crate) note: Option<String>,
+    /// Whether it ends where the run stopped with an error.
+    pub(crate) stopped: bool,
 }
 
 impl Line {
-    pub(crate) fn new(name: &str, points: Vec<(f64, f64)>) -> Self {
-        Line { name: label(name), points }
+    pub(crate) fn new<X: Recorded>(trial: &Trial<X>, points: Vec<(f64, f64)>) -> Self {
+        let t = trial.run.last().t();
+        let stop = |cause| {
+            let cause = in_short(cause);
+            let why = cause.split(" (").next().unwrap_or_default();
+            format!("stops at t = {}, {why}", short(t))
+        };
+        let note = trial.cause.map(stop);
+        Line { name: label(trial.scheme), points, stopped: note.is_some(), note }
     }
 }
 

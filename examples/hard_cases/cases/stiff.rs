@@ -86,20 +86,20 @@ fn picture(trials: &[Trial<State<4>>]) -> Picture {
         let mut largest = 1e-17_f64;
         let start =
             LAW.energy(trial.run.states()[0].q) + 0.5 * trial.run.states()[0].v.map(|v| v * v).iter().sum::<f64>();
-        let errors = trial.run.states().iter().map(|s| {
+        let errors = trial.run.states().iter().skip(1).map(|s| {
             let energy = LAW.energy(s.q) + 0.5 * s.v.map(|v| v * v).iter().sum::<f64>();
             largest = largest.max((energy / start - 1.0).abs());
-            (s.t, largest.log10().min(12.0))
+            ((s.t / trial.dt).log10(), largest.log10())
         });
-        let mut out = false;
-        let shown = errors.take_while(|point| !std::mem::replace(&mut out, point.1 >= 12.0) && point.0 < 200.0);
-        Some(Line::new(name, shown.collect()))
+        Some(Line::new(trial, errors.take(2000).collect()))
     });
     Picture {
         name: "hard_stiff",
-        title: format!("Energy error with a spring of stiffness 10⁸, dt = {}: the largest so far", trials[0].dt),
-        x: Scale::linear("t", 0.0, 200.0),
+        title: format!("A spring of stiffness 10⁸ beside one of 1.7, dt = {}: the largest energy error so far", trials[0].dt),
+        words: vec!["The exact energy error is 0. DiscreteGradient keeps the energy to rounding; Leapfrog blows up in a few steps;".to_owned(), "Implicit, the trapezoid, loses it after a hundred.".to_owned()],
+        x: Scale::powers("steps", 0.0, 2000_f64.log10()),
         y: Scale::powers("|E − E₀| / E₀", -17.0, 12.0),
         lines: lines.collect(),
+        behind: None,
     }
 }

@@ -45,14 +45,18 @@ pub(crate) fn case(length: Length) -> Case {
 }
 
 /// The time between two passages of q = 0 downwards, by a line through the states around them.
-fn measure(case: &mut Case, trial: &Trial<State<1>>) -> f64 {
+fn period(trial: &Trial<State<1>>) -> Option<f64> {
     let down = |pair: &&[State<1>]| pair[0].q[0] > 0.0 && pair[1].q[0] <= 0.0;
     let at = |pair: &[State<1>]| {
         let part = pair[0].q[0] / (pair[0].q[0] - pair[1].q[0]);
         pair[0].t + part * (pair[1].t - pair[0].t)
     };
     let passages: Vec<_> = trial.run.states().windows(2).filter(down).map(at).collect();
-    let period = if passages.len() == 2 && trial.completed() { passages[1] - passages[0] } else { f64::NAN };
+    (passages.len() == 2 && trial.completed()).then(|| passages[1] - passages[0])
+}
+
+fn measure(case: &mut Case, trial: &Trial<State<1>>) -> f64 {
+    let period = period(trial).unwrap_or(f64::NAN);
     let fastest = trial.states().map(|s| s.v[0].abs()).fold(0.0, f64::max);
     let told = if period.is_nan() { "–".to_owned() } else { format!("{period:.3}") };
     case.row(trial, vec![told, short(fastest)]);
@@ -66,13 +70,24 @@ fn picture(trials: &[Trial<State<1>>]) -> Picture {
         let states = trial.run.states();
         // Points of the creep are far apart, those of the leap all shown.
         let shown = states.windows(2).enumerate().filter(|(k, pair)| k % 200 == 0 || pair[1].v[0].abs() > 0.05);
-        Some(Line::new(name, shown.map(|(_, pair)| (pair[0].t, pair[0].q[0])).collect()))
+        let mut line = Line::new(trial, shown.map(|(_, pair)| (pair[0].t, pair[0].q[0])).collect());
+        if let Some(period) = period(trial) {
+            line.note = Some(format!("period {period:.2}"));
+        }
+        Some(line)
     });
     Picture {
         name: "hard_van_der_pol",
         title: "Van der Pol's oscillator with μ = 1000, dt = 0.0005".to_owned(),
-        x: Scale::linear("t", 0.0, 2600.0),
+        words: vec![
+            "It creeps for 800 units of time and leaps from −1 to 2 within a thousandth. The exact period is 1614.41."
+                .to_owned(),
+            "Both schemes take each leap in a few steps and leap a little too far: their periods are too long."
+                .to_owned(),
+        ],
+        x: Scale::linear("time t", 0.0, 2600.0),
         y: Scale::linear("q", -2.2, 2.2),
         lines: lines.collect(),
+        behind: None,
     }
 }

@@ -209,7 +209,7 @@
 //! use dmech::{models::Kepler, prelude::*};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let start = State::new([0.5, 0.0].map(DoubleDouble::from), [0.0, 1.63].map(DoubleDouble::from));
+//! let start = State::of([0.5, 0.0].map(DoubleDouble::from), [0.0, 1.63].map(DoubleDouble::from));
 //! let kepler = Simulation::new(Kepler { gm: 1.0 }, start).scheme(Composed::order8(DiscreteGradient));
 //! let run = kepler.dt(0.02).run_until(4.0)?;
 //! assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-30);

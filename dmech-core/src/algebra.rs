@@ -8,7 +8,7 @@ use crate::state::State;
 impl<const D: usize, R: Scalar + Copy> State<D, R> {
     /// Position and velocity at t = 0 (feature `nalgebra`).
     pub fn of_vectors(q: SVector<R, D>, v: SVector<R, D>) -> Self {
-        State::new(q.into(), v.into())
+        State::of(q.into(), v.into())
     }
 
     /// The position as a vector (feature `nalgebra`).

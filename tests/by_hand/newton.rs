@@ -175,7 +175,7 @@ fn the_papers_guess_gives_the_same_motion() {
 /// A narrower scalar: the same code keeps the energy to its own round-off.
 #[test]
 fn single_precision_keeps_the_energy_to_its_own_round_off() {
-    let start: State<2, f32> = State::new([0.5, 0.0], [0.0, 1.63]);
+    let start: State<2, f32> = State::of([0.5, 0.0], [0.0, 1.63]);
     for run in [
         Simulation::new(Kepler::<true> { k: 1.0 }, start).scheme(DiscreteGradient).dt(0.02).run(20_000).unwrap(),
         Simulation::new(Kepler::<false> { k: 1.0 }, start).scheme(DiscreteGradient).dt(0.02).run(20_000).unwrap(),

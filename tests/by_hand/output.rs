@@ -96,7 +96,7 @@ fn a_report_in_large_and_small_units_has_few_digits() {
 #[test]
 fn the_csv_of_double_doubles_reads_back_as_the_same_numbers() {
     let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
-    let start = State::new([third, third * third], [-third * third * third, DoubleDouble::from(1.1)]);
+    let start = State::of([third, third * third], [-third * third * third, DoubleDouble::from(1.1)]);
     let run = Simulation::new(SUN, start).scheme(Leapfrog).dt(0.1).run(40).unwrap();
     let mut bytes = Vec::new();
     run.write_csv(&mut bytes).unwrap();

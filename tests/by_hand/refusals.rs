@@ -42,7 +42,7 @@ fn bad_input_is_refused_before_the_first_step() {
     let at_the_sun = Simulation::new(SUN, State::new([0.0, 0.0], [0.0, 1.0])).scheme(Leapfrog).dt(0.1);
     assert!(matches!(cause(at_the_sun.run(10)), Error::Law { quantity: "potential", .. }));
     // A time step or a mass that the scalar in use cannot hold.
-    let single: State<2, f32> = State::new([0.5, 0.0], [0.0, 1.63]);
+    let single: State<2, f32> = State::of([0.5, 0.0], [0.0, 1.63]);
     assert!(Simulation::new(SUN, single).scheme(Leapfrog).dt(1e-60).stepper().is_err());
 }
 

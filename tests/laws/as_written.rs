@@ -205,12 +205,12 @@ fn a_special_start_hides_nothing() {
 
 #[test]
 fn whatever_it_is_stepped_with() {
-    let single = Simulation::new(Constant, State::<1, f32>::new([0.25], [0.0])).scheme(Leapfrog).dt(0.1).stepper();
+    let single = Simulation::new(Constant, State::<1, f32>::of([0.25], [0.0])).scheme(Leapfrog).dt(0.1).stepper();
     assert!(matches!(single.err(), Some(Error::NotAsWritten(_))));
-    let start = State::new([DoubleDouble::from(0.25)], [DoubleDouble::from(0.0)]);
+    let start = State::of([DoubleDouble::from(0.25)], [DoubleDouble::from(0.0)]);
     let double = Simulation::new(Constant, start).scheme(Leapfrog).dt(0.1).run(3);
     assert!(matches!(double.err().map(|e| e.cause()), Some(Error::NotAsWritten(_))));
-    let start = State::new([DoubleDouble::from(0.3); 2], [DoubleDouble::from(0.1); 2]);
+    let start = State::of([DoubleDouble::from(0.3); 2], [DoubleDouble::from(0.1); 2]);
     assert!(Simulation::new(Pushed, start).scheme(Implicit).dt(0.1).stepper().is_err());
     let masses = Simulation::new(NearlyRight { k: 1.0 }, State::new([0.3, 0.2], [0.0, 0.0])).masses([1.0, 3.0]);
     assert!(matches!(masses.scheme(Leapfrog).dt(0.1).stepper().err(), Some(Error::NotAsWritten(_))));

@@ -420,11 +420,11 @@ fn masses_and_scalars_of_other_kinds() {
     keeps(GRADED, [1.3, 0.7], IN_THE_PLANE);
     let double = end(BOTTLE, Boris, IN_THE_BOTTLE, 100);
     let [q, v] = [IN_THE_BOTTLE.q, IN_THE_BOTTLE.v];
-    let narrow = State::<3, f32>::new(q.map(|x| x as f32), v.map(|x| x as f32));
+    let narrow = State::<3, f32>::of(q.map(|x| x as f32), v.map(|x| x as f32));
     let single = Simulation::new(BOTTLE, narrow).mass(MASS).scheme(Boris).dt(0.01).run(100).unwrap();
     let miss = distance(single.last().q.map(f64::from), double.q);
     assert!(miss < 1e-5 && miss > 0.0, "{miss:e}");
-    let wide = State::<3, DoubleDouble>::new(q.map(DoubleDouble::from_f64), v.map(DoubleDouble::from_f64));
+    let wide = State::<3, DoubleDouble>::of(q.map(DoubleDouble::from_f64), v.map(DoubleDouble::from_f64));
     let run = Simulation::new(BOTTLE, wide).mass(MASS).scheme(Composed::order8(Boris)).dt(0.05).run(100).unwrap();
     let energy = |v: [DoubleDouble; 3]| v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     let change = (energy(run.last().v) - energy(run.states()[0].v)).to_f64();

@@ -367,7 +367,7 @@ fn a_mass_that_is_none_is_refused() {
     let motion = Simulation::new(ANHARMONIC, corner()).scheme(Implicit).dt(0.1);
     assert!(matches!(motion.clone().mass(-1.0).masses([-1.0; 3]).run(1).unwrap_err().cause(), Error::Mass { .. }));
     assert!(matches!(motion.clone().mass(1e-300).masses([1e-300; 3]).run(1).unwrap_err().cause(), Error::Mass { .. }));
-    let narrow: State<3, f32> = State::new([0.6, -0.3, 0.4], [0.4, 0.5, -0.2]);
+    let narrow: State<3, f32> = State::of([0.6, -0.3, 0.4], [0.4, 0.5, -0.2]);
     let motion = Simulation::new(ANHARMONIC, narrow).scheme(Implicit).dt(0.1);
     assert!(matches!(motion.clone().masses([1.0, 1e-60, 2.0]).run(1).unwrap_err().cause(), Error::Mass { .. }));
     assert!(motion.masses(THREE).run(1).is_ok());

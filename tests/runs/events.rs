@@ -234,7 +234,7 @@ fn a_poincare_section_is_exact() {
     let law = HenonHeiles { lambda: 1.0 };
     let run = Simulation::new(law, State::new([0.0, 0.16], [vx, 0.0])).scheme(Nystrom::order8()).dt(0.0625);
     let run = run.event(|state| state.q[0], Crossing::Rising).record_every(u64::MAX).run_until(200.0).unwrap();
-    let exact = State::<2, DoubleDouble>::new([0.0, 0.16].map(Into::into), [vx, 0.0].map(Into::into));
+    let exact = State::<2, DoubleDouble>::of([0.0, 0.16].map(Into::into), [vx, 0.0].map(Into::into));
     let exact = Simulation::new(law, exact).scheme(Nystrom::order8()).dt(0.03125).record_every(u64::MAX);
     let exact = exact.event(|state| state.q[0].to_f64(), Crossing::Rising).run_until(200.0).unwrap();
     assert_eq!((run.events().len(), exact.events().len()), (32, 32));

@@ -129,7 +129,7 @@ fn they_may_name_the_time_in_any_scalar() -> Result<(), Box<dyn std::error::Erro
     assert!(run.drift(Invariant::Energy).is_none());
     assert!(run.drift_of("energy_beside").unwrap().max_relative() < 1e-9);
 
-    let start = State::new([DoubleDouble::from(1.0)], [DoubleDouble::from(0.5)]);
+    let start = State::of([DoubleDouble::from(1.0)], [DoubleDouble::from(0.5)]);
     let run = Simulation::new(law, start).scheme(Composed::order8(Leapfrog)).dt(0.0078125).run(100)?;
     let drift = run.drift_of("energy_beside").unwrap();
     assert!(drift.max_relative() > 0.0 && drift.max_relative() < 1e-17, "{drift:?}");

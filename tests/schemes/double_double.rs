@@ -9,7 +9,7 @@ use dmech::{StudyError, StudyReport};
 type Wide = DoubleDouble;
 
 fn wide<const D: usize>(state: State<D>) -> State<D, Wide> {
-    State::new(state.q.map(Wide::from), state.v.map(Wide::from)).at_time(state.t)
+    State::of(state.q.map(Wide::from), state.v.map(Wide::from)).at_time(state.t)
 }
 
 /// m v²/2 + Φ.

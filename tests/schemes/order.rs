@@ -94,7 +94,7 @@ fn single_precision_follows_double_precision() {
         ($scheme:ident, $law:ident, $d:literal, $q:expr, $v:expr) => {{
             let law = $law::new();
             let double = Simulation::new(law, State::<$d>::new($q, $v)).scheme($scheme).dt(0.01).run(100).unwrap();
-            let narrow = State::<$d, f32>::new($q.map(|x: f64| x as f32), $v.map(|x: f64| x as f32));
+            let narrow = State::<$d, f32>::of($q.map(|x: f64| x as f32), $v.map(|x: f64| x as f32));
             let single = Simulation::new(law, narrow).scheme($scheme).dt(0.01).run(100).unwrap();
             let miss = distance(single.last().q.map(f64::from), double.last().q);
             // An energy that is put back to an ulp puts the velocity at a turning point back to an ulp over h.

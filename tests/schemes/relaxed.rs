@@ -316,7 +316,7 @@ fn corrections_are_few_and_counted() {
 #[test]
 fn the_energy_is_exact_in_any_digits() {
     let start =
-        State::<2, DoubleDouble>::new([0.2, -0.1].map(DoubleDouble::from_f64), [0.25, 0.3].map(DoubleDouble::from_f64));
+        State::<2, DoubleDouble>::of([0.2, -0.1].map(DoubleDouble::from_f64), [0.25, 0.3].map(DoubleDouble::from_f64));
     let motion = Simulation::new(HenonHeiles::new(), start).scheme(Relaxed::order6()).dt(0.3);
     let mut stepper = motion.stepper().unwrap();
     let energy = |stepper: &dmech::Stepper<Particle<HenonHeiles, 2, DoubleDouble>, _>| {
@@ -329,7 +329,7 @@ fn the_energy_is_exact_in_any_digits() {
     stepper.advance(1000).unwrap();
     let off = (energy(&stepper) - first).to_f64().abs();
     assert!(off < 1e-29, "{off:e}");
-    let start = State::<2, f32>::new([0.2, -0.1], [0.25, 0.3]);
+    let start = State::<2, f32>::of([0.2, -0.1], [0.25, 0.3]);
     let run = Simulation::new(HenonHeiles::new(), start).scheme(Relaxed::order6()).dt(0.3).run(1000).unwrap();
     assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-6);
 }

@@ -11,7 +11,7 @@ use crate::laws::{Geodesic, for_each_order};
 type Wide = DoubleDouble;
 
 pub(crate) fn wide<const D: usize>(state: State<D>) -> State<D, Wide> {
-    State::new(state.q.map(Wide::from), state.v.map(Wide::from)).at_time(state.t)
+    State::of(state.q.map(Wide::from), state.v.map(Wide::from)).at_time(state.t)
 }
 
 /// By halving the step as long as differences are far above rounding: each power that is clear of the next term of the error.
@@ -93,7 +93,7 @@ fn geodesics_keep_what_they_must() {
     let n = 40_u32;
     let dt = period.to_f64() / f64::from(n);
     let late = Wide::from(f64::from(n)) * Wide::from(dt) - period;
-    let start = State::new([r, Wide::ZERO], [Wide::ZERO, speed]);
+    let start = State::of([r, Wide::ZERO], [Wide::ZERO, speed]);
     let last = *Simulation::new(law, start).scheme(Gauss::order16()).dt(dt).run(n.into()).unwrap().last();
     let miss = (last.q[0] - late * last.v[0] - r).abs().max((last.q[1] - late * last.v[1]).abs()).to_f64();
     assert!(miss < 1e-27, "{miss:e}");

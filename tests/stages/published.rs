@@ -18,7 +18,7 @@ fn number(text: &str) -> Wide {
 /// With numbers of 31 digits it closes to the digits to which its start is published.
 #[test]
 fn arenstorf_closes() {
-    let start = State::new([number("0.994"), Wide::ZERO], [Wide::ZERO, number(SPEED)]);
+    let start = State::of([number("0.994"), Wide::ZERO], [Wide::ZERO, number(SPEED)]);
     let period = number(PERIOD);
     let end = |n: u32| {
         let dt = period.to_f64() / f64::from(n);

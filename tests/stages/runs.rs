@@ -159,7 +159,7 @@ fn one_by_one() {
 #[test]
 fn single_precision() {
     let start = LAW.pericentre(0.9, 0.4);
-    let narrow = State::<2, f32>::new(start.q.map(|x| x as f32), start.v.map(|x| x as f32));
+    let narrow = State::<2, f32>::of(start.q.map(|x| x as f32), start.v.map(|x| x as f32));
     macro_rules! single {
         ($scheme:expr, $_:tt) => {{
             let dt = LAW.period(0.9) / 128.0;

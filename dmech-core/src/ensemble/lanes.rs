@@ -260,7 +260,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         let system = together(&numbers);
         let scheme = seats[0].stepper.scheme;
         let all = scheme.gather(&system, &stepper);
-        let first = State::new(ByLane::of(&|lane| &stepper(lane).start.q), ByLane::of(&|lane| &stepper(lane).start.v));
+        let first = State::of(ByLane::of(&|lane| &stepper(lane).start.q), ByLane::of(&|lane| &stepper(lane).start.v));
         let watched: Vec<Drifts> = seats.iter().map(|member| member.log.watch.drifts()).collect();
         let drifts = core::array::from_fn(|i| {
             let of_first = watched[0][i].as_ref()?;
@@ -372,7 +372,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         }
         let system = &self.system;
         let (t, [q, v], discrete) = self.scheme.state(system, &self.all);
-        let state = State::new(q, v);
+        let state = State::of(q, v);
         for invariant in Invariant::ALL {
             let Some(drift) = &mut self.drifts[invariant as usize] else { continue };
             let start = drift.fields()[0];
@@ -399,7 +399,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
             self.until_look[lane] = self.every[lane];
             self.looked_at[lane] = Some(self.made[lane]);
             if own {
-                let state = State::new(q.lane(lane), v.lane(lane)).at_time(t[lane]);
+                let state = State::of(q.lane(lane), v.lane(lane)).at_time(t[lane]);
                 member.log.watch.observe_own(&member.stepper, &state);
             }
         }

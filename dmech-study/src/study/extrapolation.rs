@@ -209,7 +209,7 @@ mod tests {
     }
 
     fn follow(law: &Trampoline, q: f64, v: f64, end: f64, tolerance: f64) -> Result<End<1, Wide>, Error> {
-        let start = State::new([q.into()], [v.into()]).at_time(0.5);
+        let start = State::of([q.into()], [v.into()]).at_time(0.5);
         let motion = Extrapolation { law, mass: 2.0, start, end, tolerance, budget: 1 << 20 };
         motion.run(0.3)
     }

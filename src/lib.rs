@@ -233,6 +233,7 @@
 //! | `store` | no | `Ensemble::store`: a sweep in a database of SQLite, which goes on from it bit for bit after it was killed; SQLite comes along |
 //! | `ranks` | no | `Ensemble::ranks`: several processes move an ensemble together, those of MPI by the crate `dmech-mpi` |
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub use dmech_macros::{Law, law};
 

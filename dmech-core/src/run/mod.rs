@@ -55,6 +55,7 @@ use report::Work;
 ///
 /// It does not name the law or the scheme in its type, so runs of different schemes fit into one array.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run<X> {
     states: Vec<X>,
     last: X,

@@ -228,13 +228,14 @@
 //! | `scene` | yes | scenes of many bodies |
 //! | `parallel` | no | pair loops of large scenes on all cores, equal to the bit for any number of threads |
 //! | `sparse` | no | sparse Newton matrices for the implicit schemes on listed bonds, through faer; dense without |
-//! | `serde` | no | `Checkpoint`: runs that are saved and resumed bit for bit |
+//! | `serde` | no | `Checkpoint`: runs that are saved and resumed bit for bit; states, runs and reports in other formats |
 //! | `approx` | no | states and drifts in `assert_abs_diff_eq!` and its kin |
 //! | `nalgebra` | no | states, gradients and Hessians as its vectors and matrices |
 //! | `progress` | no | `Simulation::with_progress`, `Ensemble::with_progress`: a bar on the terminal during long runs, through indicatif |
 //! | `store` | no | `Ensemble::store`: a sweep in a database of SQLite, which goes on from it bit for bit after it was killed; SQLite comes along |
 //! | `ranks` | no | `Ensemble::ranks`: several processes move an ensemble together, those of MPI by the crate `dmech-mpi` |
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub use dmech_macros::{Law, law};
 

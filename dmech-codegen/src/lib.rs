@@ -9,6 +9,7 @@
 //! assert!(code.contains("discrete_gradient"));
 //! ```
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod diagnostics;
 mod emit;

@@ -20,6 +20,28 @@ pub(crate) fn deserialize<'de, R: Deserialize<'de>, T: Deserializer<'de>, const 
     list.try_into().map_err(|_| T::Error::invalid_length(found, &format!("{D} components").as_str()))
 }
 
+/// The vectors of many bodies, one after the other.
+#[cfg(feature = "scene")]
+pub(crate) mod list {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    /// Each as its components.
+    pub(crate) fn serialize<S: Serializer, const D: usize>(list: &[[f64; D]], to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(list.iter().map(<[f64; D]>::as_slice))
+    }
+
+    /// Each of as many components as there must be.
+    pub(crate) fn deserialize<'de, T: Deserializer<'de>, const D: usize>(from: T) -> Result<Vec<[f64; D]>, T::Error> {
+        let list: Vec<Vec<f64>> = Vec::deserialize(from)?;
+        let expected = format!("{D} components");
+        let vector = |found: Vec<f64>| {
+            found.try_into().map_err(|found: Vec<f64>| T::Error::invalid_length(found.len(), &expected.as_str()))
+        };
+        list.into_iter().map(vector).collect()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use crate::state::State;

@@ -6,6 +6,7 @@ use crate::words::Word;
 
 /// A quantity that a motion, or a scheme, keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Invariant {
     /// m v²/2 + Φ(q).
@@ -45,6 +46,7 @@ impl core::fmt::Display for Invariant {
 
 /// How well a scheme keeps an invariant that the law has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Kept {
     /// To round-off.
     Exact,
@@ -73,7 +75,17 @@ pub const MAX_OWN: usize = 8;
 
 /// The drifts of the invariants that a law declares itself, and of the quantities that a run watches, by name.
 #[derive(Clone, Debug, Default)]
-pub struct OwnDrifts(Vec<(Word, Drift)>);
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct OwnDrifts(#[cfg_attr(feature = "serde", serde(deserialize_with = "named"))] Vec<(Word, Drift)>);
+
+/// Drifts by names that are read.
+#[cfg(feature = "serde")]
+fn named<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Vec<(Word, Drift)>, D::Error> {
+    #[derive(serde::Deserialize)]
+    struct Named(#[serde(with = "crate::words")] Word, Drift);
+    let list: Vec<Named> = serde::Deserialize::deserialize(deserializer)?;
+    Ok(list.into_iter().map(|Named(name, drift)| (name, drift)).collect())
+}
 
 impl OwnDrifts {
     /// Each with its name, in the order in which they are declared.

@@ -4,6 +4,7 @@
 //! [`Simulation`] moves a [`State`] under it by a scheme, and the [`Run`] that comes back has the states, the invariants
 //! and a report.
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "nalgebra")]
 mod algebra;

@@ -38,6 +38,7 @@ impl<const D: usize, R> State<D, R> {
     }
 
     /// The same position and velocity at time t.
+    #[must_use = "the state itself stays as it is"]
     pub fn at_time(self, t: f64) -> Self {
         State { t, ..self }
     }
@@ -45,6 +46,7 @@ impl<const D: usize, R> State<D, R> {
 
 impl<const D: usize, R: Real> State<D, R> {
     /// The same position with the velocity turned round: where a reversible motion goes back from.
+    #[must_use = "the state itself stays as it is"]
     pub fn reversed(self) -> Self {
         State { v: self.v.map(|v| -v), ..self }
     }

@@ -13,6 +13,7 @@ use crate::system::{Beginning, Effort, Particle, System};
 ///
 /// Time is t₀ + k h after k equal steps, never a running sum. A step that fails leaves the motion where it was.
 #[derive(Debug)]
+#[must_use = "a stepper does nothing until it makes a step"]
 pub struct Stepper<Y: System, S: Scheme<Y>> {
     pub(crate) system: Y,
     pub(crate) scheme: S,

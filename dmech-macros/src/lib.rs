@@ -1,5 +1,6 @@
 //! The macros of dmech. All work is done by `dmech-codegen`, where it can be tested as a library.
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 use proc_macro::TokenStream;
 

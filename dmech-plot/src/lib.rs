@@ -14,6 +14,8 @@
 //! assert!(svg.starts_with("<svg") && svg.contains("A wave"));
 //! # Ok::<(), std::io::Error>(())
 //! ```
+#![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod axis;
 mod chart;

@@ -13,6 +13,7 @@
 //! assert!((mean_slope_of_ln(0.5_f64) - 3.0_f64.ln()).abs() < 1e-15);
 //! ```
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod atanc;
 mod atanhc;

@@ -1,6 +1,7 @@
 //! What measures the schemes of dmech: [`Study`], speed against error on a law or a scene; [`verify`](fn@verify), a law put
 //! through its checks; [`verify_scheme`], a scheme put through its own.
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
 mod motion;

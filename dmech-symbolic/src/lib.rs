@@ -25,6 +25,7 @@
 //! assert_eq!(g.display(gradient[0]).to_string(), "k·x");
 //! ```
 #![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod calculus;
 pub mod degree;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use indicatif::ProgressBar;
 
-use super::{Beside, Each, Ensemble};
+use super::{Each, Ensemble};
 use crate::run::{Shown, bar};
 
 impl<L, X, S, M> Ensemble<L, X, S, M> {
@@ -19,7 +19,9 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     /// number of members.
     pub fn with_progress_bar(self, bar: ProgressBar) -> Self {
         let shown = Shown { bar: Some(bar) };
-        Ensemble { beside: Beside { shown, ..self.beside }, ..self }
+        let mut beside = self.beside;
+        beside.shown = shown;
+        Ensemble { beside, ..self }
     }
 }
 

@@ -144,6 +144,7 @@ pub enum StoreError {
 
 /// How far a run goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Reach {
     /// So many steps.
     Steps(u64),

@@ -2,6 +2,7 @@
 
 /// The directions in which a function of the state may pass through zero to be an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Crossing {
     /// From below.
     Rising,
@@ -23,6 +24,7 @@ impl Crossing {
 
 /// Something that happened in a run.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Event<X> {
     which: usize,
     state: X,

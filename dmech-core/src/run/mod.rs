@@ -19,6 +19,8 @@ mod restored;
 mod shown;
 mod simulation;
 mod stream;
+#[cfg(all(test, feature = "serde"))]
+mod tests;
 mod watch;
 mod zero;
 
@@ -54,7 +56,11 @@ use report::Work;
 /// The recorded states of a simulation, what it kept and what it cost.
 ///
 /// It does not name the law or the scheme in its type, so runs of different schemes fit into one array.
+///
+/// With the feature `serde` it can be written and read. JSON gives back every bit through `serde_json` with its feature
+/// `float_roundtrip`; it has no NaN and no infinity, which become `null` and are then refused.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run<X> {
     states: Vec<X>,
     last: X,

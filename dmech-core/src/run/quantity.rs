@@ -11,13 +11,14 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// itself (`#[invariant]`); this one is for those of a scene, and for a single run.
     ///
     /// ```
-    /// use dmech_core::Scene;
+    /// # #[cfg(feature = "scene")] {
     /// use dmech_core::prelude::*;
     ///
     /// let scene = Scene::<1>::new().body(1.0, [0.0], [0.5]).body(3.0, [2.0], [-0.5]);
     /// let centre = |state: &SceneState<1>| (state.q[0][0] + 3.0 * state.q[1][0] + state.t) / 4.0;
     /// let run = Simulation::scene(scene).scheme(Leapfrog).dt(0.25).watch("centre of mass", centre).run(400)?;
     /// assert!(run.drift_of("centre of mass").unwrap().max_abs() < 1e-12);
+    /// # }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

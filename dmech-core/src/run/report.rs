@@ -6,6 +6,7 @@ use std::time::Duration;
 use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
 use crate::method::Method;
 use crate::text::Number;
+use crate::words::Word;
 
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,8 +24,10 @@ pub(crate) struct Work {
 
 /// What a run kept and what it cost. `Display` shows it as a table for the terminal.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Report {
-    scheme: &'static str,
+    #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
+    scheme: Word,
     order: u32,
     tolerance: Option<f64>,
     dt: f64,

@@ -8,17 +8,21 @@ use crate::run::{Blend, Columns, Weights};
 
 /// Time, positions and velocities of the bodies of a scene, in the order in which they were added.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SceneState<const D: usize> {
     /// Time.
     pub t: f64,
     /// Positions.
+    #[cfg_attr(feature = "serde", serde(with = "crate::components::list"))]
     pub q: Vec<[f64; D]>,
     /// Velocities.
+    #[cfg_attr(feature = "serde", serde(with = "crate::components::list"))]
     pub v: Vec<[f64; D]>,
 }
 
 impl<const D: usize> SceneState<D> {
     /// The same positions with all velocities turned round: where a reversible motion goes back from.
+    #[must_use = "the state that is turned round is the one that comes back"]
     pub fn reversed(mut self) -> Self {
         for v in &mut self.v {
             *v = v.map(|v| -v);

@@ -47,6 +47,7 @@ pub const Kanatani: Kanatani = Kanatani { newton: Newton::DEFAULT, start: Start:
 
 /// Where the position before the first comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Start {
     /// q₋₁ = q₀ − h v₀ + (h²/2) a₀.
     #[default]

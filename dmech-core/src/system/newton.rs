@@ -4,6 +4,7 @@ use dmech_scalar::Real;
 
 /// Where the iteration of an implicit step starts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Guess {
     /// From the forces of the last three steps, continued by a parabola: off by O(h⁵).
     #[default]

@@ -16,6 +16,7 @@ const MOST_FORCES: u64 = 1 << 22;
 /// By default it is that of `Composed::order8(DiscreteGradient)`, which fits every law, with its step halved until the
 /// final position does not settle any further. [`Study::precise`](super::Study::precise) computes one in double-double numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reference {
     pub(super) scheme: &'static str,
     pub(super) dt: f64,

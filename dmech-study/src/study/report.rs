@@ -14,7 +14,11 @@ use super::row::{Figures, StudyRow};
 ///
 /// Where a ladder encloses an error more than once, the smallest steps count; an error that the largest step reaches
 /// costs at most that step; one below the [`resolution`](StudyReport::resolution) cannot be told and has no cost.
+///
+/// With the feature `serde` it can be written, but not read; why a run failed stands there in words.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[must_use = "the report is of no use unless it is looked at"]
 pub struct StudyReport {
     schemes: Vec<(&'static str, u32)>,
     rows: Vec<StudyRow>,

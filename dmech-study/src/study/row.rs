@@ -12,6 +12,7 @@ use crate::motion::Repeatable;
 
 /// A scheme with one step of the ladder: what was measured, or why the run failed.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StudyRow {
     entrant: usize,
     scheme: &'static str,
@@ -19,11 +20,13 @@ pub struct StudyRow {
     dt: f64,
     steps: u64,
     tolerance: Option<f64>,
+    #[cfg_attr(feature = "serde", serde(serialize_with = "outcome"))]
     result: Result<Figures, Error>,
 }
 
 /// What was measured of a run that reached the end.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Figures {
     pub(super) time: Duration,
     pub(super) evaluations: u64,
@@ -115,6 +118,12 @@ impl Figures {
     pub fn drift(&self, invariant: Invariant) -> Option<Drift> {
         self.drifts[invariant as usize]
     }
+}
+
+/// The figures, or the error in words: one that ends a run may have no form of its own.
+#[cfg(feature = "serde")]
+fn outcome<S: serde::Serializer>(result: &Result<Figures, Error>, serializer: S) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&result.as_ref().map_err(ToString::to_string), serializer)
 }
 
 /// Runs in a row that the clock can resolve, from the time of one.

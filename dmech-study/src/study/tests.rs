@@ -62,3 +62,20 @@ fn a_failed_run_is_shown_with_its_cause() {
     assert_eq!(failed.len(), 1);
     assert!(csv.lines().all(|line| line.split(',').count() == columns), "{csv}");
 }
+
+/// Figures as they are, a failure in words.
+#[cfg(feature = "serde")]
+#[test]
+fn a_report_is_written() {
+    let report = report();
+    let value = serde_json::to_value(&report).unwrap();
+    let rows = value["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), report.rows().len());
+    for (written, row) in rows.iter().zip(report.rows()) {
+        assert_eq!(written["dt"].as_f64(), Some(row.dt()));
+        match row.result() {
+            Ok(figures) => assert_eq!(written["result"]["Ok"]["error"].as_f64(), Some(figures.error())),
+            Err(error) => assert_eq!(written["result"]["Err"].as_str(), Some(error.to_string().as_str())),
+        }
+    }
+}

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// Whether a check was passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Outcome {
     /// The figure is within its bound.
     Passed,
@@ -25,6 +26,7 @@ impl fmt::Display for Outcome {
 
 /// One check: what was measured against what bound.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Check {
     pub(super) name: String,
     pub(super) measured: Option<f64>,

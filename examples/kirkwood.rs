@@ -99,8 +99,10 @@ fn main() -> Drawn {
 
     let path = picture::save("kirkwood.svg", [760, 420], |area| {
         let title = "Asteroids beside and in the gap at 2.50 au";
-        let (x, y) =
-            (picture::Axis::linear("thousands of years", 0.0..400.0), picture::Axis::linear("eccentricity", 0.0..0.5));
+        let (x, y) = (
+            picture::Axis::linear("time (thousands of years)", 0.0..400.0),
+            picture::Axis::linear("eccentricity of the orbit", 0.0..0.5),
+        );
         let mut chart = picture::chart(area, title, x, y, 150)?;
         let mut ends = Vec::new();
         for (((name, ..), history), colour) in ASTEROIDS.iter().zip(&histories).zip([BLUE, OCHRE, RED, PURPLE, GREEN]) {

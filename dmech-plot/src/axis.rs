@@ -10,7 +10,7 @@ const MOST: f64 = 1e300;
 /// An axis: its name, and the range of its values, or of their decimal logarithms.
 ///
 /// Any range will do: one that is reversed is turned round, one that is empty is widened, and an end that is no number is
-/// taken for 0 or 1.
+/// taken for 0 or 1. One shorter than 10⁻¹¹ has no marks: [`Fit`](crate::Fit) shows such values in units of a power of ten.
 pub struct Axis<'a> {
     pub(crate) name: &'a str,
     pub(crate) range: Range<f64>,
@@ -24,7 +24,9 @@ impl<'a> Axis<'a> {
         let range = sound(range);
         // Marks are sums of steps: what is below a thousandth of the range is rounding.
         let unit = 1e-3 * 10_f64.powf((range.end - range.start).log10().floor()).max(f64::MIN_POSITIVE);
-        Axis { name, range, mark: Box::new(move |x| number(rounded(*x, unit))), marks: 8 }
+        // Marks are found to 10⁻¹⁶.
+        let marks = if range.end - range.start < 1e-11 { 0 } else { 8 };
+        Axis { name, range, mark: Box::new(move |x| number(rounded(*x, unit))), marks }
     }
 
     /// The points on it are decimal logarithms.
@@ -39,9 +41,9 @@ impl<'a> Axis<'a> {
         Axis { name, range, mark: Box::new(power_of_ten), marks }
     }
 
-    /// With about so many marks.
+    /// With no more marks than about so many.
     pub fn marks(self, marks: usize) -> Self {
-        Axis { marks, ..self }
+        Axis { marks: marks.min(self.marks), ..self }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::number::{number, superscript};
 /// use dmech_plot::Fit;
 ///
 /// let tiny = Fit::of([0.0, 2e-20, f64::NAN]);
-/// assert_eq!((tiny.name("x"), tiny.at(2e-20)), ("x / 10⁻²⁰".to_owned(), 2.0));
+/// assert_eq!((tiny.name("x"), tiny.at(2e-20).round()), ("x / 10⁻²⁰".to_owned(), 2.0));
 /// let close = Fit::of([5.0, 5.0 + 2e-9]);
 /// assert_eq!(close.name("x"), "(x − 5) / 10⁻⁹");
 /// assert!((close.at(5.0 + 2e-9) - 2.0).abs() < 1e-6);

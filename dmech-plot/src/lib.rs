@@ -29,7 +29,7 @@ pub use chart::{chart, equal_axes, equal_chart, equal_chart_about, equal_chart_b
 pub use colour::{BLUE, GREEN, INK, OCHRE, PALE, PURPLE, RED, TEAL};
 pub use fit::Fit;
 pub use labels::{label, label_beside, label_clear, name_column, name_ends};
-pub use marks::{apart, dots, line, lines, rings, squares};
+pub use marks::{apart, dashed, dots, line, lines, rings, squares};
 pub use number::{count, number, rough};
 pub use plotters;
 

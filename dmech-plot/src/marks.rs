@@ -1,6 +1,6 @@
 //! Lines and dots.
 
-use plotters::prelude::{Circle, Color, LineSeries, RGBColor, Rectangle};
+use plotters::prelude::{Circle, Color, DashedLineSeries, LineSeries, RGBColor, Rectangle};
 
 use crate::thin::{Seen, thin};
 use crate::{Chart, Drawn, FINE};
@@ -24,6 +24,14 @@ pub fn lines(chart: &mut Chart<'_>, lines: &[Vec<(f64, f64)>], colour: RGBColor,
     for (which, part) in thin(&fine, size, most) {
         chart.draw_series(LineSeries::new(part.into_iter().map(|i| lines[which][i]), style))?;
     }
+    Ok(())
+}
+
+/// A dashed line through points, over another that runs the same way and is to be seen.
+pub fn dashed(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, width: f64) -> Drawn {
+    let style = colour.stroke_width((width * f64::from(FINE)) as u32);
+    let points: Vec<_> = finite(&points).collect();
+    chart.draw_series(DashedLineSeries::new(points, 7 * FINE, 7 * FINE, style))?;
     Ok(())
 }
 

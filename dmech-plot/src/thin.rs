@@ -1,18 +1,20 @@
 //! Lines of a million points, thinned to what can be seen of them.
 
+/// What is written of a line beside its points is as long as a dozen points.
+const FRAME: usize = 12;
+
 /// Of lines, in pixels, the parts that leave a mark: at most about so many points, each part a range of indices of a line.
 ///
 /// A part of a line that runs where lines are drawn already is left out, and so are points within a pixel of the one before.
 /// Where that leaves too many, pixels are taken to be larger. Points that are no finite numbers end a part.
 pub(crate) fn thin(lines: &[Vec<[f64; 2]>], size: [f64; 2], most: usize) -> Vec<(usize, Vec<usize>)> {
-    if lines.iter().map(Vec::len).sum::<usize>() <= most {
+    if lines.iter().map(|line| line.len() + FRAME).sum::<usize>() <= most + FRAME {
         return lines.iter().enumerate().flat_map(|(which, line)| whole(which, line)).collect();
     }
     let mut pixel = 1.0;
     loop {
         let parts = marking(lines, size, pixel);
-        // The frame of a part is as long as a dozen points.
-        if pixel > 64.0 || parts.iter().map(|(_, part)| part.len() + 12).sum::<usize>() <= most {
+        if pixel > 64.0 || parts.iter().map(|(_, part)| part.len() + FRAME).sum::<usize>() <= most {
             return parts;
         }
         pixel *= 1.3;

@@ -19,6 +19,9 @@ const COLOURS: [RGBColor; 6] = [BLUE, RED, GREEN, OCHRE, PURPLE, TEAL];
 const POINTS: usize = 50_000;
 const DOTS: usize = 3000;
 
+/// Bodies of which some hide others.
+const CROWD: usize = 1000;
+
 /// Axes of different scales where one scale would make a line of the path.
 const FLAT: f64 = 15.0;
 
@@ -186,7 +189,8 @@ fn key<X: Seen>(motion: &Motion<'_, X>, d: usize) -> String {
         (1, _) => String::new(),
         (n, _) => {
             let square = if (0..n).any(|body| motion.stays(body)) { ", ■ stays where it is" } else { "" };
-            format!("; ○ start, ● end{square}")
+            let crowd = if n > CROWD { "; where bodies crowd, some of them" } else { "" };
+            format!("; ○ start, ● end{square}{crowd}")
         }
     }
 }

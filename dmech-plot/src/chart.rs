@@ -3,14 +3,14 @@
 use std::ops::Range;
 
 use plotters::chart::ChartBuilder;
-use plotters::prelude::{Color, SVGBackend, TRANSPARENT};
+use plotters::prelude::{Color, SVGBackend, TRANSPARENT, TextStyle};
 
 use crate::axis::sound;
 use crate::{Area, Axis, Chart, Drawn, FINE, INK, PALE, text};
 
 /// Axes with a title; `right` pixels are left free beside them for labels.
 pub fn chart<'a>(area: &Area<'a>, title: &str, x: Axis<'_>, y: Axis<'_>, right: u32) -> Drawn<Chart<'a>> {
-    let area = area.titled(title, text(17.0, INK))?;
+    let area = area.titled(title, fitting(area, title, 17.0))?;
     let mut chart = builder(&area, right).build_cartesian_2d(x.range, y.range)?;
     chart
         .configure_mesh()
@@ -32,7 +32,13 @@ pub fn chart<'a>(area: &Area<'a>, title: &str, x: Axis<'_>, y: Axis<'_>, right: 
 
 /// A title over a line of smaller words, and what is left below them.
 pub fn headed<'a>(area: &Area<'a>, title: &str, words: &str) -> Drawn<Area<'a>> {
-    Ok(area.titled(title, text(17.0, INK))?.titled(words, text(13.0, INK))?)
+    Ok(area.titled(title, fitting(area, title, 17.0))?.titled(words, fitting(area, words, 13.0))?)
+}
+
+/// As large as is asked for, or as there is room for.
+fn fitting(area: &Area<'_>, words: &str, size: f64) -> TextStyle<'static> {
+    let room = f64::from(area.dim_in_pixel().0) / f64::from(FINE);
+    text(size.min(room / (0.56 * words.chars().count().max(1) as f64)), INK)
 }
 
 /// Axes with one scale, each as long as it is asked to be or longer.

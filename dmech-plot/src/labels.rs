@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use plotters::prelude::{EmptyElement, RGBColor, Text};
+use plotters::prelude::{Color, EmptyElement, RGBColor, Rectangle, Text, WHITE};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::marks::pixels;
@@ -82,6 +82,16 @@ pub fn label_beside(chart: &Chart<'_>, lines: &[Vec<(f64, f64)>], labels: &[((f6
             (((radius + half - 8.0) * cos).round() as i32, (-radius * sin).round() as i32)
         });
         let moved = places.min_by_key(clutter).unwrap_or_default();
+        if clutter(&moved) > 0 {
+            // There is no clear place: the words make one.
+            let fine = f64::from(FINE);
+            let corner = |side: f64| {
+                let [dx, dy] = [f64::from(moved.0) + side * half, f64::from(moved.1) + side * 9.0];
+                ((fine * dx) as i32, (fine * dy) as i32)
+            };
+            let ground = Rectangle::new([corner(-1.0), corner(1.0)], WHITE.mix(0.8).filled());
+            chart.plotting_area().draw(&(EmptyElement::at(*at) + ground))?;
+        }
         placed.push(([x + f64::from(moved.0), y + f64::from(moved.1)], half));
         centred(chart, *at, moved, words, *colour)?;
     }

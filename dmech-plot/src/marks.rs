@@ -5,13 +5,13 @@ use plotters::prelude::{Circle, Color, DashedLineSeries, LineSeries, RGBColor, R
 use crate::thin::{Seen, thin};
 use crate::{Chart, Drawn, FINE};
 
-/// The points that a line keeps: in a file some half a megabyte.
-const MOST: usize = 50_000;
+/// The points that a line keeps: in a file less than a megabyte.
+const MOST: usize = 60_000;
 
 /// A line through points.
 ///
 /// Points that are no finite numbers interrupt it. Of very many points those are left out that leave no mark, so that a
-/// picture of a million states is no larger than half a megabyte.
+/// picture of a million states is no larger than a megabyte; where lines stand close, they are then as wide as what is left out.
 pub fn line(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, width: f64) -> Drawn {
     lines(chart, &[points], colour, width, MOST)
 }
@@ -20,8 +20,9 @@ pub fn line(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, wi
 pub fn lines(chart: &mut Chart<'_>, lines: &[Vec<(f64, f64)>], colour: RGBColor, width: f64, most: usize) -> Drawn {
     let (size, at) = pixels(chart);
     let fine: Vec<Vec<_>> = lines.iter().map(|line| line.iter().map(&at).collect()).collect();
-    let style = colour.stroke_width((width * f64::from(FINE)) as u32);
-    for (which, part) in thin(&fine, size, most) {
+    let (parts, covering) = thin(&fine, size, most);
+    let style = colour.stroke_width((width.max(covering) * f64::from(FINE)) as u32);
+    for (which, part) in parts {
         chart.draw_series(LineSeries::new(part.into_iter().map(|i| lines[which][i]), style))?;
     }
     Ok(())

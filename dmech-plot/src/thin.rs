@@ -7,15 +7,17 @@ const FRAME: usize = 12;
 ///
 /// A part of a line that runs where lines are drawn already is left out, and so are points within a pixel of the one before.
 /// Where that leaves too many, pixels are taken to be larger. Points that are no finite numbers end a part.
-pub(crate) fn thin(lines: &[Vec<[f64; 2]>], size: [f64; 2], most: usize) -> Vec<(usize, Vec<usize>)> {
+///
+/// With them comes the width that lines need to cover what they stand for.
+pub(crate) fn thin(lines: &[Vec<[f64; 2]>], size: [f64; 2], most: usize) -> (Vec<(usize, Vec<usize>)>, f64) {
     if lines.iter().map(|line| line.len() + FRAME).sum::<usize>() <= most + FRAME {
-        return lines.iter().enumerate().flat_map(|(which, line)| whole(which, line)).collect();
+        return (lines.iter().enumerate().flat_map(|(which, line)| whole(which, line)).collect(), 0.0);
     }
     let mut pixel = 1.0;
     loop {
         let parts = marking(lines, size, pixel);
         if pixel > 64.0 || parts.iter().map(|(_, part)| part.len() + FRAME).sum::<usize>() <= most {
-            return parts;
+            return (parts, pixel.min(4.0));
         }
         pixel *= 1.3;
     }
@@ -39,9 +41,12 @@ fn marking(lines: &[Vec<[f64; 2]>], size: [f64; 2], pixel: f64) -> Vec<(usize, V
         let mut part: Vec<usize> = Vec::new();
         // The last point that was looked at, and the last one that a line was drawn to.
         let mut at: Option<usize> = None;
+        // Points since then that leave no mark.
+        let mut idle: Vec<usize> = Vec::new();
         for (i, point) in line.iter().enumerate() {
             if !point.iter().all(|x| x.is_finite()) {
                 end(&mut part, which, line, pixel, &mut parts);
+                idle.clear();
                 at = None;
                 continue;
             }
@@ -57,12 +62,17 @@ fn marking(lines: &[Vec<[f64; 2]>], size: [f64; 2], pixel: f64) -> Vec<(usize, V
                 continue;
             }
             if seen.draw(from, *point) {
-                if part.is_empty() {
+                // Over a short way the line goes on: a new one is longer to write.
+                if idle.len() > FRAME {
+                    end(&mut part, which, line, pixel, &mut parts);
                     part.push(before);
+                } else {
+                    part.append(&mut idle);
                 }
+                idle.clear();
                 part.push(i);
-            } else {
-                end(&mut part, which, line, pixel, &mut parts);
+            } else if idle.len() <= FRAME {
+                idle.push(i);
             }
             at = Some(i);
         }
@@ -156,7 +166,7 @@ mod tests {
             [300.0 + 2e-1 * turn * turn.cos(), 300.0 + 2e-1 * turn * turn.sin()]
         };
         let line: Vec<_> = (0..1_000_000).map(spiral).collect();
-        let parts = thin(&[line.clone()], [600.0, 600.0], 40_000);
+        let (parts, _) = thin(&[line.clone()], [600.0, 600.0], 40_000);
         assert!(parts.iter().map(|(_, part)| part.len()).sum::<usize>() <= 40_000);
         let mut near = std::collections::HashSet::new();
         for (_, part) in &parts {
@@ -178,7 +188,7 @@ mod tests {
     #[test]
     fn what_is_no_number_ends_a_part() {
         let line = vec![[0.0, 1.0], [f64::NAN, 2.0], [300.0, 400.0], [500.0, 600.0], [7.0, f64::INFINITY]];
-        assert_eq!(thin(&[line.clone()], [900.0, 900.0], 100), [(0, vec![0]), (0, vec![2, 3])]);
-        assert_eq!(thin(&[line], [900.0, 900.0], 0), [(0, vec![0]), (0, vec![2, 3])]);
+        assert_eq!(thin(&[line.clone()], [900.0, 900.0], 100).0, [(0, vec![0]), (0, vec![2, 3])]);
+        assert_eq!(thin(&[line], [900.0, 900.0], 0).0, [(0, vec![0]), (0, vec![2, 3])]);
     }
 }

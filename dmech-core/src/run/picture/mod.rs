@@ -25,7 +25,7 @@ impl<const D: usize, R: Real> Run<State<D, R>> {
     ///
     /// Start and end are marked, the title has scheme, step and times. The numbers are in the units of the law, small and large
     /// ones less what they have in common and by a power of ten that the axis names. States that are not finite are left out,
-    /// and how many is said. A million states make a file of half a megabyte at most: what would lie on what is drawn is left out.
+    /// and how many is said. A million states make a file of less than a megabyte: what would lie on what is drawn is left out.
     ///
     /// ```no_run
     /// # use dmech_core::prelude::*;

@@ -16,7 +16,7 @@ use dmech_scalar::Real;
 const COLOURS: [RGBColor; 6] = [BLUE, RED, GREEN, OCHRE, PURPLE, TEAL];
 
 /// Points of lines, and dots of a kind, in the whole picture.
-const POINTS: usize = 50_000;
+const POINTS: usize = 60_000;
 const DOTS: usize = 3000;
 
 /// Bodies of which some hide others.
@@ -173,7 +173,8 @@ pub(super) fn svg<X: Seen>(run: &Run<X>) -> io::Result<String> {
     let height = if X::D == 1 { 480 } else { 640 };
     draw([width, height], |area| {
         let key = key(&motion, X::D);
-        let area = headed(area, &format!("{kind}{}", run.made(times)), &(motion.words() + &key))?;
+        let title = format!("{kind}{}", run.made(times));
+        let area = headed(area, &title, &(motion.words() + &key))?;
         let parts = area.split_evenly((1, panels.len().max(1)));
         for (part, panel) in parts.iter().zip(&panels) {
             self::panel(part, &motion, *panel, panels.len())?;

@@ -1,19 +1,22 @@
 //! Lines of a million points, thinned to what can be seen of them.
 
+/// Lines of so few points are left as they are.
+const FEW: usize = 4000;
+
 /// What is written of a line beside its points is as long as a dozen points.
 const FRAME: usize = 12;
 
 /// Of lines, in pixels, the parts that leave a mark: at most about so many points, each part a range of indices of a line.
 ///
-/// A part of a line that runs where lines are drawn already is left out, and so are points within a pixel of the one before.
+/// A part of a line that runs where lines are drawn already is left out, and so are points within half a pixel of the one before.
 /// Where that leaves too many, pixels are taken to be larger. Points that are no finite numbers end a part.
 ///
 /// With them comes the width that lines need to cover what they stand for.
 pub(crate) fn thin(lines: &[Vec<[f64; 2]>], size: [f64; 2], most: usize) -> (Vec<(usize, Vec<usize>)>, f64) {
-    if lines.iter().map(|line| line.len() + FRAME).sum::<usize>() <= most + FRAME {
+    if lines.iter().map(|line| line.len() + FRAME).sum::<usize>() <= most.min(FEW) + FRAME {
         return (lines.iter().enumerate().flat_map(|(which, line)| whole(which, line)).collect(), 0.0);
     }
-    let mut pixel = 1.0;
+    let mut pixel = 0.5;
     loop {
         let parts = marking(lines, size, pixel);
         if pixel > 64.0 || parts.iter().map(|(_, part)| part.len() + FRAME).sum::<usize>() <= most {

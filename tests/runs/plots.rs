@@ -236,6 +236,49 @@ fn a_drift_is_drawn_as_it_is_reported() {
     assert!(sound(&place("distance.svg"), 200_000).contains(&largest));
 }
 
+/// A study of any schemes: one panel for few, one for each family of many; runs that fail are no lines.
+#[test]
+fn studies_are_drawn() {
+    let law = Pendulum { k: 1.0 };
+    let study = || Study::new(law, State::new([1.2], [0.0]), 30.0).repetitions(1).exact(move |t| [law.exact(1.2, t)]);
+    let steps = [0.4, 0.2, 0.1, 0.05];
+    let few = study().scheme(Leapfrog).scheme(DiscreteGradient).ladder(steps).run().unwrap();
+    few.plot(place("study_few.svg")).unwrap();
+    let svg = sound(&place("study_few.svg"), 100_000);
+    assert!(
+        ["Time for an error", "Leapfrog", "DiscreteGradient", "t = 0 … 30"].iter().all(|words| svg.contains(words))
+    );
+    let many = study()
+        .scheme(Leapfrog)
+        .scheme(Implicit)
+        .scheme(Nystrom::order4())
+        .scheme(Nystrom::order8())
+        .scheme(Composed::order4(DiscreteGradient))
+        .scheme(Gauss::order16())
+        .scheme(LineIntegral::order8())
+        .adaptive(Composed::order6(DiscreteGradient), [1e-3, 1e-5])
+        .ladder(steps)
+        .run()
+        .unwrap();
+    many.plot_titled(place("study_many.svg"), "A pendulum").unwrap();
+    let svg = sound(&place("study_many.svg"), 200_000);
+    let panels = [
+        "order 1 and 2",
+        "Nystrom",
+        "Composed(DiscreteGradient)",
+        "Gauss, LineIntegral",
+        "steps that follow the motion",
+    ];
+    assert!(panels.iter().all(|words| svg.contains(words)));
+    assert!(
+        ["A pendulum", "order 8", "Gauss 16", "DiscreteGradient 6", "grey"].iter().all(|words| svg.contains(words))
+    );
+    // Steps by which no run reaches the end.
+    let none = study().scheme(Leapfrog).ladder([1e-30]).run().unwrap();
+    none.plot(place("study_none.svg")).unwrap();
+    assert!(sound(&place("study_none.svg"), 100_000).contains("no run reached the end"));
+}
+
 #[test]
 fn what_is_not_there_is_an_error_and_no_picture() {
     let run = planet().scheme(Leapfrog).dt(0.01).run(10).unwrap();

@@ -104,6 +104,11 @@ fn main() -> Drawn {
         picture::line(&mut chart, run.states().iter().map(place).collect(), BLUE, 1.5)?;
         let north: Vec<_> = run.states().iter().filter(|state| state.q[2] > 0.0).map(place).collect();
         picture::line(&mut chart, north, INK, 1.5)?;
+        for (state, word) in [(run.states().first(), "start"), (run.states().last(), "end")] {
+            if let Some(at) = state.map(place) {
+                picture::label(&chart, at, (0, -10), word, INK)?;
+            }
+        }
         // Where a year since the pericentre begins.
         let year = |state: &State<3>| (state.t / JULIAN_YEAR).floor();
         for rows in run.states().chunk_by(|a, b| year(a) == year(b)).skip(1) {

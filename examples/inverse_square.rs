@@ -143,7 +143,7 @@ fn draw() -> Drawn<std::path::PathBuf> {
         picture::label(&orbit, path[0], (-10, 0), "start", INK)?;
         let x = Axis::linear("time (dimensionless)", 0.0..9.0);
         let y = Axis::linear("energy (dimensionless)", -2.2..1.6);
-        let mut energy = picture::chart(&right, "The energy that is kept, h = 0.02", x, y, 150)?;
+        let mut energy = picture::chart(&right, "The energy that is kept, h = 0.02", x, y, 170)?;
         let names = ["m z²/2", "−k (1/|r| + 1/|r₋|)/2", "their sum (3.28)", "with 1/4 as printed"];
         let mut ends = Vec::new();
         for ((curve, name), colour) in curves.into_iter().zip(names).zip([GREEN, OCHRE, BLUE, RED]) {

@@ -119,7 +119,8 @@ fn orbit() -> Drawn<PathBuf> {
     let end = low + drift * run.last().t;
     picture::save("magnetic_orbit.svg", [760, 640], |area| {
         let title = "A charge in a field that grows to the right: its circles drift along y";
-        let [x, y] = ["x (dimensionless)", "y (dimensionless)"].map(|name| Axis::linear(name, -1.2..2.4));
+        let x = Axis::linear("x (dimensionless)", -0.9..3.4);
+        let y = Axis::linear("y (dimensionless)", -1.35..1.8);
         let mut chart = picture::equal_axes(area, title, x, y, 10)?;
         let line = vec![(centre, low), (centre, end)];
         picture::line(&mut chart, path.clone(), BLUE, 2.0)?;
@@ -127,12 +128,9 @@ fn orbit() -> Drawn<PathBuf> {
         picture::rings(&mut chart, &[start], BLUE, 5.0)?;
         picture::dots(&mut chart, &[(centre, low)], OCHRE, 4.0)?;
         picture::dots(&mut chart, &path[path.len() - 1..], BLUE, 4.0)?;
-        let words = [
-            (start, "start", INK),
-            (path[path.len() - 1], "end", INK),
-            ((centre, end), "the drift to first order, ½ v² (m/b) ∇b/b · t", OCHRE),
-        ];
-        let words = words.map(|(at, words, colour)| (at, words.to_owned(), colour));
+        let words = [(start, "start"), (path[path.len() - 1], "end")].map(|(at, word)| (at, word.to_owned(), INK));
+        picture::label(&chart, (1.7, end), (8, 0), "the line: ½ v² (m/b) ∇b/b · t,", OCHRE)?;
+        picture::label(&chart, (1.7, end), (8, 20), "the drift to first order", OCHRE)?;
         picture::label_beside(&chart, &[path, line], &words)
     })
 }

@@ -14,7 +14,7 @@
 //! energy-exact schemes pay for a nonlinear solve in each step, and their column of energy drifts shows what for.
 //!
 //! The program prints a table for each motion, writes the rows as CSV and the lines as a picture, and collects all in
-//! `work_precision.html`. It takes about a minute and a half.
+//! `work_precision.html`. A bar shows how far it is; it takes about a minute.
 
 #[path = "shared/page.rs"]
 mod page;

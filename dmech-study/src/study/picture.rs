@@ -131,20 +131,28 @@ impl StudyReport {
     /// At each error the least time of the schemes that are not of a family.
     fn others(&self, family: &Family, [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
         let own = |scheme: usize| family.lines.iter().any(|(own, _)| *own == scheme);
-        let levels = (0..=((to - from) * LEVELS) as usize).map(|k| from + k as f64 / LEVELS);
+        let to = to.min(self.length().log10());
+        let levels = (0..=((to - from).max(0.0) * LEVELS) as usize).map(|k| from + k as f64 / LEVELS);
+        let mut least = f64::INFINITY;
         let fastest = levels.map(|level| {
             let times = self.times_at(10_f64.powf(level)).enumerate();
             let others = times.filter_map(|(scheme, (_, cost))| if own(scheme) { None } else { cost });
-            (others.map(|cost| cost.value().log10()).fold(f64::INFINITY, f64::min), level)
+            // What reaches a smaller error reaches this one.
+            least = others.map(|cost| cost.value().log10()).fold(least, f64::min);
+            (least, level)
         });
-        // Where there is none the line is interrupted, not ended.
-        fastest.collect()
+        fastest.filter(|point| point.0.is_finite()).collect()
     }
 
     /// Logarithms of time and error: from where the error is no larger than the motion to where it stops falling, as what
     /// follows is rounding.
     fn line(&self, scheme: usize) -> Vec<(f64, f64)> {
-        let figures = self.rows_of(scheme).filter_map(|row| row.result().ok());
+        // Tolerances beyond the longest step that a scheme takes are one run.
+        let rows: Vec<_> = self.rows_of(scheme).collect();
+        let next = |k: usize| rows.get(k + 1).map(|row| row.steps());
+        let apart =
+            rows.iter().enumerate().filter(|(k, row)| row.tolerance().is_none() || next(*k) != Some(row.steps()));
+        let figures = apart.filter_map(|(_, row)| row.result().ok());
         let told = figures.take_while(|figures| figures.error() >= self.resolution());
         let point = |time: f64, error: f64| (time.max(1e-9).log10(), error.log10());
         let mut points: Vec<_> = told.map(|figures| point(figures.time().as_secs_f64(), figures.error())).collect();

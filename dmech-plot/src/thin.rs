@@ -54,8 +54,9 @@ fn marking(lines: &[Vec<[f64; 2]>], size: [f64; 2], pixel: f64) -> Vec<(usize, V
                 continue;
             }
             let Some(before) = at else {
-                seen.mark(*point);
-                part.push(i);
+                if seen.mark(*point) {
+                    part.push(i);
+                }
                 at = Some(i);
                 continue;
             };
@@ -66,7 +67,7 @@ fn marking(lines: &[Vec<[f64; 2]>], size: [f64; 2], pixel: f64) -> Vec<(usize, V
             }
             if seen.draw(from, *point) {
                 // Over a short way the line goes on: a new one is longer to write.
-                if idle.len() > FRAME {
+                if part.is_empty() || idle.len() > FRAME {
                     end(&mut part, which, line, pixel, &mut parts);
                     part.push(before);
                 } else {

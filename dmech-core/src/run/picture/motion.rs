@@ -16,8 +16,8 @@ use dmech_scalar::Real;
 const COLOURS: [RGBColor; 6] = [BLUE, RED, GREEN, OCHRE, PURPLE, TEAL];
 
 /// Points of lines, and dots of a kind, in the whole picture.
-const POINTS: usize = 60_000;
-const DOTS: usize = 3000;
+const POINTS: usize = 50_000;
+const DOTS: usize = 2000;
 
 /// Bodies of which some hide others.
 const CROWD: usize = 1000;

@@ -25,6 +25,9 @@ const CROWD: usize = 1000;
 /// Axes of different scales where one scale would make a line of the path.
 const FLAT: f64 = 15.0;
 
+/// A path as it stands on the axes.
+type Line = Vec<(f64, f64)>;
+
 /// A state that can be drawn.
 pub(super) trait Seen {
     const D: usize;
@@ -127,7 +130,7 @@ impl<'a, X: Seen> Motion<'a, X> {
         Motion { states: all.into_iter().filter(finite).collect(), bodies, lost }
     }
 
-    fn line(&self, body: usize, [x, y]: [(Quantity, Fit); 2]) -> Vec<(f64, f64)> {
+    fn line(&self, body: usize, [x, y]: [(Quantity, Fit); 2]) -> Line {
         let on = |(quantity, fit): (Quantity, Fit), state: &X| fit.at(quantity.of(state, body));
         self.states.iter().map(|state| (on(x, state), on(y, state))).collect()
     }
@@ -225,7 +228,7 @@ fn panel<X: Seen>(area: &Area<'_>, motion: &Motion<'_, X>, [x, y]: [Quantity; 2]
 fn bodies<X: Seen>(chart: &mut Chart<'_>, motion: &Motion<'_, X>, axes: [(Quantity, Fit); 2], panels: usize) -> Drawn {
     let few = motion.bodies <= COLOURS.len();
     let paths: Vec<_> = (0..motion.bodies).map(|body| motion.line(body, axes)).collect();
-    let groups: Vec<(RGBColor, &[Vec<(f64, f64)>])> = match few {
+    let groups: Vec<(RGBColor, &[Line])> = match few {
         true => COLOURS.into_iter().zip(paths.chunks(1)).collect(),
         false => vec![(BLUE, &paths)],
     };

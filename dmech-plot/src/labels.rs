@@ -75,7 +75,7 @@ pub fn label_beside(chart: &Chart<'_>, lines: &[Vec<(f64, f64)>], labels: &[((f6
             let outside = x - half < 2.0 || x + half > size[0] - 2.0 || y < 9.0 || y > size[1] - 9.0;
             on_lines + 2000 * on_words + 4000 * usize::from(outside)
         };
-        let around = (12..96).step_by(4).flat_map(|radius| (0..16).map(move |turn| (radius, turn)));
+        let around = (12..64).step_by(4).flat_map(|radius| (0..16).map(move |turn| (radius, turn)));
         let places = around.map(|(radius, turn)| {
             let (sin, cos) = (0.125 * PI * f64::from(turn)).sin_cos();
             let radius = f64::from(radius);

@@ -131,8 +131,14 @@ fn mode_energies(run: &Run<SceneState<1>>) -> Drawn<PathBuf> {
     let start = mode_energy(&run.states()[0], 1);
     picture::save("chain_modes.svg", [960, 560], |area| {
         let title = "31 masses with springs r²/2 + r³/12: the energy leaves the first mode and returns";
-        let x = Axis::linear("periods of the first mode", 0.0..187.0);
-        let mut chart = picture::chart(area, title, x, Axis::linear("energy of a mode / its sum", 0.0..1.05), 20)?;
+        let x = Axis::linear("time (periods of the first mode)", 0.0..187.0);
+        let mut chart = picture::chart(
+            area,
+            title,
+            x,
+            Axis::linear("energy of a mode / that of mode 1 at the start", 0.0..1.05),
+            20,
+        )?;
         let (mut lines, mut labels) = (Vec::new(), Vec::new());
         for (k, colour) in (1..).zip([BLUE, RED, GREEN, OCHRE, PURPLE]) {
             let points = run.states().iter().step_by(8);
@@ -140,10 +146,10 @@ fn mode_energies(run: &Run<SceneState<1>>) -> Drawn<PathBuf> {
             let later = points.iter().copied().filter(|point| point.0 > 20.0);
             let highest = later.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
             labels.push((highest, format!("mode {k}"), colour));
-            lines.extend_from_slice(&points);
+            lines.push(points.clone());
             picture::line(&mut chart, points, colour, 1.5)?;
         }
-        picture::label_clear(&chart, &lines, &labels)
+        picture::label_beside(&chart, &lines, &labels)
     })
 }
 
@@ -157,7 +163,7 @@ fn energy_errors(leapfrog: &Run<SceneState<1>>, exact: &Run<SceneState<1>>) -> D
     picture::save("chain_energy.svg", [960, 480], |area| {
         let title = "Energy error of the chain, dt = 0.1: the largest so far";
         let y = Axis::powers_of_ten("|E − E₀| / E₀", -17.0..-1.0);
-        let x = Axis::linear("periods of the first mode", 0.0..187.0);
+        let x = Axis::linear("time (periods of the first mode)", 0.0..187.0);
         let mut chart = picture::chart(area, title, x, y, 150)?;
         let mut names = Vec::new();
         for (run, colour) in [(leapfrog, OCHRE), (exact, GREEN)] {

@@ -171,8 +171,10 @@ fn energies() -> Drawn<PathBuf> {
             let all = errors.iter().flatten().map(|point| point.1);
             let (low, high) = all.fold((0.0, 0.0), |(low, high), x| (f64::min(low, x), f64::max(high, x)));
             let margin = 0.1 * (high - low);
-            let (x, y) =
-                (Axis::linear("time", 0.0..DRAWN_END), Axis::linear("1000 (E − E₀)", low - margin..high + margin));
+            let (x, y) = (
+                Axis::linear("time (units of Lennard-Jones)", 0.0..DRAWN_END),
+                Axis::linear("1000 (E − E₀) / ε", low - margin..high + margin),
+            );
             let mut chart = picture::chart(panel, &format!("Thirteen atoms: energy at dt = {dt}"), x, y, 150)?;
             let mut names = Vec::new();
             for ((colour, run), points) in runs.iter().zip(errors) {
@@ -191,7 +193,8 @@ fn sizes() -> Drawn<PathBuf> {
     let runs = [(INK, leapfrog(small)?), (OCHRE, leapfrog(large)?), (GREEN, discrete_gradient(large)?)];
     picture::save("cluster_size.svg", [960, 480], |area| {
         let title = "Thirteen atoms: the mean distance from the middle";
-        let (x, y) = (Axis::linear("time", 0.0..DRAWN_END), Axis::linear("distance", 1.0..1.2));
+        let (x, y) =
+            (Axis::linear("time (units of Lennard-Jones)", 0.0..DRAWN_END), Axis::linear("distance / σ", 1.0..1.2));
         let mut chart = picture::chart(area, title, x, y, 220)?;
         let labels = runs.each_ref().map(|(_, run)| format!("{}, dt = {}", run.report().scheme(), run.report().dt()));
         let mut names = Vec::new();

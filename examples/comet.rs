@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 use dmech::models::kepler::Elements;
 use dmech::models::units::{AU, DAY, DEGREE, GM_JUPITER, GM_SUN, JULIAN_YEAR};
 use dmech::{models::Kepler3, prelude::*};
-use picture::{BLUE, Drawn, GREEN, INK, OCHRE};
+use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE};
 
 /// The Sun at rest in the origin, and Jupiter about it on a circle in the ecliptic.
 #[derive(Clone, Copy, Debug)]
@@ -93,16 +93,22 @@ fn main() -> Drawn {
 
     // The plane that the Earth moves in, seen from the north; north of it the comet is drawn dark.
     let path = picture::save("comet.svg", [760, 640], |area| {
-        let title = "Halley's comet, 1984 to 1994, seen from the north (au)";
-        let mut chart = picture::equal_chart_about(area, title, -15.5..8.5, 3.0)?;
+        let title = "Halley's comet, 1984 to 1994, seen from the north; dark: north of the plane of the Earth";
+        let mut chart =
+            picture::equal_axes(area, title, Axis::linear("x (au)", -15.5..8.5), Axis::linear("y (au)", 3.0..3.0), 10)?;
         let round =
             |r: f64| (0..=200).map(|i| TAU * f64::from(i) / 200.0).map(|a| (r * a.cos(), r * a.sin())).collect();
-        picture::line(&mut chart, round(radius / AU), OCHRE, 1.0)?;
-        picture::line(&mut chart, round(1.0), GREEN, 1.0)?;
+        picture::line(&mut chart, round(radius / AU), OCHRE, 1.5)?;
+        picture::line(&mut chart, round(1.0), GREEN, 1.5)?;
         let place = |state: &State<3>| (state.q[0] / AU, state.q[1] / AU);
         picture::line(&mut chart, run.states().iter().map(place).collect(), BLUE, 1.5)?;
         let north: Vec<_> = run.states().iter().filter(|state| state.q[2] > 0.0).map(place).collect();
         picture::line(&mut chart, north, INK, 1.5)?;
+        for (state, word) in [(run.states().first(), "start"), (run.states().last(), "end")] {
+            if let Some(at) = state.map(place) {
+                picture::label(&chart, at, (0, -10), word, INK)?;
+            }
+        }
         // Where a year since the pericentre begins.
         let year = |state: &State<3>| (state.t / JULIAN_YEAR).floor();
         for rows in run.states().chunk_by(|a, b| year(a) == year(b)).skip(1) {

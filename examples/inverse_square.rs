@@ -27,7 +27,7 @@ mod picture;
 
 use dmech::models::Kepler;
 use dmech::prelude::*;
-use picture::{Axis, BLUE, Drawn, GREEN, OCHRE, PALE, RED};
+use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PALE, RED};
 
 /// The inverse square law Φ(q) = −k/|q|; k is called gm there.
 const SUN: Kepler = Kepler { gm: 1.0 };
@@ -132,19 +132,25 @@ fn draw() -> Drawn<std::path::PathBuf> {
     }
     picture::save("inverse_square.svg", [1200, 560], |area| {
         let (left, right) = area.split_horizontally(560 * 4);
-        let mut orbit = picture::equal_chart(&left, "60 revolutions, h = 0.04: the orbit turns", -1.2..1.2)?;
+        let [x, y] = ["x (dimensionless)", "y (dimensionless)"].map(|name| Axis::linear(name, -1.2..1.2));
+        let title = "60 revolutions, h = 0.04: the orbit turns; the first is dark";
+        let mut orbit = picture::equal_axes(&left, title, x, y, 10)?;
         picture::line(&mut orbit, path.clone(), PALE, 1.0)?;
         picture::line(&mut orbit, path[..102].to_vec(), BLUE, 2.0)?;
         picture::dots(&mut orbit, &[(0.0, 0.0)], OCHRE, 8.0)?;
-        let x = Axis::linear("time", 0.0..9.0);
-        let y = Axis::linear("energy", -2.2..1.6);
-        let mut energy = picture::chart(&right, "The energy that is kept, h = 0.02", x, y, 150)?;
+        picture::dots(&mut orbit, &[path[0]], BLUE, 4.0)?;
+        picture::label(&orbit, (0.0, 0.0), (0, 18), "sun", INK)?;
+        picture::label(&orbit, path[0], (-10, 0), "start", INK)?;
+        let x = Axis::linear("time (dimensionless)", 0.0..9.0);
+        let y = Axis::linear("energy (dimensionless)", -2.2..1.6);
+        let mut energy = picture::chart(&right, "The energy that is kept, h = 0.02", x, y, 170)?;
         let names = ["m z²/2", "−k (1/|r| + 1/|r₋|)/2", "their sum (3.28)", "with 1/4 as printed"];
+        let mut ends = Vec::new();
         for ((curve, name), colour) in curves.into_iter().zip(names).zip([GREEN, OCHRE, BLUE, RED]) {
-            picture::name_ends(&energy, vec![(curve[curve.len() - 1], name, colour)])?;
+            ends.push((curve[curve.len() - 1], name, colour));
             picture::line(&mut energy, curve, colour, 2.0)?;
         }
-        Ok(())
+        picture::name_ends(&energy, ends)
     })
 }
 

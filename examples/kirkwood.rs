@@ -99,11 +99,17 @@ fn main() -> Drawn {
 
     let path = picture::save("kirkwood.svg", [760, 420], |area| {
         let title = "Asteroids beside and in the gap at 2.50 au";
-        let (x, y) =
-            (picture::Axis::linear("thousands of years", 0.0..400.0), picture::Axis::linear("eccentricity", 0.0..0.5));
-        let mut chart = picture::chart(area, title, x, y, 150)?;
+        let (x, y) = (
+            picture::Axis::linear("time (thousands of years)", 0.0..400.0),
+            picture::Axis::linear("eccentricity of the orbit", 0.0..0.5),
+        );
+        let mut chart = picture::chart(area, title, x, y, 165)?;
         let mut ends = Vec::new();
-        for (((name, ..), history), colour) in ASTEROIDS.iter().zip(&histories).zip([BLUE, OCHRE, RED, PURPLE, GREEN]) {
+        let all = ASTEROIDS.iter().zip(&histories).zip([BLUE, OCHRE, RED, PURPLE, GREEN]);
+        // Those beside the gap, which hardly change, over those in it.
+        let (beside, within): (Vec<_>, Vec<_>) =
+            all.partition(|((asteroid, _), _)| !asteroid.0.starts_with("in the gap"));
+        for (((name, ..), history), colour) in within.into_iter().chain(beside) {
             let line: Vec<_> = history.iter().map(|&(t, e)| (t / 1000.0, e)).collect();
             ends.extend(line.last().map(|&end| (end, *name, colour)));
             picture::line(&mut chart, line, colour, 1.5)?;

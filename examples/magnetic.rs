@@ -119,15 +119,19 @@ fn orbit() -> Drawn<PathBuf> {
     let end = low + drift * run.last().t;
     picture::save("magnetic_orbit.svg", [760, 640], |area| {
         let title = "A charge in a field that grows to the right: its circles drift along y";
-        let mut chart = picture::equal_chart(area, title, -1.4..3.6)?;
-        picture::line(&mut chart, path, BLUE, 1.6)?;
-        picture::line(&mut chart, vec![(centre, low), (centre, end)], OCHRE, 2.5)?;
-        picture::dots(&mut chart, &[start], BLUE, 4.0)?;
+        let x = Axis::linear("x (dimensionless)", -0.9..3.4);
+        let y = Axis::linear("y (dimensionless)", -1.35..1.8);
+        let mut chart = picture::equal_axes(area, title, x, y, 10)?;
+        let line = vec![(centre, low), (centre, end)];
+        picture::line(&mut chart, path.clone(), BLUE, 2.0)?;
+        picture::line(&mut chart, line.clone(), OCHRE, 2.0)?;
+        picture::rings(&mut chart, &[start], BLUE, 5.0)?;
         picture::dots(&mut chart, &[(centre, low)], OCHRE, 4.0)?;
-        picture::label(&chart, start, (-12, 0), "start", INK)?;
+        picture::dots(&mut chart, &path[path.len() - 1..], BLUE, 4.0)?;
+        let words = [(start, "start"), (path[path.len() - 1], "end")].map(|(at, word)| (at, word.to_owned(), INK));
         picture::label(&chart, (1.7, end), (8, 0), "the line: ½ v² (m/b) ∇b/b · t,", OCHRE)?;
         picture::label(&chart, (1.7, end), (8, 20), "the drift to first order", OCHRE)?;
-        Ok(())
+        picture::label_beside(&chart, &[path, line], &words)
     })
 }
 
@@ -143,7 +147,7 @@ fn energy_errors() -> Drawn<PathBuf> {
     picture::save("magnetic_energy.svg", [900, 520], |area| {
         let title = "Energy error in the graded field, dt = 0.01: the largest so far";
         let y = Axis::powers_of_ten("|E − E₀| / E₀", -16.0..2.0);
-        let mut chart = picture::chart(area, title, Axis::linear("time", 0.0..100.0), y, 150)?;
+        let mut chart = picture::chart(area, title, Axis::linear("time (dimensionless)", 0.0..100.0), y, 150)?;
         let mut names = Vec::new();
         for (colour, run) in &runs {
             let points = largest_so_far(run.states());

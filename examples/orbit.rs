@@ -99,13 +99,19 @@ fn figure_5_1(leapfrog: &Run<State<2>>) -> Drawn<PathBuf> {
     let ellipse: Vec<_> = (0..=720).map(|i| on_the_ellipse(f64::from(i).to_radians() / 2.0)).collect();
     picture::save("figure_5_1.svg", [760, 640], |area| {
         let title = "Figure 5.1: the 86th orbit by leap-frog, dt = 0.001";
-        let mut chart = picture::equal_chart(area, title, -1.2..0.8)?;
+        let mut chart = picture::equal_axes(
+            area,
+            title,
+            Axis::linear("x (dimensionless)", -1.2..0.8),
+            Axis::linear("y (dimensionless)", 0.0..0.0),
+            10,
+        )?;
         picture::line(&mut chart, ellipse, PALE, 7.0)?;
         picture::line(&mut chart, path, BLUE, 1.5)?;
         picture::dots(&mut chart, &tenths, BLUE, 3.5)?;
         picture::dots(&mut chart, &[(0.0, 0.0)], OCHRE, 9.0)?;
         picture::label(&chart, (0.0, 0.0), (0, 22), "sun", INK)?;
-        picture::label(&chart, (0.5, 0.0), (12, 0), "start", INK)?;
+        picture::label(&chart, (0.5, 0.0), (12, 0), "start and end", INK)?;
         picture::label(&chart, (-0.245, -0.35), (0, 0), "a dot every 0.1 in time", BLUE)?;
         picture::label(&chart, (-0.245, -0.35), (0, 20), "wide and pale: the exact ellipse", INK)?;
         Ok(())
@@ -125,16 +131,18 @@ fn energy_errors(runs: &[Run<State<2>>; 5]) -> Drawn<PathBuf> {
         let energies = run.states().iter().map(|state| (state.t, energy(state.v, SUN.energy(state.q))));
         curves.push((run.report().scheme(), colour, largest_errors(energies.collect())));
     }
-    curves.push(("Kanatani, own energy", PURPLE, largest_errors(own_energies(0.01)?)));
+    curves.push(("Kanatani, own energy", INK, largest_errors(own_energies(0.01)?)));
     picture::save("energy_error.svg", [900, 560], |area| {
         let title = "Energy error of the planet, dt = 0.01: the largest in each revolution";
-        let x = Axis::linear("time", 0.0..350.0);
+        let x = Axis::linear("time (dimensionless)", 0.0..350.0);
         let y = Axis::powers_of_ten("|E − E₀| / |E₀|", -16.0..0.0);
         let mut chart = picture::chart(area, title, x, y, 170)?;
         let names = curves.iter().map(|(name, colour, points)| (points[points.len() - 1], *name, *colour)).collect();
         picture::name_ends(&chart, names)?;
-        for (_, colour, points) in curves {
-            picture::line(&mut chart, points, colour, 2.0)?;
+        // Kanatani's error is that of the implicit scheme, and its own energy is kept as well as that of the discrete gradient.
+        for (name, colour, points) in curves {
+            let line = if name.starts_with("Kanatani") { picture::dashed } else { picture::line };
+            line(&mut chart, points, colour, 2.0)?;
         }
         Ok(())
     })

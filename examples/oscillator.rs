@@ -162,12 +162,20 @@ fn draw(growth: &[(u64, [f64; 2])]) -> Drawn<std::path::PathBuf> {
     let ellipse = (0..=400).map(|i| exact(0.01 * f64::from(i))).map(|[x, y]| (x, y)).collect();
     picture::save("oscillator.svg", [1120, 520], |area| {
         let (left, right) = area.split_horizontally(520 * 4);
-        let mut path = picture::equal_chart(&left, "One revolution, h = 0.1", -1.1..1.1)?;
+        let mut path = picture::equal_axes(
+            &left,
+            "One revolution, h = 0.1",
+            Axis::linear("x (dimensionless)", -1.1..1.1),
+            Axis::linear("y (dimensionless)", 0.0..0.0),
+            10,
+        )?;
         picture::line(&mut path, ellipse, PALE, 7.0)?;
         picture::line(&mut path, steps.clone(), BLUE, 1.0)?;
         picture::dots(&mut path, &steps, BLUE, 3.5)?;
         picture::label(&path, (0.0, 0.0), (0, -10), "a dot at each step", BLUE)?;
         picture::label(&path, (0.0, 0.0), (0, 10), "wide and pale: exact", INK)?;
+        picture::rings(&mut path, &steps[..1], INK, 6.0)?;
+        picture::label(&path, steps[0], (12, -6), "start", INK)?;
 
         let x = Axis::powers_of_ten("steps", 1.0..6.0);
         let y = Axis::powers_of_ten("largest relative change of (3.22)", -16.0..-9.0);

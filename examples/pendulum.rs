@@ -132,12 +132,20 @@ fn figure_4_2() -> Drawn<PathBuf> {
         |sign: f64| (0..=100).map(|t| (f64::from(t), sign * FRAC_PI_4 * (-0.0015 * f64::from(t)).exp())).collect();
     picture::save("figure_4_2.svg", [900, 420], |area| {
         let title = "Figure 4.2: the damped pendulum, α = 0.003, Δt = 0.01, implicit";
-        let mut chart = picture::chart(area, title, Axis::linear("t", 0.0..100.0), Axis::linear("x", -1.0..1.0), 110)?;
+        let mut chart = picture::chart(
+            area,
+            title,
+            Axis::linear("t (dimensionless)", 0.0..100.0),
+            Axis::linear("x (radians)", -1.0..1.0),
+            110,
+        )?;
         picture::line(&mut chart, envelope(1.0), OCHRE, 1.5)?;
         picture::line(&mut chart, envelope(-1.0), OCHRE, 1.5)?;
-        picture::line(&mut chart, motion, BLUE, 1.8)?;
+        picture::dots(&mut chart, &motion[..1], BLUE, 3.5)?;
+        picture::label(&chart, motion[0], (10, -8), "start", INK)?;
+        picture::line(&mut chart, motion, BLUE, 1.5)?;
         picture::label(&chart, (100.0, 0.68), (8, 0), "π/4 e^(−αt/2)", OCHRE)?;
-        picture::label(&chart, (100.0, -0.517), (8, 0), "t = 100", INK)?;
+        picture::label(&chart, (100.0, -0.517), (8, 0), "end, t = 100", INK)?;
         Ok(())
     })
 }

@@ -67,8 +67,11 @@ fn main() -> Drawn {
     println!("\n{crossings} crossings in {steps} steps: {seconds:.3} s, without looking for them {without:.3} s");
 
     let path = picture::save("section.svg", [760, 640], |area| {
-        let title = "Hénon and Heiles at E = 1/8: the plane x = 0, v_x > 0";
-        let (x, y) = (picture::Axis::linear("y", -0.45..0.7), picture::Axis::linear("velocity of y", -0.5..0.5));
+        let title = "Hénon and Heiles at E = 1/8: crossings of the plane x = 0 with v_x > 0";
+        let (x, y) = (
+            picture::Axis::linear("y (dimensionless)", -0.45..0.7),
+            picture::Axis::linear("velocity of y (dimensionless)", -0.5..0.5),
+        );
         let mut chart = picture::chart(area, title, x, y, 20)?;
         for ((_, colour, size), run) in starts.iter().zip(&runs) {
             let points: Vec<_> = run.events().iter().map(|event| (event.state().q[1], event.state().v[1])).collect();

@@ -70,7 +70,8 @@ fn energies(leapfrog: &Run<SceneState<1>>, exact: &Run<SceneState<1>>) {
 fn figure(name: &str, title: &str, run: &Run<SceneState<1>>, steps: RangeInclusive<usize>) -> Drawn<PathBuf> {
     let title = format!("{title}: 201 particles, Δt = 0.001, leap-frog, every {BETWEEN} steps");
     picture::save(name, [900, 700], |area| {
-        let (x, y) = (Axis::linear("x", 0.0..2.0), Axis::linear("y", -1.6..1.2));
+        let (x, y) =
+            (Axis::linear("x (the paper's units)", 0.0..2.0), Axis::linear("y (the paper's units)", -1.6..1.2));
         let mut chart = picture::chart(area, &title, x, y, 10)?;
         let colours = [BLUE, OCHRE, GREEN].into_iter().cycle();
         for (step, colour) in steps.step_by(BETWEEN).zip(colours) {
@@ -93,7 +94,7 @@ fn subscript(step: usize) -> String {
 fn energy_errors(leapfrog: &Run<SceneState<1>>, exact: &Run<SceneState<1>>) -> Drawn<PathBuf> {
     picture::save("string_energy.svg", [900, 440], |area| {
         let title = "The energy of the string, Δt = 0.001";
-        let (x, y) = (Axis::linear("step", 0.0..STEPS as f64), Axis::linear("100 (E − E₀) / E₀", -0.14..0.02));
+        let (x, y) = (Axis::linear("steps", 0.0..STEPS as f64), Axis::linear("100 (E − E₀) / E₀", -0.14..0.02));
         let mut chart = picture::chart(area, title, x, y, 140)?;
         let mut names = Vec::new();
         for (run, colour) in [(leapfrog, OCHRE), (exact, GREEN)] {

@@ -69,7 +69,10 @@ fn main() -> Drawn {
 
     let path = picture::save("sweep.svg", [880, 640], |area| {
         let title = "Hénon and Heiles at E = 1/8: by how much neighbours part until t = 200";
-        let (x, y) = (Axis::linear("y", Y[0]..Y[1]), Axis::linear("velocity of y", V[0]..V[1]));
+        let (x, y) = (
+            Axis::linear("y at the start (dimensionless)", Y[0]..Y[1]),
+            Axis::linear("velocity of y at the start (dimensionless)", V[0]..V[1]),
+        );
         let mut chart = picture::chart(area, title, x, y, 170)?;
         let colour = |powers: Option<f64>| {
             powers.map(|powers| COLOURS.iter().rposition(|&(from, _)| powers >= from).unwrap_or_default())

@@ -19,7 +19,7 @@ mod section_6;
 use std::path::PathBuf;
 
 use dmech::prelude::*;
-use picture::{BLUE, Drawn, GREEN, RED};
+use picture::{Axis, BLUE, Drawn, GREEN, RED};
 use section_6::{DT, LAW, Outcome, implicit, kinetic_energy, molecules};
 
 /// The steps of the paper, those of its figure, and those between two of its positions.
@@ -113,19 +113,25 @@ fn work(run: &Run<SceneState<2>>, paper: &Run<SceneState<2>>) {
 /// The three paths to step 1700, a dot every 50 steps, and letters at the same times.
 fn figure_6_1(states: &[SceneState<2>]) -> Drawn<PathBuf> {
     picture::save("figure_6_1.svg", [960, 700], |area| {
-        let title = "Figure 6.1: three molecules, 1700 implicit steps of 0.01; a dot every 50, a letter every 300";
-        let mut chart = picture::equal_chart_about(area, title, -260.0..200.0, -25.0)?;
+        let title = "Figure 6.1: three molecules, 1700 implicit steps of 0.01; a dot every 50, a letter every 300 from A, the start";
+        let mut chart = picture::equal_axes(
+            area,
+            title,
+            Axis::linear("x (dimensionless)", -260.0..200.0),
+            Axis::linear("y (dimensionless)", -25.0..-25.0),
+            10,
+        )?;
         let (mut lines, mut labels) = (Vec::new(), Vec::new());
         for (body, colour) in [BLUE, RED, GREEN].into_iter().enumerate() {
             let path: Vec<_> = states[..=DRAWN].iter().map(|state| (state.q[body][0], state.q[body][1])).collect();
             let dots: Vec<_> = path.iter().copied().step_by(BETWEEN).collect();
             let lettered = ('A'..).zip(path.iter().step_by(LETTERED));
             labels.extend(lettered.map(|(letter, &at)| (at, format!("{}{letter}", body + 1), colour)));
-            lines.extend_from_slice(&path);
-            picture::line(&mut chart, path, colour, 1.2)?;
+            lines.push(path.clone());
+            picture::line(&mut chart, path, colour, 1.5)?;
             picture::dots(&mut chart, &dots, colour, 2.6)?;
         }
-        picture::label_clear(&chart, &lines, &labels)
+        picture::label_beside(&chart, &lines, &labels)
     })
 }
 

@@ -14,7 +14,7 @@
 //! energy-exact schemes pay for a nonlinear solve in each step, and their column of energy drifts shows what for.
 //!
 //! The program prints a table for each motion, writes the rows as CSV and the lines as a picture, and collects all in
-//! `work_precision.html`. It takes about a minute and a half.
+//! `work_precision.html`. A bar shows how far it is; it takes about a minute.
 
 #[path = "shared/page.rs"]
 mod page;
@@ -22,18 +22,15 @@ mod page;
 mod picture;
 
 use std::f64::consts::FRAC_PI_4;
-use std::path::PathBuf;
-
 use std::time::Duration;
 
 use dmech::extend::AtStages;
 use dmech::models::{Anharmonic, HenonHeiles, Kepler, Morse, Pendulum};
-use dmech::plot::plotters::style::RGBColor;
 use dmech::prelude::*;
 use dmech::{StudyError, StudyReport};
 use indicatif::{ProgressBar, ProgressStyle};
 use page::Section;
-use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PURPLE, RED, TEAL};
+use picture::Drawn;
 
 /// What a motion is called, what is to be seen in it, and its study.
 type Motion = (&'static str, &'static str, &'static str, fn() -> Result<StudyReport, StudyError>);
@@ -78,7 +75,8 @@ fn main() -> Drawn {
         bar.suspend(|| println!("{title}\n{report}"));
         let csv = picture::place(&format!("work_precision_{name}.csv"))?;
         report.save_csv(&csv)?;
-        let svg = draw(&format!("work_precision_{name}.svg"), title, &report)?;
+        let svg = picture::place(&format!("work_precision_{name}.svg"))?;
+        report.plot_titled(&svg, &format!("{title}: time for an error"))?;
         bar.suspend(|| println!("Rows: {}\nPicture: {}\n", csv.display(), svg.display()));
         sections.push(Section { title, words, picture: svg, report });
         bar.inc(1);
@@ -126,7 +124,6 @@ fn anharmonic() -> Result<StudyReport, StudyError> {
     all_schemes(Study::new(Anharmonic::default(), start, 100.0)).precise().run()
 }
 
-/// In the order of [`LINES`].
 fn all_schemes<'a, L, const D: usize>(study: Study<'a, L, State<D>>) -> Study<'a, L, State<D>>
 where
     L: AtStages<D, f64> + VelocityIndependent + Clone + 'a,
@@ -159,97 +156,4 @@ where
         .scheme(LineIntegral::order10())
         .scheme(Gauss::order16())
         .adaptive(Gauss::order16(), tolerances())
-}
-
-/// What the lines are called at their ends, and their colours, one for each family.
-const LINES: [(&str, RGBColor); 25] = [
-    ("Leapfrog", BLUE),
-    ("Implicit", INK),
-    ("DiscreteGradient", RED),
-    ("Kanatani", INK),
-    ("4", BLUE),
-    ("6", BLUE),
-    ("8", BLUE),
-    ("N4", GREEN),
-    ("N6", GREEN),
-    ("N8", GREEN),
-    ("F4", OCHRE),
-    ("F6", OCHRE),
-    ("F8", OCHRE),
-    ("4", RED),
-    ("6", RED),
-    ("8", RED),
-    ("AN6", PURPLE),
-    ("AF8", PURPLE),
-    ("A6", PURPLE),
-    ("A8", PURPLE),
-    ("L4", TEAL),
-    ("L8", TEAL),
-    ("L10", TEAL),
-    ("G16", TEAL),
-    ("AG16", PURPLE),
-];
-
-fn draw(name: &str, title: &str, report: &StudyReport) -> Drawn<PathBuf> {
-    let lines: Vec<_> = (0..LINES.len()).map(|scheme| points(report, scheme)).collect();
-    let bounds = |of: fn(&(f64, f64)) -> f64| {
-        let values = lines.iter().flatten().map(of);
-        values.fold((f64::MAX, f64::MIN), |(least, most), x| (x.min(least), x.max(most)))
-    };
-    let ((fastest, slowest), (least, _)) = (bounds(|p| p.0), bounds(|p| p.1));
-    picture::save(name, [900, 680], |area| {
-        let title = format!("{title}: time for an error");
-        // Room for a name beyond the slowest and below the most accurate run.
-        let x = Axis::powers_of_ten("time, seconds", fastest.floor()..slowest + 0.7);
-        let y = Axis::powers_of_ten("error of the final position", (least - 1.5).floor()..0.0);
-        let mut chart = picture::chart(area, &title, x, y, 60)?;
-        for (points, (_, colour)) in lines.iter().zip(LINES) {
-            picture::line(&mut chart, points.clone(), colour, 1.5)?;
-            picture::dots(&mut chart, points, colour, 2.0)?;
-        }
-        let obstacles: Vec<_> = lines.iter().flat_map(|points| dense(points)).collect();
-        let end = |points: &Vec<(f64, f64)>| points.last().copied();
-        // From the highest order down: the names of steep lines have the least room.
-        let names = lines.iter().zip(LINES).rev();
-        let labels = names.filter_map(|(points, (name, colour))| Some((end(points)?, name.to_owned(), colour)));
-        picture::label_clear(&chart, &obstacles, &labels.collect::<Vec<_>>())?;
-        let corner = (fastest.floor(), (least - 1.5).floor());
-        let key = [
-            ("4, 6, 8: Composed(Leapfrog)", BLUE),
-            ("4, 6, 8: Composed(DiscreteGradient)", RED),
-            ("N: Nystrom", GREEN),
-            ("F: ForceGradient", OCHRE),
-            ("L: LineIntegral, G: Gauss", TEAL),
-            ("A: steps that follow the motion, of Composed(DiscreteGradient), N, F, G", PURPLE),
-        ];
-        for (row, (words, colour)) in key.iter().rev().enumerate() {
-            picture::label(&chart, corner, (12, -18 - 17 * row as i32), words, *colour)?;
-        }
-        Ok(())
-    })
-}
-
-/// Logarithms of time and error: from where the error is less than the size of the motion to where it stops falling, as
-/// what follows is rounding.
-fn points(report: &StudyReport, scheme: usize) -> Vec<(f64, f64)> {
-    let figures = report.rows_of(scheme).filter_map(|row| row.result().ok());
-    let told = figures.take_while(|figures| figures.error() >= 1e-13);
-    let mut points: Vec<_> =
-        told.map(|figures| (figures.time().as_secs_f64().log10(), figures.error().log10())).collect();
-    let lost = points.iter().rposition(|point| point.1 > 0.0);
-    points.drain(..lost.map_or(0, |lost| lost + 1));
-    // The step is halved and the error, which is small, is not.
-    let stalls = |pair: &[(f64, f64)]| pair[1].1 < -8.0 && pair[1].1 > pair[0].1 - 0.3;
-    let end = points.windows(2).position(stalls);
-    points.truncate(end.map_or(points.len(), |end| end + 1));
-    points
-}
-
-/// Points on a line, close together.
-fn dense(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> {
-    let between = |pair: &[(f64, f64)], k: i32| {
-        let part = f64::from(k) / 40.0;
-        (pair[0].0 + part * (pair[1].0 - pair[0].0), pair[0].1 + part * (pair[1].1 - pair[0].1))
-    };
-    points.windows(2).flat_map(move |pair| (0..40).map(move |k| between(pair, k)))
 }

@@ -234,6 +234,7 @@
 //! | `progress` | no | `Simulation::with_progress`, `Ensemble::with_progress`: a bar on the terminal during long runs, through indicatif |
 //! | `store` | no | `Ensemble::store`: a sweep in a database of SQLite, which goes on from it bit for bit after it was killed; SQLite comes along |
 //! | `ranks` | no | `Ensemble::ranks`: several processes move an ensemble together, those of MPI by the crate `dmech-mpi` |
+//! | `plot` | no | `Run::plot`, `Run::plot_energy`, `StudyReport::plot`: motions, invariants and studies as pictures (SVG), through plotters; `dmech::plot` is what they are drawn with |
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 

@@ -2,9 +2,11 @@
 
 use std::f64::consts::PI;
 
-use plotters::prelude::{EmptyElement, RGBColor, Text};
+use plotters::prelude::{Color, EmptyElement, RGBColor, Rectangle, Text, WHITE};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use crate::marks::pixels;
+use crate::thin::Seen;
 use crate::{Chart, Drawn, FINE, text};
 
 /// Words at a point, moved by whole pixels to the right and down; they begin there, or end there if moved to the left.
@@ -45,35 +47,60 @@ pub fn name_column(chart: &Chart<'_>, corner: (f64, f64), names: &[(&str, RGBCol
 ///
 /// `lines` are the points of the lines, close together.
 pub fn label_clear(chart: &Chart<'_>, lines: &[(f64, f64)], labels: &[((f64, f64), String, RGBColor)]) -> Drawn {
-    let pixels = |at: &(f64, f64)| {
-        let (x, y) = chart.backend_coord(at);
-        (f64::from(x) / f64::from(FINE), f64::from(y) / f64::from(FINE))
-    };
-    let lines: Vec<_> = lines.iter().map(pixels).collect();
-    let mut placed: Vec<((f64, f64), f64)> = Vec::new();
+    let points: Vec<_> = lines.iter().map(|&point| vec![point]).collect();
+    label_beside(chart, &points, labels)
+}
+
+/// The same beside lines through points that may be far apart. No words stand outside of the chart.
+pub fn label_beside(chart: &Chart<'_>, lines: &[Vec<(f64, f64)>], labels: &[((f64, f64), String, RGBColor)]) -> Drawn {
+    let (size, pixel) = pixels(chart);
+    let mut drawn = Seen::new(size, 2.0);
+    for line in lines {
+        if let Some(first) = line.first() {
+            drawn.mark(pixel(first));
+        }
+        for ends in line.windows(2) {
+            drawn.draw(pixel(&ends[0]), pixel(&ends[1]));
+        }
+    }
+    let mut placed: Vec<([f64; 2], f64)> = Vec::new();
     for (at, words, colour) in labels {
-        let (x, y) = pixels(at);
-        let half = 4.0 * words.chars().count() as f64 + 2.0;
-        let clutter = |(dx, dy): &(i32, i32)| {
-            let centre = (x + f64::from(*dx), y + f64::from(*dy));
-            let away = |other: (f64, f64), half: f64, high: f64| {
-                (other.0 - centre.0).abs() > half || (other.1 - centre.1).abs() > high
-            };
-            let on_lines = lines.iter().filter(|&&point| !away(point, half, 9.0)).count();
-            let on_words = placed.iter().filter(|(point, other)| !away(*point, half + other, 16.0)).count();
-            on_lines + 1000 * on_words
+        let [x, y] = pixel(at);
+        let half = half_width(words);
+        let clutter = |&(dx, dy): &(i32, i32)| {
+            let [x, y] = [x + f64::from(dx), y + f64::from(dy)];
+            let away = |other: &[f64; 2], with: f64| (other[0] - x).abs() > half + with || (other[1] - y).abs() > 16.0;
+            let on_lines = drawn.within([x - half, x + half], [y - 9.0, y + 9.0]);
+            let on_words = placed.iter().filter(|(point, other)| !away(point, *other)).count();
+            let outside = x - half < 2.0 || x + half > size[0] - 2.0 || y < 9.0 || y > size[1] - 9.0;
+            on_lines + 2000 * on_words + 4000 * usize::from(outside)
         };
-        let around = (12..48).step_by(4).flat_map(|radius| (0..16).map(move |turn| (radius, turn)));
+        let around = (12..64).step_by(4).flat_map(|radius| (0..16).map(move |turn| (radius, turn)));
         let places = around.map(|(radius, turn)| {
             let (sin, cos) = (0.125 * PI * f64::from(turn)).sin_cos();
             let radius = f64::from(radius);
             (((radius + half - 8.0) * cos).round() as i32, (-radius * sin).round() as i32)
         });
         let moved = places.min_by_key(clutter).unwrap_or_default();
-        placed.push(((x + f64::from(moved.0), y + f64::from(moved.1)), half));
+        if clutter(&moved) > 0 {
+            // There is no clear place: the words make one.
+            let fine = f64::from(FINE);
+            let corner = |side: f64| {
+                let [dx, dy] = [f64::from(moved.0) + side * half, f64::from(moved.1) + side * 9.0];
+                ((fine * dx) as i32, (fine * dy) as i32)
+            };
+            let ground = Rectangle::new([corner(-1.0), corner(1.0)], WHITE.mix(0.8).filled());
+            chart.plotting_area().draw(&(EmptyElement::at(*at) + ground))?;
+        }
+        placed.push(([x + f64::from(moved.0), y + f64::from(moved.1)], half));
         centred(chart, *at, moved, words, *colour)?;
     }
     Ok(())
+}
+
+/// Half the width of words of 14 pixels' height, and a little more.
+fn half_width(words: &str) -> f64 {
+    4.0 * words.chars().count() as f64 + 2.0
 }
 
 fn centred(chart: &Chart<'_>, at: (f64, f64), (dx, dy): (i32, i32), words: &str, colour: RGBColor) -> Drawn {

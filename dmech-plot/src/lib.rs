@@ -20,14 +20,19 @@
 mod axis;
 mod chart;
 mod colour;
+mod fit;
 mod labels;
 mod marks;
+mod number;
+mod thin;
 
 pub use axis::Axis;
-pub use chart::{chart, equal_chart, equal_chart_about, equal_chart_beside};
+pub use chart::{chart, equal_axes, equal_chart, equal_chart_about, equal_chart_beside, headed};
 pub use colour::{BLUE, GREEN, INK, OCHRE, PALE, PURPLE, RED, TEAL};
-pub use labels::{label, label_clear, name_column, name_ends};
-pub use marks::{dots, line};
+pub use fit::Fit;
+pub use labels::{label, label_beside, label_clear, name_column, name_ends};
+pub use marks::{apart, dashed, dots, line, lines, rings, squares};
+pub use number::{count, number, rough};
 pub use plotters;
 
 use std::error::Error;

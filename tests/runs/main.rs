@@ -5,6 +5,7 @@ mod checkpoint;
 mod events;
 mod output;
 mod own_invariants;
+mod plots;
 mod progress;
 mod resumed;
 mod streams;

@@ -2,6 +2,8 @@
 
 use core::ops::ControlFlow;
 
+#[cfg(feature = "plot")]
+use super::course::Course;
 use super::event::Event;
 use super::zero::zero;
 use crate::error::Error;
@@ -46,6 +48,10 @@ pub trait Attend<X> {
 
     /// How the watched quantities moved.
     fn drifts(&self, _see: &mut dyn FnMut(&'static str, Drift)) {}
+
+    /// The course of each, in the same order.
+    #[cfg(feature = "plot")]
+    fn courses(&self, _see: &mut dyn FnMut(&Course)) {}
 
     /// Takes a recorded state, which the run then does not keep.
     ///
@@ -98,6 +104,12 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     fn drifts(&self, see: &mut dyn FnMut(&'static str, Drift)) {
         self.0.drifts(see);
         self.1.drifts(see);
+    }
+
+    #[cfg(feature = "plot")]
+    fn courses(&self, see: &mut dyn FnMut(&Course)) {
+        self.0.courses(see);
+        self.1.courses(see);
     }
 
     fn take(&mut self, state: &X) -> Result<bool, Error> {

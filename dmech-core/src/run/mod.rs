@@ -2,6 +2,8 @@
 
 mod attend;
 mod between;
+#[cfg(feature = "plot")]
+mod course;
 mod csv;
 mod due;
 mod event;
@@ -10,6 +12,8 @@ mod motion;
 mod observe;
 mod output;
 mod passage;
+#[cfg(feature = "plot")]
+mod picture;
 mod progress;
 mod quantity;
 mod report;
@@ -67,6 +71,8 @@ pub struct Run<X> {
     events: Vec<Event<X>>,
     stopped: bool,
     report: Report,
+    #[cfg(feature = "plot")]
+    courses: course::Courses,
 }
 
 /// States to make room for in advance, whatever the machine.
@@ -76,7 +82,15 @@ impl<X> Run<X> {
     pub(crate) fn empty<M: Method>(start: X, scheme: &M, dt: f64, mass: f64) -> Self {
         let kept = Invariant::ALL.map(M::keeps);
         let report = Report::new(scheme, dt, mass, kept);
-        Run { states: Vec::new(), last: start, events: Vec::new(), stopped: false, report }
+        Run {
+            states: Vec::new(),
+            last: start,
+            events: Vec::new(),
+            stopped: false,
+            report,
+            #[cfg(feature = "plot")]
+            courses: course::Courses::default(),
+        }
     }
 
     /// Refuses more states, each of so many bytes, than there is memory for, before the run and not when it is full.

@@ -23,6 +23,8 @@ pub(crate) fn record<Y: System, S: Scheme<Y>, O: Attend<Y::State>>(
     shown: Shown,
 ) -> Result<Run<Y::State>, Interrupted<Y::State>> {
     let mut log = Log::new(&stepper, run, due, attend);
+    #[cfg(feature = "plot")]
+    log.watch.keep_courses(stepper.t());
     // A stream keeps none.
     let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps, stepper.dt) };
     if let Err(cause) = log.run.expect(states, Y::size(&stepper.start)) {
@@ -114,6 +116,15 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         if self.looked_at != stepper.steps() {
             let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| stepper.state());
             self.look_at(stepper, &last);
+        }
+        #[cfg(feature = "plot")]
+        {
+            let (mut courses, mut k) = (self.watch.take_courses(), self.watch.own_drifts().iter().count());
+            self.attend.courses(&mut |course| {
+                courses.add(k, course.clone());
+                k += 1;
+            });
+            self.run.courses = courses;
         }
         let Log { mut run, watch, attend, between: Spent { evaluations, iterations }, .. } = self;
         let (evaluations, iterations) = (evaluations + stepper.evaluations(), iterations + stepper.iterations());

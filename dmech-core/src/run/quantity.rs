@@ -1,6 +1,8 @@
 //! Quantities of the state that a run watches.
 
 use super::attend::Attend;
+#[cfg(feature = "plot")]
+use super::course::Course;
 use super::simulation::{Attended, Simulation};
 use crate::invariant::Drift;
 use crate::setup::Setup;
@@ -28,7 +30,13 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         name: &'static str,
         function: F,
     ) -> Attended<L, X, S, O, Quantity<F>> {
-        self.attended(Quantity { name, function, drift: None })
+        self.attended(Quantity {
+            name,
+            function,
+            drift: None,
+            #[cfg(feature = "plot")]
+            course: Course::new(),
+        })
     }
 }
 
@@ -38,6 +46,8 @@ pub struct Quantity<F> {
     name: &'static str,
     function: F,
     drift: Option<Drift>,
+    #[cfg(feature = "plot")]
+    course: Course,
 }
 
 impl<F> core::fmt::Debug for Quantity<F> {
@@ -51,6 +61,8 @@ impl<X, F: FnMut(&X) -> f64> Attend<X> for Quantity<F> {
 
     fn look(&mut self, t: f64, state: &X) {
         let value = (self.function)(state);
+        #[cfg(feature = "plot")]
+        self.course.see(t, self.drift.map_or(0.0, |drift| value - drift.start()));
         match &mut self.drift {
             Some(drift) => drift.observe(t, value, value - drift.start()),
             None => self.drift = Some(Drift::new(t, value)),
@@ -60,6 +72,13 @@ impl<X, F: FnMut(&X) -> f64> Attend<X> for Quantity<F> {
     fn drifts(&self, see: &mut dyn FnMut(&'static str, Drift)) {
         if let Some(drift) = self.drift {
             see(self.name, drift);
+        }
+    }
+
+    #[cfg(feature = "plot")]
+    fn courses(&self, see: &mut dyn FnMut(&Course)) {
+        if self.drift.is_some() {
+            see(&self.course);
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use dmech_scalar::{Compensated, Real};
 
+#[cfg(feature = "plot")]
+use super::course::Courses;
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
 use crate::scheme::Scheme;
@@ -44,6 +46,9 @@ pub struct Watch<Y: System> {
     /// The law's own invariants at the start.
     own_start: [Y::Scalar; MAX_OWN],
     own: OwnDrifts,
+    /// Their course, where it is kept.
+    #[cfg(feature = "plot")]
+    courses: Option<Courses>,
 }
 
 impl<Y: System> Watch<Y> {
@@ -53,7 +58,15 @@ impl<Y: System> Watch<Y> {
         let work = Compensated::new(Y::Scalar::ZERO);
         let own_start = [Y::Scalar::ZERO; MAX_OWN];
         let own = OwnDrifts::default();
-        let mut watch: Self = Watch { energies, work, drifts: [None; Invariant::ALL.len()], own_start, own };
+        let mut watch: Self = Watch {
+            energies,
+            work,
+            drifts: [None; Invariant::ALL.len()],
+            own_start,
+            own,
+            #[cfg(feature = "plot")]
+            courses: None,
+        };
         let state = stepper.state();
         for (k, name) in stepper.system.own_invariants().iter().enumerate().take(MAX_OWN) {
             watch.own_start[k] = stepper.system.own_invariant(k, &state);
@@ -86,6 +99,10 @@ impl<Y: System> Watch<Y> {
             let seen = seen.or_else(|| self.momentum(invariant, stepper, state));
             if let (Some((value, deviation)), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
                 drift.observe(Y::time(state), value, deviation);
+                #[cfg(feature = "plot")]
+                if let Some(courses) = &mut self.courses {
+                    courses.see(invariant, Y::time(state), deviation);
+                }
             }
         }
         self.observe_own(stepper, state);
@@ -105,8 +122,30 @@ impl<Y: System> Watch<Y> {
     pub(crate) fn observe_own<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
         for (k, drift) in self.own.iter_mut().enumerate() {
             let value = stepper.system.own_invariant(k, state);
-            drift.observe(Y::time(state), value.to_f64(), (value - self.own_start[k]).to_f64());
+            let deviation = (value - self.own_start[k]).to_f64();
+            drift.observe(Y::time(state), value.to_f64(), deviation);
+            #[cfg(feature = "plot")]
+            if let Some(courses) = &mut self.courses {
+                courses.see_own(k, Y::time(state), deviation);
+            }
         }
+    }
+
+    /// Keeps their course from here on, which is the start.
+    #[cfg(feature = "plot")]
+    pub(super) fn keep_courses(&mut self, t: f64) {
+        let mut courses = Courses::default();
+        Invariant::ALL
+            .into_iter()
+            .filter(|&invariant| self.drifts[invariant as usize].is_some())
+            .for_each(|invariant| courses.see(invariant, t, 0.0));
+        (0..self.own.iter().count()).for_each(|k| courses.see_own(k, t, 0.0));
+        self.courses = Some(courses);
+    }
+
+    #[cfg(feature = "plot")]
+    pub(super) fn take_courses(&mut self) -> Courses {
+        self.courses.take().unwrap_or_default()
     }
 
     /// How they moved.

@@ -6,6 +6,8 @@ mod entrant;
 mod extrapolation;
 mod interpolate;
 mod ladder;
+#[cfg(feature = "plot")]
+mod picture;
 mod precise;
 mod reference;
 mod report;
@@ -225,7 +227,10 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
             }
         }
         let schemes = runners.iter().map(|runner| (runner.name(), runner.order())).collect();
-        Ok(StudyReport::new(schemes, rows, [case.t(), case.end], resolution, reference))
+        let report = StudyReport::new(schemes, rows, [case.t(), case.end], resolution, reference);
+        #[cfg(feature = "plot")]
+        let report = report.of_length(scales.length);
+        Ok(report)
     }
 }
 

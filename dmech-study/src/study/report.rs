@@ -25,6 +25,9 @@ pub struct StudyReport {
     span: [f64; 2],
     resolution: f64,
     reference: Option<Reference>,
+    /// How large the motion is.
+    #[cfg(feature = "plot")]
+    length: f64,
 }
 
 impl StudyReport {
@@ -35,7 +38,25 @@ impl StudyReport {
         resolution: f64,
         reference: Option<Reference>,
     ) -> Self {
-        StudyReport { schemes, rows, span, resolution, reference }
+        StudyReport {
+            schemes,
+            rows,
+            span,
+            resolution,
+            reference,
+            #[cfg(feature = "plot")]
+            length: 1.0,
+        }
+    }
+
+    #[cfg(feature = "plot")]
+    pub(super) fn of_length(self, length: f64) -> Self {
+        StudyReport { length, ..self }
+    }
+
+    #[cfg(feature = "plot")]
+    pub(super) fn length(&self) -> f64 {
+        self.length
     }
 
     /// Every run: the schemes in the order of the study, each from its largest step to its smallest.

@@ -1,0 +1,137 @@
+//! How invariants moved in the course of a run, for its pictures.
+
+use crate::invariant::{Invariant, MAX_OWN};
+
+/// The most parts that a course is kept in.
+const PARTS: usize = 2048;
+
+/// The deviation of a quantity from its value at the start, over time: the least and the largest in each of at most 2048 parts.
+///
+/// A part is one state until there are 2048 of them; then two parts become one, and each part is of twice as many states.
+#[derive(Clone, Debug)]
+pub struct Course {
+    parts: Vec<Part>,
+    /// States in a part, and those that the last part still takes.
+    each: u64,
+    room: u64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) times: [f64; 2],
+    pub(super) least: f64,
+    pub(super) most: f64,
+    /// Whether one of them was no finite number.
+    pub(super) lost: bool,
+}
+
+impl Part {
+    fn with(self, other: Part) -> Part {
+        Part {
+            times: [self.times[0], other.times[1]],
+            least: self.least.min(other.least),
+            most: self.most.max(other.most),
+            lost: self.lost || other.lost,
+        }
+    }
+}
+
+impl Course {
+    pub(super) fn new() -> Self {
+        Course { parts: Vec::new(), each: 1, room: 0 }
+    }
+
+    pub(super) fn see(&mut self, t: f64, deviation: f64) {
+        let lost = !deviation.is_finite();
+        // What min and max pass over.
+        let x = if lost { f64::NAN } else { deviation };
+        let seen = Part { times: [t; 2], least: x, most: x, lost };
+        if self.room > 0
+            && let Some(last) = self.parts.last_mut()
+        {
+            *last = last.with(seen);
+            self.room -= 1;
+            return;
+        }
+        if self.parts.len() == PARTS {
+            self.parts = self.parts.chunks(2).map(|two| two[0].with(two[two.len() - 1])).collect();
+            self.each *= 2;
+        }
+        self.parts.push(seen);
+        self.room = self.each - 1;
+    }
+
+    pub(super) fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+}
+
+/// The courses of the invariants that a run watches.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Courses {
+    known: [Option<Course>; Invariant::ALL.len()],
+    own: Vec<Option<Course>>,
+}
+
+impl Courses {
+    pub(super) fn see(&mut self, invariant: Invariant, t: f64, deviation: f64) {
+        self.known[invariant as usize].get_or_insert_with(Course::new).see(t, deviation);
+    }
+
+    /// That of the number `k` of the law's own.
+    pub(super) fn see_own(&mut self, k: usize, t: f64, deviation: f64) {
+        if self.own.len() <= k {
+            self.own.resize(MAX_OWN.max(k + 1), None);
+        }
+        self.own[k].get_or_insert_with(Course::new).see(t, deviation);
+    }
+
+    /// Adds that of a quantity of the run, which is counted after those of the law.
+    pub(super) fn add(&mut self, k: usize, course: Course) {
+        if self.own.len() <= k {
+            self.own.resize(k + 1, None);
+        }
+        self.own[k] = Some(course);
+    }
+
+    pub(super) fn of(&self, invariant: Invariant) -> Option<&Course> {
+        self.known[invariant as usize].as_ref()
+    }
+
+    pub(super) fn of_own(&self, k: usize) -> Option<&Course> {
+        self.own.get(k)?.as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Course, PARTS};
+
+    /// Of any number of states the parts are few and follow one another, and no extreme is lost.
+    #[test]
+    fn a_course_keeps_every_extreme_in_few_parts() {
+        for states in [1_u32, 2, 2047, 2048, 2049, 5000, 1_000_000] {
+            let mut course = Course::new();
+            let value = |k: u32| f64::from(k.wrapping_mul(2_654_435_761) >> 8) - 8e6;
+            (0..states).for_each(|k| course.see(f64::from(k), value(k)));
+            let parts = course.parts();
+            assert!(parts.len() <= PARTS && parts.len() >= (states as usize).min(PARTS / 2));
+            assert!(parts[0].times[0] == 0.0 && parts[parts.len() - 1].times[1] == f64::from(states - 1));
+            assert!(parts.windows(2).all(|two| two[0].times[1] + 1.0 == two[1].times[0]));
+            for part in parts {
+                let within = part.times[0] as u32..=part.times[1] as u32;
+                let (least, most) = within.map(value).fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+                assert_eq!((part.least, part.most, part.lost), (least, most, false));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_told_and_hides_nothing() {
+        let mut course = Course::new();
+        for k in 0..3 * PARTS {
+            course.see(k as f64, if k % 2 == 0 { f64::NAN } else { k as f64 });
+        }
+        assert!(course.parts().iter().all(|part| part.lost && part.most >= part.least));
+    }
+}

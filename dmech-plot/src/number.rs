@@ -1,0 +1,52 @@
+//! Numbers in words and at axes.
+
+/// A number as it is printed: −2.5, 3·10⁻⁸.
+///
+/// ```
+/// use dmech_plot::number;
+///
+/// assert_eq!([-2.5, 3e-8, 1e20, 12345.0, f64::NAN].map(number), ["−2.5", "3·10⁻⁸", "10²⁰", "12345", "NaN"]);
+/// ```
+pub fn number(x: f64) -> String {
+    let plain = x == 0.0 || !x.is_finite() || (1e-3..1e6).contains(&x.abs());
+    let text = if plain { format!("{x}") } else { format!("{x:e}") };
+    let text = match text.split_once('e') {
+        Some((mantissa, exponent)) => {
+            let power = format!("10{}", superscript(exponent.parse().unwrap_or(0)));
+            match mantissa {
+                "1" => power,
+                "-1" => format!("-{power}"),
+                mantissa => format!("{mantissa}·{power}"),
+            }
+        }
+        None => text,
+    };
+    text.replace('-', "−")
+}
+
+/// The same with so many digits.
+pub fn rough(x: f64, digits: usize) -> String {
+    let x: f64 = format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x);
+    number(x)
+}
+
+/// A whole number in groups of three digits.
+pub fn count(n: u64) -> String {
+    let digits = n.to_string();
+    let grouped = |(i, digit): (usize, char)| {
+        let gap = i > 0 && digits.len() > 4 && (digits.len() - i).is_multiple_of(3);
+        gap.then_some('\u{202f}').into_iter().chain([digit])
+    };
+    digits.chars().enumerate().flat_map(grouped).collect()
+}
+
+pub(crate) fn superscript(exponent: i64) -> String {
+    let digit = |digit: char| match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => char::from_u32('⁰' as u32 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
+    };
+    exponent.to_string().chars().map(digit).collect()
+}

@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let start = State::new([0.5, 0.0], [0.0, 1.63]);
     let run = Simulation::new(Kepler { gm: 1.0 }, start).scheme(DiscreteGradient).dt(0.01).run_until(350.0)?;
     println!("{run}");
-    // In the folder that the program is started from.
     run.plot("planet.svg")?;
+    println!("Picture: planet.svg");
     Ok(())
 }

@@ -170,7 +170,7 @@ mod tests {
             [300.0 + 2e-1 * turn * turn.cos(), 300.0 + 2e-1 * turn * turn.sin()]
         };
         let line: Vec<_> = (0..1_000_000).map(spiral).collect();
-        let (parts, _) = thin(&[line.clone()], [600.0, 600.0], 40_000);
+        let (parts, _) = thin(std::slice::from_ref(&line), [600.0, 600.0], 40_000);
         assert!(parts.iter().map(|(_, part)| part.len()).sum::<usize>() <= 40_000);
         let mut near = std::collections::HashSet::new();
         for (_, part) in &parts {
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn what_is_no_number_ends_a_part() {
         let line = vec![[0.0, 1.0], [f64::NAN, 2.0], [300.0, 400.0], [500.0, 600.0], [7.0, f64::INFINITY]];
-        assert_eq!(thin(&[line.clone()], [900.0, 900.0], 100).0, [(0, vec![0]), (0, vec![2, 3])]);
+        assert_eq!(thin(std::slice::from_ref(&line), [900.0, 900.0], 100).0, [(0, vec![0]), (0, vec![2, 3])]);
         assert_eq!(thin(&[line], [900.0, 900.0], 0).0, [(0, vec![0]), (0, vec![2, 3])]);
     }
 }

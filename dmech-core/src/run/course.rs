@@ -11,6 +11,8 @@ const PARTS: usize = 2048;
 #[derive(Clone, Debug)]
 pub struct Course {
     parts: Vec<Part>,
+    /// Time and deviation of the first and the last state.
+    ends: [(f64, f64); 2],
     /// States in a part, and those that the last part still takes.
     each: u64,
     room: u64,
@@ -38,10 +40,14 @@ impl Part {
 
 impl Course {
     pub(super) fn new() -> Self {
-        Course { parts: Vec::new(), each: 1, room: 0 }
+        Course { parts: Vec::new(), ends: [(f64::NAN, f64::NAN); 2], each: 1, room: 0 }
     }
 
     pub(super) fn see(&mut self, t: f64, deviation: f64) {
+        if self.parts.is_empty() {
+            self.ends[0] = (t, deviation);
+        }
+        self.ends[1] = (t, deviation);
         let lost = !deviation.is_finite();
         // What min and max pass over.
         let x = if lost { f64::NAN } else { deviation };
@@ -59,6 +65,10 @@ impl Course {
         }
         self.parts.push(seen);
         self.room = self.each - 1;
+    }
+
+    pub(super) fn ends(&self) -> [(f64, f64); 2] {
+        self.ends
     }
 
     pub(super) fn parts(&self) -> &[Part] {
@@ -117,6 +127,7 @@ mod tests {
             let parts = course.parts();
             assert!(parts.len() <= PARTS && parts.len() >= (states as usize).min(PARTS / 2));
             assert!(parts[0].times[0] == 0.0 && parts[parts.len() - 1].times[1] == f64::from(states - 1));
+            assert_eq!(course.ends(), [0, states - 1].map(|k| (f64::from(k), value(k))));
             assert!(parts.windows(2).all(|two| two[0].times[1] + 1.0 == two[1].times[0]));
             for part in parts {
                 let within = part.times[0] as u32..=part.times[1] as u32;

@@ -62,7 +62,8 @@ use report::Work;
 /// It does not name the law or the scheme in its type, so runs of different schemes fit into one array.
 ///
 /// With the feature `serde` it can be written and read. JSON gives back every bit through `serde_json` with its feature
-/// `float_roundtrip`; it has no NaN and no infinity, which become `null` and are then refused.
+/// `float_roundtrip`; it has no NaN and no infinity, which become `null` and are then refused. The course of its invariants, for
+/// pictures, is not written.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run<X> {
@@ -71,7 +72,9 @@ pub struct Run<X> {
     events: Vec<Event<X>>,
     stopped: bool,
     report: Report,
+    // Not written: what a file holds does not depend on a feature for pictures.
     #[cfg(feature = "plot")]
+    #[cfg_attr(feature = "serde", serde(skip))]
     courses: course::Courses,
 }
 

@@ -27,6 +27,7 @@ pub(super) fn svg<X>(
     let unit = if relative { start.abs() } else { 1.0 };
     let parts: Vec<_> =
         course.parts().iter().map(|part| Part { least: part.least / unit, most: part.most / unit, ..*part }).collect();
+    let ends = course.ends().map(|(t, x)| (t, x / unit));
     let times =
         [parts.first().map_or(f64::NAN, |part| part.times[0]), parts.last().map_or(f64::NAN, |part| part.times[1])];
     let grows = grows(&parts, parts.iter().map(size).fold(0.0, f64::max));
@@ -45,7 +46,7 @@ pub(super) fn svg<X>(
     }
     draw([900, 480], |area| {
         let area = headed(area, &capital(&title), &words)?;
-        if grows { powers(&area, &parts, what) } else { plain(&area, &parts, what) }
+        if grows { powers(&area, &parts, ends, what) } else { plain(&area, &parts, ends, what) }
     })
 }
 
@@ -67,7 +68,10 @@ fn grows(parts: &[Part], largest: f64) -> bool {
     sizes.len() > 16 && largest > PEAKS * sizes[sizes.len() / 2]
 }
 
-fn plain(area: &Area<'_>, parts: &[Part], what: &str) -> Drawn {
+/// Time and deviation at both ends of a course.
+type Ends = [(f64, f64); 2];
+
+fn plain(area: &Area<'_>, parts: &[Part], ends: Ends, what: &str) -> Drawn {
     let time = times(parts);
     let values = Fit::of(parts.iter().flat_map(|part| [part.least, part.most]).chain([0.0]));
     let turns = parts.iter().enumerate().flat_map(|(k, part)| {
@@ -76,16 +80,19 @@ fn plain(area: &Area<'_>, parts: &[Part], what: &str) -> Drawn {
         let both = if k % 2 == 0 { [a, b] } else { [b, a] };
         both.into_iter().take(if a == b { 1 } else { 2 })
     });
-    drawn(area, &time, Axis::linear(&values.name(what), values.range(0.12)), turns.collect())
+    let ends = ends.map(|(t, x)| (time.at(t), values.at(x)));
+    let points = [ends[0]].into_iter().chain(turns).chain([ends[1]]).collect();
+    drawn(area, &time, Axis::linear(&values.name(what), values.range(0.12)), points, ends)
 }
 
-fn powers(area: &Area<'_>, parts: &[Part], what: &str) -> Drawn {
+fn powers(area: &Area<'_>, parts: &[Part], ends: Ends, what: &str) -> Drawn {
     let time = times(parts);
     // What is zero has no logarithm.
     let moved = parts.iter().filter(|part| size(part) > 0.0);
     let line: Vec<_> = moved.map(|part| (middle(&time, part), size(part).log10())).collect();
     let powers = Fit::of(line.iter().map(|point| point.1)).range(0.0);
-    drawn(area, &time, Axis::powers_of_ten(what, powers.start.floor()..powers.end.ceil() + 0.2), line)
+    let ends = ends.map(|(t, x)| (time.at(t), x.abs().log10()));
+    drawn(area, &time, Axis::powers_of_ten(what, powers.start.floor()..powers.end.ceil() + 0.2), line, ends)
 }
 
 fn times(parts: &[Part]) -> Fit {
@@ -96,12 +103,11 @@ fn middle(time: &Fit, part: &Part) -> f64 {
     time.at(0.5 * part.times[0] + 0.5 * part.times[1])
 }
 
-fn drawn(area: &Area<'_>, time: &Fit, y: Axis<'_>, points: Vec<(f64, f64)>) -> Drawn {
+fn drawn(area: &Area<'_>, time: &Fit, y: Axis<'_>, points: Vec<(f64, f64)>, ends: Ends) -> Drawn {
     let name = time.name("t") + ", units of the law";
     let mut chart = chart(area, "", Axis::linear(&name, time.range(0.02)), y, 16)?;
-    let mut sound = points.iter().filter(|(t, x)| t.is_finite() && x.is_finite()).copied();
-    let ends = [sound.next(), sound.next_back()].into_iter().flatten().zip(["start", "end"]);
-    let labels: Vec<_> = ends.map(|(at, word)| (at, word.to_owned(), INK)).collect();
+    let sound = ends.into_iter().zip(["start", "end"]).filter(|((t, x), _)| t.is_finite() && x.is_finite());
+    let labels: Vec<_> = sound.map(|(at, word)| (at, word.to_owned(), INK)).collect();
     dots(&mut chart, &labels.iter().map(|label| label.0).collect::<Vec<_>>(), INK, 3.0)?;
     line(&mut chart, points.clone(), BLUE, 1.5)?;
     label_beside(&chart, &[points], &labels)

@@ -1,4 +1,4 @@
-//! The shortest program: declare a potential, run it, read the report, see the motion.
+//! The shortest program: declare a potential, run it, read the report.
 
 use dmech::prelude::*;
 
@@ -21,7 +21,5 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let start = State::new([0.5, 0.0], [0.0, 1.63]);
     let run = Simulation::new(Kepler { gm: 1.0 }, start).scheme(DiscreteGradient).dt(0.01).run_until(350.0)?;
     println!("{run}");
-    run.plot("planet.svg")?;
-    println!("Picture: planet.svg");
     Ok(())
 }

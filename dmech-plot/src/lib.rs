@@ -25,6 +25,7 @@ mod labels;
 mod marks;
 mod number;
 mod thin;
+mod window;
 
 pub use axis::Axis;
 pub use chart::{chart, equal_axes, equal_chart, equal_chart_about, equal_chart_beside, headed};

@@ -3,6 +3,7 @@
 use plotters::prelude::{Circle, Color, DashedLineSeries, LineSeries, RGBColor, Rectangle};
 
 use crate::thin::{Seen, thin};
+use crate::window::Window;
 use crate::{Chart, Drawn, FINE};
 
 /// The points that a line keeps: in a file less than a megabyte.
@@ -10,7 +11,7 @@ const MOST: usize = 60_000;
 
 /// A line through points.
 ///
-/// Points that are no finite numbers interrupt it. Of very many points those are left out that leave no mark, so that a
+/// Points that are no finite numbers interrupt it, and what lies outside the axes is not drawn. Of very many points those are left out that leave no mark, so that a
 /// picture of a million states is no larger than a megabyte; where lines stand close, they are then as wide as what is left out.
 pub fn line(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, width: f64) -> Drawn {
     lines(chart, &[points], colour, width, MOST)
@@ -18,6 +19,8 @@ pub fn line(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, wi
 
 /// Several of one colour, which together keep at most about so many points.
 pub fn lines(chart: &mut Chart<'_>, lines: &[Vec<(f64, f64)>], colour: RGBColor, width: f64, most: usize) -> Drawn {
+    let within = Window::of(chart);
+    let lines: Vec<_> = lines.iter().flat_map(|line| within.pieces(line)).collect();
     let (size, at) = pixels(chart);
     let fine: Vec<Vec<_>> = lines.iter().map(|line| line.iter().map(&at).collect()).collect();
     let (parts, covering) = thin(&fine, size, most);
@@ -31,15 +34,17 @@ pub fn lines(chart: &mut Chart<'_>, lines: &[Vec<(f64, f64)>], colour: RGBColor,
 /// A dashed line through points, over another that runs the same way and is to be seen.
 pub fn dashed(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, width: f64) -> Drawn {
     let style = colour.stroke_width((width * f64::from(FINE)) as u32);
-    let points: Vec<_> = finite(&points).collect();
-    chart.draw_series(DashedLineSeries::new(points, 7 * FINE, 7 * FINE, style))?;
+    for piece in Window::of(chart).pieces(&points) {
+        chart.draw_series(DashedLineSeries::new(piece, 7 * FINE, 7 * FINE, style))?;
+    }
     Ok(())
 }
 
-/// A dot at each point.
+/// A dot at each point that lies between the axes.
 pub fn dots(chart: &mut Chart<'_>, points: &[(f64, f64)], colour: RGBColor, radius: f64) -> Drawn {
     let radius = (radius * f64::from(FINE)) as i32;
-    chart.draw_series(finite(points).map(|at| Circle::new(at, radius, colour.filled())))?;
+    let within = Window::of(chart);
+    chart.draw_series(within.points(points).map(|at| Circle::new(at, radius, colour.filled())))?;
     Ok(())
 }
 
@@ -47,7 +52,8 @@ pub fn dots(chart: &mut Chart<'_>, points: &[(f64, f64)], colour: RGBColor, radi
 pub fn rings(chart: &mut Chart<'_>, points: &[(f64, f64)], colour: RGBColor, radius: f64) -> Drawn {
     let radius = (radius * f64::from(FINE)) as i32;
     let style = colour.stroke_width(3 * FINE / 2);
-    chart.draw_series(finite(points).map(|at| Circle::new(at, radius, style)))?;
+    let within = Window::of(chart);
+    chart.draw_series(within.points(points).map(|at| Circle::new(at, radius, style)))?;
     Ok(())
 }
 
@@ -55,8 +61,11 @@ pub fn rings(chart: &mut Chart<'_>, points: &[(f64, f64)], colour: RGBColor, rad
 pub fn squares(chart: &mut Chart<'_>, points: &[(f64, f64)], colour: RGBColor, radius: f64) -> Drawn {
     let radius = (radius * f64::from(FINE)) as i32;
     let square = [(-radius, -radius), (radius, radius)];
+    let within = Window::of(chart);
     chart.draw_series(
-        finite(points).map(|at| plotters::element::EmptyElement::at(at) + Rectangle::new(square, colour.filled())),
+        within
+            .points(points)
+            .map(|at| plotters::element::EmptyElement::at(at) + Rectangle::new(square, colour.filled())),
     )?;
     Ok(())
 }

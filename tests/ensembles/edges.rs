@@ -136,6 +136,17 @@ fn scenes_and_events() {
     assert_eq!(run.checksum(), Ensemble::each(30, member).threads(1).run_until(2.0).unwrap().checksum());
 }
 
+/// More threads than there are to be had are as many as there may be.
+#[test]
+fn any_number_of_threads_gives_the_same() {
+    let ensemble = |threads| {
+        let members = Ensemble::of(100_000).law(Saddle::member).start(Saddle::start);
+        members.scheme(Leapfrog).dt(0.1).threads(threads).run(2).unwrap().checksum()
+    };
+    let one = ensemble(1);
+    assert!([0, 3, 100_000, usize::MAX].into_iter().all(|threads| ensemble(threads) == one));
+}
+
 /// A panic in a law, a start or what looks at members ends the ensemble, on any number of threads: nobody waits for ever.
 #[test]
 fn a_panic_goes_on() {
@@ -143,7 +154,8 @@ fn a_panic_goes_on() {
     for threads in [1, 2, 5] {
         let ensemble = || Ensemble::of(2000).law(Saddle::member).scheme(Leapfrog).dt(0.1).threads(threads);
         let run = std::panic::catch_unwind(|| ensemble().start(start).run(3).map(|run| run.len()));
-        assert!(run.is_err(), "{threads} threads");
+        let words = run.unwrap_err();
+        assert_eq!(words.downcast_ref::<String>().map(String::as_str), Some("no start for 700"), "{threads} threads");
         let look = std::panic::catch_unwind(|| {
             ensemble().start(Saddle::start).for_each_until(1.0, |k, _| assert!(k < 300, "seen enough"))
         });

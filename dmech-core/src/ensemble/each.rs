@@ -23,7 +23,7 @@ pub struct Each<F> {
 }
 
 impl<F> Each<F> {
-    /// On so many threads; on all cores if nothing is said. The results are the same.
+    /// On so many threads, 1024 at most; on all cores if nothing is said. The results are the same.
     pub fn threads(self, threads: usize) -> Self {
         Each { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
     }

@@ -12,6 +12,9 @@ use crate::ride::Ride;
 /// The most members in a block.
 pub(super) const BLOCK: usize = 512;
 
+/// More threads than any machine has use for: a system refuses them at some number, and a program would end.
+const MOST: usize = 1024;
+
 /// Blocks that are begun before the first that is not taken, for each who works: what is done and waits needs bounded room.
 const AHEAD: usize = 4;
 
@@ -27,7 +30,7 @@ impl Hands {
 
     /// The threads of this process.
     pub(super) fn threads(self) -> usize {
-        self.threads.unwrap_or_else(|| available_parallelism().map_or(1, NonZero::get)).max(1)
+        self.threads.unwrap_or_else(|| available_parallelism().map_or(1, NonZero::get)).clamp(1, MOST)
     }
 }
 

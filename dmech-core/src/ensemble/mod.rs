@@ -194,7 +194,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
         self.with(|common| common.record_dt(dt))
     }
 
-    /// On so many threads; on all cores if nothing is said. The results are the same.
+    /// On so many threads, 1024 at most; on all cores if nothing is said. The results are the same.
     pub fn threads(self, threads: usize) -> Self {
         Ensemble { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
     }

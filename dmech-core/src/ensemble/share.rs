@@ -1,6 +1,7 @@
 //! Work that threads share.
 
 use std::collections::{BTreeMap, VecDeque};
+use std::panic::resume_unwind;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -29,19 +30,22 @@ pub(super) fn with_hands<J: Send, T: Send, O>(
     let state = State { jobs: VecDeque::new(), done: BTreeMap::new(), closed: false, lost: false };
     let board = Board { state: Mutex::new(state), changed: Condvar::new() };
     thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                let _end = EndsAll(&board);
-                while let Some((block, job)) = board.job() {
-                    let result = work(job);
-                    board.put(block, result);
-                }
-            });
-        }
+        let hand = || {
+            let _end = EndsAll(&board);
+            while let Some((block, job)) = board.job() {
+                let result = work(job);
+                board.put(block, result);
+            }
+        };
+        let hands: Vec<_> = (0..threads).map(|_| scope.spawn(hand)).collect();
         let _end = EndsAll(&board);
         let outcome = direct(&board);
         board.look().closed = true;
         board.changed.notify_all();
+        // With the words of the one that panicked, which the end of the scope would replace by its own.
+        for hand in hands {
+            hand.join().unwrap_or_else(|panic| resume_unwind(panic));
+        }
         outcome
     })
 }

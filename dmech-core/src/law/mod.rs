@@ -47,8 +47,8 @@ pub trait Conservative {}
 #[diagnostic::on_unimplemented(
     message = "the force of `{Self}` depends on the velocity, and this scheme has no velocity where it needs the force",
     label = "this scheme cannot step a velocity-dependent force",
-    note = "leap-frog, Kanatani's scheme, `Nystrom` and `ForceGradient` kick at a position, where they have no velocity of that time",
-    note = "use `Boris` where the force is linear in the velocity, else `Implicit`, `DiscreteGradient` or `Explicit`"
+    note = "leap-frog, Kanatani's scheme, `Nystrom`, `Relaxed` and `ForceGradient` kick at a position, where they have no velocity of that time",
+    note = "use `Boris` where the force is linear in the velocity, else `Gauss::order16()`, `DiscreteGradient`, `Implicit` or `Explicit`"
 )]
 pub trait VelocityIndependent {}
 
@@ -63,7 +63,7 @@ impl<P: Conservative> VelocityIndependent for P {}
     message = "the force of `{Self}` is not linear in the velocity of each body by itself",
     label = "`Boris` cannot step this force",
     note = "`Boris` solves for the mean velocity of each body by itself, in closed form: v × B and −c v can be had so, |v| v and a friction between two bodies cannot",
-    note = "use `Implicit`, `DiscreteGradient` or `Explicit` for this law"
+    note = "use `Gauss::order16()`, `DiscreteGradient`, `Implicit` or `Explicit` for this law"
 )]
 pub trait LinearInVelocity {}
 

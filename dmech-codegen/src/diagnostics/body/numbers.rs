@@ -24,6 +24,14 @@ pub(crate) fn integer(e: &dyn ToTokens) -> Error {
                  decimal point"
             ),
         )
+    } else if written.contains(" / ") {
+        at(
+            &e,
+            format!(
+                "`{written}` divides integers, which drops what is left over, and a number is expected here; write its numbers with \
+                 decimal points"
+            ),
+        )
     } else if written.contains(' ') {
         at(&e, format!("`{written}` is an integer and a number is expected here; write `({written}) as f64`"))
     } else {

@@ -20,7 +20,7 @@ pub(super) fn svg<X>(
 ) -> io::Result<String> {
     let none = |words: String| io::Error::new(io::ErrorKind::Unsupported, words);
     let drift =
-        drift.ok_or_else(|| none(format!("this law and {} have no invariant \"{name}\"", run.report.scheme())))?;
+        drift.ok_or_else(|| none(format!("this law and {} have no invariant \"{name}\"; a quantity of your own is followed by `.watch` and drawn by `plot_drift_of`", run.report.scheme())))?;
     let course = course.ok_or_else(|| none(format!("this run did not keep the course of \"{name}\"")))?;
     let start = drift.start();
     let relative = start != 0.0 && start.is_finite();

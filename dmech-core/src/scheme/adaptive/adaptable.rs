@@ -15,7 +15,7 @@ use crate::scheme::{
     message = "`.adaptive(tolerance)` makes steps that differ, and `{Self}` cannot take such",
     label = "cannot follow the time scale of the motion",
     note = "`Leapfrog` and `Kanatani` join positions at equal distances in time, and `Explicit` is not symmetric",
-    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, `Boris`, a composition of these or of `Leapfrog`, a `Nystrom` or a `ForceGradient` scheme; or give the step with `.dt(h)`"
+    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, `Boris`, a composition of these or of `Leapfrog`, a `Nystrom`, `ForceGradient`, `Gauss` or `LineIntegral` scheme; or give the step with `.dt(h)`"
 )]
 pub trait Adaptable: Method {
     /// ε, the angle in radians by which the linearised motion turns in a step, for a tolerance.

@@ -123,15 +123,15 @@
 //! | [`Explicit`] | 1 | work | one force |
 //! | [`Leapfrog`] | 2 | angular momentum; energy bounded | one force |
 //! | [`CompensatedLeapfrog`] | 2 | the same, with sums that lose nothing: for very long runs or very short steps | one force |
-//! | [`Boris`] | 2 | energy in a magnetic field exactly, else bounded: for forces linear in the velocity | one force |
+//! | [`Boris`] | 2 | energy in a magnetic field alone exactly; beside a potential bounded, or a walk if the field is not uniform: for forces linear in the velocity | one force |
 //! | [`Implicit`](struct@Implicit) | 2 | work with the mean force; energy bounded | one or a few forces and Jacobians |
 //! | [`DiscreteGradient`](struct@DiscreteGradient) | 2 | energy and angular momentum exactly | one or a few discrete gradients and Jacobians |
 //! | [`Kanatani`](struct@Kanatani) | 2 | its discrete energy and angular momentum exactly | the same |
 //! | [`Composed`] | 4, 6, 8 | what the scheme keeps that it is composed of | 7, 13, 21 of its steps |
 //! | [`Nystrom`] | 4, 6, 8 | angular momentum; energy bounded | 6, 14, 19 forces |
 //! | [`Relaxed`] | 6, 8 | energy exactly; no momentum | 15, 20 forces |
-//! | [`ForceGradient`] | 4, 6, 8 | the same | 5, 5, 14 forces, and the change of 2, 3, 14 along themselves |
-//! | [`Gauss`] | 16 | angular momentum; energy bounded, mostly to rounding | 3 to 10 sweeps of 8 forces side by side |
+//! | [`ForceGradient`] | 4, 6, 8 | angular momentum; energy bounded | 5, 5, 14 forces, and the change of 2, 3, 14 along themselves |
+//! | [`Gauss`] | 16 | angular momentum; energy bounded, mostly to rounding | 2 to 15 sweeps of 8 forces side by side |
 //! | [`LineIntegral`] | 4, 6, 8, 10 | energy exactly where the potential is a polynomial | the same |
 //!
 //! # Steps that follow the motion
@@ -157,7 +157,8 @@
 //! # }
 //! ```
 //!
-//! Scenes take them too: their time scale is that of all links and fields together, and the step follows the closest encounter.
+//! Scenes take them too: their time scale is that of all links and fields together where the bodies are at the step. Bodies that rush
+//! past each other can be stepped over: `.dt(h)` beside it is the longest step.
 //!
 //! # Which scheme for which error
 //!

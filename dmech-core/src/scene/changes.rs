@@ -17,7 +17,8 @@ impl<X: 'static, const D: usize, A: Laws> Holds<X> for SceneSystem<D, A> {
 
 impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSystem<D, A>, S> {
     /// Puts body i, counted from 0, to another place with another velocity: the hand of a player, a pin that is carried along.
-    /// What the scheme carries of all bodies is begun anew, which costs an evaluation of the forces.
+    /// What the scheme carries of all bodies is begun anew, which costs an evaluation of the forces. A pinned body is put there at
+    /// rest, v = 0; a hand whose velocity laws feel is a [driven](crate::Scene::drive) body.
     ///
     /// # Errors
     /// [`Error::Scene`] for a body that is not there or that moves along a given path, a state that is not finite, a pinned

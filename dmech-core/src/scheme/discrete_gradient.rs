@@ -19,7 +19,8 @@ use crate::system::{Ahead, Beginning, Step, System};
 ///
 /// Beside a force the second equation is m (v′ − v)/h = −∇̄Φ + (F + F′)/2: the change of energy is the work of that force,
 /// exactly. A force that does no work at any velocity, as v × B, is taken at the mean position and mean velocity
-/// instead, where it does none in the step either.
+/// instead, where it does none in the step either. In a magnetic field that lowers the drift of grad B and the mirror force by the
+/// factor 1/(1 + (ωh/2)²), ω the frequency of gyration: [`Boris`](crate::Boris) is the scheme for guiding centres, or ωh < 0.1.
 ///
 /// Multiplying the second equation by Δq = q′ − q gives K′ − K = −(Φ′ − Φ). Position and velocity are compensated
 /// sums: their rounding would otherwise be the largest error of the energy, and grow in proportion to the time.

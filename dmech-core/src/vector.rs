@@ -1,6 +1,6 @@
 //! Arithmetic of arrays, for schemes and for laws by hand.
 
-use dmech_scalar::{FUSED, Mask, Real};
+use dmech_scalar::{Mask, Real};
 
 /// An array of `R` by its D components, `by_component!(|i| x[i] + y[i])`: a loop in place of `from_fn`, whose closures are not
 /// inlined where a crate is compiled in parts or with few optimisations, and take as long to compile as what they compute.
@@ -76,25 +76,4 @@ pub fn weighted<const D: usize, R: Real>(weights: [f64; D], x: [R; D], y: [R; D]
 #[inline(always)]
 pub fn finite<const D: usize, R: Real>(x: [R; D]) -> bool {
     x.iter().all(|x| x.finite().all())
-}
-
-/// x y rounded, and the error of that rounding: by a fused instruction, or by splitting both factors in halves.
-///
-/// # Reference
-/// T. J. Dekker, Numer. Math. 18 (1971) 224–242; the splitting is Veltkamp's.
-#[inline(always)]
-pub(crate) fn exact_product<R: Real>(x: R, y: R) -> (R, R) {
-    if FUSED {
-        let product = x * y;
-        return (product, x.mul_add(y, -product));
-    }
-    let digits = 1.0 - R::EPSILON.to_f64().log2();
-    let splitter = R::from_f64((0.5 * digits).ceil().exp2() + 1.0);
-    let halves = |x: R| {
-        let shifted = splitter * x;
-        let high = shifted - (shifted - x);
-        (high, x - high)
-    };
-    let (product, (x1, x2), (y1, y2)) = (x * y, halves(x), halves(y));
-    (product, ((x1 * y1 - product) + x1 * y2 + x2 * y1) + x2 * y2)
 }

@@ -86,6 +86,25 @@ pub trait Real:
     /// self·b + c, rounded once where the target has the instruction, twice elsewhere
     /// (never a slow call into a library).
     fn mul_add(self, b: Self, c: Self) -> Self;
+    /// self·b, rounded, and what the rounding left out.
+    ///
+    /// With [`quotient`](Real::quotient) for sums that grow by h v and L/h in each of many steps: where h is close to a short
+    /// fraction, such as 0.2 or 0.15, these round with a preferred sign.
+    ///
+    /// ```
+    /// use dmech_scalar::Real;
+    /// let (product, rest) = 0.2_f64.product(3.0);
+    /// assert_eq!((product, rest), (0.6000000000000001, -2f64.powi(-54) + 3.0 * 2f64.powi(-56)));
+    /// ```
+    #[inline(always)]
+    fn product(self, b: Self) -> (Self, Self) {
+        (self * b, Self::ZERO)
+    }
+    /// self/b, rounded, and what the rounding left out, rounded in its turn.
+    #[inline(always)]
+    fn quotient(self, b: Self) -> (Self, Self) {
+        (self / b, Self::ZERO)
+    }
     /// 1/self.
     fn recip(self) -> Self;
     /// |self|.

@@ -2,7 +2,7 @@
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
-use dmech_scalar::{Compensated, CompensatedVector, two_sum};
+use dmech_scalar::{Compensated, CompensatedVector, DoubleDouble, Real, two_sum};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::cell::Cell;
@@ -68,6 +68,48 @@ fn two_sum_is_exact_in_single_precision() {
         })
         .expect("two_sum is exact");
     assert!(rounded.get() > 5000);
+}
+
+/// Products with what they leave out are exact, quotients to the rounding of that.
+#[test]
+fn products_and_quotients_in_two_parts() {
+    let (left, mut runner) =
+        (Cell::new(0), TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(20_000) }));
+    runner
+        .run(&(overlapping(), overlapping()), |(a, b)| {
+            let (product, rest) = a.product(b);
+            prop_assert_eq!(product, a * b);
+            prop_assert!(exact(product) + exact(rest) == exact(a) * exact(b), "{:e} · {:e}", a, b);
+            left.set(left.get() + u32::from(rest != 0.0));
+            prop_assume!(b != 0.0);
+            let (quotient, rest) = a.quotient(b);
+            prop_assert_eq!(quotient, a / b);
+            // What is left of a is rounded by less than 2⁻¹⁰⁴ of it.
+            let missing = ((exact(quotient) + exact(rest)) * exact(b) - exact(a)).to_f64().value();
+            prop_assert!(missing.abs() <= 2f64.powi(-104) * a.abs(), "{:e} / {:e}: {:e}", a, b, missing);
+            Ok(())
+        })
+        .expect("products and quotients in two parts");
+    assert!(left.get() > 5000);
+}
+
+/// In `f32` what is left can be told in `f64`, where the product is exact; numbers of more digits leave nothing.
+#[test]
+fn products_in_two_parts_of_other_scalars() {
+    let mut inexact = 0;
+    for k in 1..1000_u16 {
+        let (x, y) = (0.37_f32 * f32::from(k), 1.3_f32 / f32::from(k) + 0.01);
+        let (product, rest) = x.product(y);
+        assert_eq!(f64::from(product) + f64::from(rest), f64::from(x) * f64::from(y));
+        inexact += u32::from(rest != 0.0);
+        let (quotient, rest) = x.quotient(y);
+        let missing = (f64::from(quotient) + f64::from(rest)) * f64::from(y) - f64::from(x);
+        assert!(missing.abs() <= 2f64.powi(-46) * f64::from(x), "{x:e} / {y:e}: {missing:e}");
+    }
+    assert!(inexact > 900);
+    let (x, y) = (DoubleDouble::from(0.37), DoubleDouble::from(1.3));
+    assert_eq!(x.product(y), (x * y, DoubleDouble::ZERO));
+    assert_eq!(x.quotient(y), (x / y, DoubleDouble::ZERO));
 }
 
 /// The bound of the documentation, for increments of any sign and of sizes from 1e-9 to 1e3.

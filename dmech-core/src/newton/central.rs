@@ -15,7 +15,6 @@ use dmech_scalar::{Mask, Real};
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
 use crate::vector::dot;
-use crate::vector::exact_product;
 
 /// Evaluations before the fast path gives up.
 const PATIENCE: u32 = 6;
@@ -97,7 +96,7 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
         for i in 0..D {
             let along = u * w[i];
             if BETWEEN {
-                let (main, rest) = exact_product(c, along);
+                let (main, rest) = c.product(along);
                 let rest = correction.mul_add(along, rest);
                 (gradient[i], parts[0][i], parts[1][i]) = (main + rest, main, rest);
             } else {

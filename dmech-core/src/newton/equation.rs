@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Real, two_sum};
 
-use crate::vector::{by_component, difference, exact_product};
+use crate::vector::{by_component, difference};
 
 /// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  where G(b) is ∇Φ(b) (trapezoid) or ∇̄Φ(a, b) (energy-exact steps).
 ///
@@ -86,7 +86,7 @@ impl<const D: usize, R: Real> Equation<D, R> {
     pub(super) fn increment_and_rest(&self, gradient: [R; D]) -> ([R; D], [R; D]) {
         let (mut delta, mut left) = ([R::ZERO; D], [R::ZERO; D]);
         for i in 0..D {
-            let (pull, rest) = exact_product(self.g, gradient[i]);
+            let (pull, rest) = self.g.product(gradient[i]);
             let (high, low) = two_sum(self.drift[i], -pull);
             (delta[i], left[i]) = two_sum(high, low - rest - self.frozen[i]);
         }

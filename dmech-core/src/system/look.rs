@@ -5,7 +5,7 @@ use core::array::from_fn;
 use dmech_scalar::{FUSED, Mask, Real, two_sum};
 
 use crate::law::{Field, Law, Potential};
-use crate::vector::{add_scaled, dot, exact_product};
+use crate::vector::{add_scaled, dot};
 
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -191,7 +191,7 @@ fn rounded_once<R: Real>(x: R, y: R, z: R) -> R {
     if FUSED {
         return x.mul_add(y, z);
     }
-    let (product, rest) = exact_product(x, y);
+    let (product, rest) = x.product(y);
     let (sum, left) = two_sum(product, z);
     let exact = sum + (left + rest);
     R::either(exact.finite(), exact, x * y + z)

@@ -161,6 +161,14 @@ pub(crate) fn two_product<R: Real>(a: R, b: R) -> (R, R) {
     (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)
 }
 
+/// a/b as (quotient, what its rounding left out).
+#[inline(always)]
+pub(crate) fn two_quotient<R: Real>(a: R, b: R) -> (R, R) {
+    let quotient = a / b;
+    let (product, error) = two_product(quotient, b);
+    (quotient, ((a - product) - error) / b)
+}
+
 #[inline(always)]
 fn halves<R: Real>(x: R) -> (R, R) {
     let wide = x * R::from_f64(134217729.0); // 2²⁷ + 1

@@ -1,6 +1,6 @@
 //! Eight stages of many bodies, side by side.
 
-use dmech_scalar::{Lanes, Real, two_sum};
+use dmech_scalar::{Lanes, Real};
 
 use super::passing::PLACED_IN_PASSING;
 use super::{SceneStride, SceneSystem};
@@ -9,7 +9,7 @@ use crate::scene::eights::Eights;
 use crate::scene::terms::{Acts, ActsAtStages, Moments};
 use crate::scene::vectors::Vectors;
 use crate::scheme::tableau::{GAUSS, STAGES, Tableau};
-use crate::system::stages::{Eight, Nearing, Staged, of_path, weighed};
+use crate::system::stages::{Eight, Nearing, Staged, of_path, path, settled, weighed};
 
 /// What stays the same from sweep to sweep, and room for it.
 #[derive(Clone, Debug)]
@@ -81,7 +81,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         aim: &mut SceneAim<D>,
     ) {
         let (nodes, weights) = (Lanes::row(&tableau.nodes, 0), Lanes::row(&tableau.weights, 0));
-        let (places, speeds, kicks) = (q.hi.columns(), v.hi.columns(), stride.kick.columns());
+        let (places, kicks) = (q.hi.columns(), stride.kick.columns());
+        let (speeds, speeds_low) = (v.hi.columns(), v.lo.columns());
         aim.t = nodes.mul_add(Lanes::splat(stride.dt), Lanes::splat(t));
         aim.per_unit.fill(0.0);
         aim.reach.fill(0.0);
@@ -89,10 +90,12 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         for (k, ((base, share), push)) in columns.enumerate() {
             let n = base.len();
             let (share, push) = (&mut share[..n], &push[..n]);
-            let (q, v, kick) = (&places[k][..n], &speeds[k][..n], &kicks[k][..n]);
+            let (q, kick) = (&places[k][..n], &kicks[k][..n]);
+            let (v, v_low) = (&speeds[k][..n], &speeds_low[k][..n]);
             let (unit, reach) = (&mut aim.per_unit[..n], &mut aim.reach[..n]);
             for i in 0..n {
-                base[i] = nodes.mul_add(Lanes::splat(stride.dt * v[i]), Lanes::splat(q[i]));
+                let (drift, rest) = path(stride.dt, (v[i], v_low[i]));
+                base[i] = nodes.mul_add(Lanes::splat(drift + rest), Lanes::splat(q[i]));
                 share[i] = weights * Lanes::splat(-stride.dt * kick[i]);
                 unit[i] = unit[i].max(Lanes::larger(Lanes::ZERO, push[i]).largest());
             }
@@ -152,10 +155,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let places = q.hi.flat_mut().iter_mut().zip(q.lo.flat_mut());
         let speeds = v.hi.flat_mut().iter_mut().zip(v.lo.flat_mut());
         for (((q, q_low), (v, v_low)), push) in places.zip(speeds).zip(pushes.flat()) {
-            let moved = dt.mul_add(*v, dt.mul_add(*v_low, (rests * *push).sum()));
-            (*q, *q_low) = two_sum(*q, moved + *q_low);
-            // A true quotient: a product with a rounded 1/h would be wrong by the same relative amount in each step.
-            (*v, *v_low) = two_sum(*v, push.sum() / dt + *v_low);
+            let sums = [(rests * *push).sum(), push.sum()];
+            [(*q, *q_low), (*v, *v_low)] = settled(dt, [(*q, *q_low), (*v, *v_low)], sums);
         }
     }
 

@@ -6,7 +6,9 @@ use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Mask, Real, Rows};
 
 use super::{Particle, Stride};
 use crate::law::{Field, Law, Potential};
-use crate::system::stages::{Eight, Nearing, Part, Staged, Staging, Tableau, nowhere, of_path, times, weighed};
+use crate::system::stages::{
+    Eight, Nearing, Part, Staged, Staging, Tableau, nowhere, of_path, path, settled, times, weighed,
+};
 use crate::vector::{by_component, weighted};
 
 /// A law that can be asked for eight slopes at once: every law over `f64` that is one over eight lanes too, as those are that a
@@ -107,7 +109,8 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         let alike = R::Eight::alike;
         let (mut counts, mut reach, mut largest) = ([R::ZERO; D], [R::ZERO; D], R::ZERO);
         for k in 0..D {
-            let drift = stride.dt * v.hi[k];
+            let (drift, rest) = path(stride.dt, (v.hi[k], v.lo[k]));
+            let drift = drift + rest;
             aim.base[k] = R::Eight::by_part(|part| nodes(part).mul_add(alike(drift), alike(q.hi[k])));
             let path = alike(of_path(drift));
             counts[k] = R::Eight::by_part(|part| R::Eight::larger(path, pushes[k].part(part))).largest();
@@ -170,13 +173,11 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         pushes: &[R::Eight; D],
         [q, v]: [&mut CompensatedVector<D, R>; 2],
     ) {
-        let moved = by_component!(|k| {
-            let pushed = times(&tableau.rests, &pushes[k]).sum();
-            stride.dt.mul_add(v.hi[k], stride.dt.mul_add(v.lo[k], pushed))
-        });
-        q.add(moved);
-        // A true quotient: a product with a rounded 1/h would be wrong by the same relative amount in each step.
-        v.add(by_component!(|k| pushes[k].sum() / stride.dt));
+        for k in 0..D {
+            let sums = [times(&tableau.rests, &pushes[k]).sum(), pushes[k].sum()];
+            let from = [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])];
+            [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])] = settled(stride.dt, from, sums);
+        }
     }
 
     fn work_of_pushes(&self, tableau: &Tableau, dt: R, v: &[R; D], pushes: &[R::Eight; D]) -> R {

@@ -10,7 +10,7 @@ use super::{Particle, Stride};
 use crate::law::{Field, Law};
 use crate::newton::{Equation, NotConverged};
 use crate::system::Step;
-use crate::vector::{by_component, exact_product};
+use crate::vector::by_component;
 
 /// The increment of one step, with the field of the mid-time.
 #[inline(always)]
@@ -47,7 +47,7 @@ pub(super) fn settle<const D: usize, R: Real>(
     q.add(*left);
     stride.kick_compensated(v, increment.gradient);
     for i in 0..D {
-        let rounded = exact_product(stride.kick, increment.gradient[i]).1;
+        let rounded = stride.kick.product(increment.gradient[i]).1;
         v.lo[i] -= stride.kick.mul_add(rest[i], rounded);
     }
 }

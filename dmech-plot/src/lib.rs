@@ -38,6 +38,7 @@ pub use plotters;
 
 use std::error::Error;
 use std::io;
+use std::path::Path;
 
 use plotters::chart::ChartContext;
 use plotters::coord::Shift;
@@ -64,6 +65,21 @@ pub fn draw([width, height]: [u32; 2], onto: impl FnOnce(&Area<'_>) -> Drawn) ->
     drawn(&mut svg, fine, onto).map_err(|error| io::Error::other(error.to_string()))?;
     let units = format!("width=\"{}\" height=\"{}\"", fine[0], fine[1]);
     Ok(svg.replacen(&units, &format!("width=\"{width}\" height=\"{height}\""), 1))
+}
+
+/// Writes a picture into a file.
+///
+/// # Errors
+/// [`InvalidInput`](io::ErrorKind::InvalidInput) where the name of the file promises a picture of another kind; those of the file.
+pub fn save(path: impl AsRef<Path>, svg: &str) -> io::Result<()> {
+    let path = path.as_ref();
+    let kind = path.extension().and_then(|kind| kind.to_str()).map(str::to_lowercase);
+    if let Some(kind @ ("png" | "jpg" | "jpeg" | "gif" | "webp" | "bmp" | "pdf" | "ps" | "eps")) = kind.as_deref() {
+        let name = path.with_extension("svg");
+        let says = format!("pictures are written as SVG, not as {}: name it {}", kind.to_uppercase(), name.display());
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, says));
+    }
+    std::fs::write(path, svg)
 }
 
 fn drawn(svg: &mut String, [width, height]: [u32; 2], onto: impl FnOnce(&Area<'_>) -> Drawn) -> Drawn {

@@ -49,7 +49,7 @@ where
             for invariant in Invariant::ALL.into_iter().filter(|&invariant| invariant != Invariant::WorkEnergy) {
                 assert_eq!(run.drift(k, invariant), alone.drift(invariant), "{name}, member {k}: {invariant}");
             }
-            assert_eq!(member.drift_of("twice"), alone.drift_of("twice"), "{name}, member {k}");
+            assert_eq!(run.drift_of(k, "twice"), alone.drift_of("twice"), "{name}, member {k}");
         }
     }
     assert!(steps > 10 * MEMBERS as u64, "{name}: {steps} steps in all");

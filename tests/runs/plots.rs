@@ -290,4 +290,13 @@ fn what_is_not_there_is_an_error_and_no_picture() {
     }
     assert!(!place("never.svg").exists());
     assert!(run.plot(place("no folder").join("x.svg")).is_err());
+    // A stream keeps no states; it keeps the course of the energy.
+    let streamed = planet().scheme(Leapfrog).dt(0.01).stream(Csv::new(Vec::new())).run(10).unwrap();
+    assert_eq!(streamed.plot(place("never.svg")).unwrap_err().kind(), std::io::ErrorKind::Unsupported);
+    assert!(!place("never.svg").exists());
+    streamed.plot_energy(place("streamed_energy.svg")).unwrap();
+    // A file is what its name says.
+    let error = run.plot(place("orbit.PNG")).unwrap_err();
+    assert_eq!(error.kind(), std::io::ErrorKind::InvalidInput);
+    assert!(error.to_string().ends_with("orbit.svg") && !place("orbit.PNG").exists(), "{error}");
 }

@@ -67,6 +67,14 @@ impl<X: Clone> EnsembleRun<X> {
         self.member(k).unwrap_or_else(Interrupted::run).drift(invariant)
     }
 
+    /// The same of an invariant that the law declares itself, by its name.
+    ///
+    /// # Panics
+    /// Likewise.
+    pub fn drift_of(&self, k: usize, name: &str) -> Option<Drift> {
+        self.member(k).unwrap_or_else(Interrupted::run).drift_of(name)
+    }
+
     /// The members that failed, each with the cause.
     pub fn failures(&self) -> impl Iterator<Item = (usize, Error)> {
         self.members.iter().enumerate().filter_map(|(k, member)| Some((k, member.as_ref().err()?.cause())))

@@ -56,7 +56,7 @@ impl StudyReport {
     /// # Errors
     /// Likewise.
     pub fn plot_titled(&self, path: impl AsRef<Path>, title: &str) -> io::Result<()> {
-        std::fs::write(path, self.svg(title)?)
+        dmech_plot::save(path, &self.svg(title)?)
     }
 
     fn svg(&self, title: &str) -> io::Result<String> {

@@ -6,7 +6,7 @@ mod motion;
 use std::io;
 use std::path::Path;
 
-use dmech_plot::{count, rough};
+use dmech_plot::{count, rough, save};
 
 use super::Run;
 use crate::invariant::Invariant;
@@ -36,9 +36,10 @@ impl<const D: usize, R: Real> Run<State<D, R>> {
     /// ```
     ///
     /// # Errors
-    /// Of the file.
+    /// [`Unsupported`](io::ErrorKind::Unsupported) where no state was recorded, as of a stream;
+    /// [`InvalidInput`](io::ErrorKind::InvalidInput) for the name of a picture of another kind; those of the file.
     pub fn plot(&self, path: impl AsRef<Path>) -> io::Result<()> {
-        std::fs::write(path, motion::svg(self)?)
+        save(path, &motion::svg(self)?)
     }
 }
 
@@ -49,9 +50,9 @@ impl<const D: usize> Run<crate::SceneState<D>> {
     /// where it was.
     ///
     /// # Errors
-    /// Of the file.
+    /// Likewise.
     pub fn plot(&self, path: impl AsRef<Path>) -> io::Result<()> {
-        std::fs::write(path, motion::svg(self)?)
+        save(path, &motion::svg(self)?)
     }
 }
 
@@ -85,7 +86,7 @@ impl<X> Run<X> {
         let name = invariant.to_string();
         let (drift, course) = (self.drift(invariant), self.courses.of(invariant));
         let kept = format!("; must be: {}", self.kept(invariant));
-        std::fs::write(path, drift::svg(self, &name, drift, course, &kept)?)
+        save(path, &drift::svg(self, &name, drift, course, &kept)?)
     }
 
     /// The same of an invariant that the law declares itself, or of a quantity that was
@@ -97,7 +98,7 @@ impl<X> Run<X> {
         let own = self.report.own_drifts().enumerate().find(|(_, (own, _))| *own == name);
         let course = own.and_then(|(k, _)| self.courses.of_own(k));
         let drift = own.map(|(_, (_, drift))| drift);
-        std::fs::write(path, drift::svg(self, &name.replace('_', " "), drift, course, "")?)
+        save(path, &drift::svg(self, &name.replace('_', " "), drift, course, "")?)
     }
 
     /// The scheme, its steps, and the times from and to.

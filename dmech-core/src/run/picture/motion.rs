@@ -160,6 +160,10 @@ impl<'a, X: Seen> Motion<'a, X> {
 }
 
 pub(super) fn svg<X: Seen>(run: &Run<X>) -> io::Result<String> {
+    if run.states().is_empty() {
+        let says = "the run recorded no state that could be drawn; a stream hands its states on";
+        return Err(io::Error::new(io::ErrorKind::Unsupported, says));
+    }
     let motion = Motion::of(run);
     let all = || run.states().iter().chain([run.last()]).map(Seen::time).filter(|t| t.is_finite());
     let times = [all().next().unwrap_or(f64::NAN), all().last().unwrap_or(f64::NAN)];

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use dmech::extend::{Fields, Reach, Rides, StoreError};
 use dmech::prelude::*;
-use rusqlite::Connection;
+use rusqlite::{Connection, OpenFlags};
 
 use crate::laws::{Contact, Driven, Many, Orbit, Saddle};
 use crate::same::{Made, of, the_same};
@@ -322,20 +322,34 @@ fn a_sweep_that_was_killed_goes_on() {
     assert!(child(test, &place.file(), "").status().unwrap().success());
     let whole = clock.elapsed();
     assert_eq!(place.number("SELECT COUNT(*) FROM last"), 2000);
+    // It need not have come to make the file, or the table, and may just be at it.
+    let there = |flags| -> i32 {
+        let file = Connection::open_with_flags(place.file(), flags);
+        let count = file.and_then(|file| file.query_row("SELECT COUNT(*) FROM last", [], |row| row.get(0)));
+        count.unwrap_or(0)
+    };
     let (mut kills, mut partly) = (0_u32, Vec::new());
     while partly.len() < 10 && kills < 60 {
         clear();
-        let mut stored = 0;
+        let mut stored = 0_i32;
         for again in 0..=u32::from(kills % 4 == 3) {
-            // The process has to begin, too.
-            let moment = 0.1 + 0.8 * (0.618 * f64::from(kills) + 0.2 * f64::from(again)).fract();
+            let moment = (0.618 * f64::from(kills) + 0.2 * f64::from(again)).fract();
             let mut running = child(test, &place.file(), "").spawn().unwrap();
-            std::thread::sleep(whole.mul_f64(moment).max(Duration::from_millis(1)));
+            let began = Instant::now();
+            if kills % 3 == 0 {
+                // By the clock: before there is a table, too.
+                std::thread::sleep(whole.mul_f64(0.5 * moment));
+            } else {
+                // By what is stored: how long the process takes depends on what else the machine does.
+                let wanted = stored + (moment * f64::from(1999 - stored)) as i32;
+                while there(OpenFlags::SQLITE_OPEN_READ_ONLY) <= wanted && running.try_wait().unwrap().is_none() {
+                    std::thread::sleep(Duration::from_millis(1));
+                    assert!(began.elapsed() < 20 * whole + Duration::from_secs(60), "it does not end");
+                }
+            }
             running.kill().unwrap();
             running.wait().unwrap();
-            // It need not have come to make the table.
-            let count = Connection::open(place.file()).unwrap();
-            let count = count.query_row("SELECT COUNT(*) FROM last", [], |row| row.get(0)).unwrap_or(0);
+            let count = there(OpenFlags::default());
             assert!(count >= stored, "{count} members where {stored} were");
             stored = count;
         }

@@ -8,6 +8,7 @@ mod driven;
 mod memory;
 mod optional;
 mod pair_models;
+mod passing;
 mod periodic;
 mod random;
 mod test_bodies;

@@ -12,9 +12,11 @@ use crate::vector::{add_scaled, dot};
 pub struct Look<R = f64> {
     /// (ω s)¹²: roots take longer than all the rest, and are hardly ever needed.
     pub(crate) power: R,
+    /// The part of it that is of bodies that pass.
+    pub(crate) passing: R,
     /// A length of time.
     pub(crate) s: R,
-    /// d ln ω/dt along the motion.
+    /// d ln ω/dt along the motion, of what does not pass.
     pub growth: R,
 }
 
@@ -25,18 +27,18 @@ impl<R: Real> Look<R> {
         self.power.sqrt().sqrt().cbrt() / self.s
     }
 
-    /// ρ, or the end of the range `band` of ρ/ω where it lies outside.
+    /// ρ, or the end of the range `band` of ρ/ω where it lies outside; what passes now is not taken to be gone soon.
     #[inline(always)]
     pub fn within(&self, [least, most]: [f64; 2], density: R) -> R {
-        let bound = |end: f64| R::from_f64(end.powi(12)) * self.power;
+        let bound = |end: f64, power: R| R::from_f64(end.powi(12)) * power;
+        let (least, most) = (bound(least, self.power).max(bound(STAYS, self.passing)), bound(most, self.power));
         // No density is negative.
         let ratio = (density * self.s).max(R::ZERO).powi(12);
-        let (below, above) = (ratio.less(bound(least)), bound(most).less(ratio));
+        let (below, above) = (ratio.less(least), most.less(ratio));
         if !below.or(above).any() {
             return density;
         }
-        let rate = self.rate();
-        let end = R::either(below, R::from_f64(least), R::from_f64(most)) * rate;
+        let end = Look { power: R::either(below, least, most), ..*self }.rate();
         R::either(below.or(above), end, density)
     }
 }
@@ -80,6 +82,12 @@ pub const EVALUATIONS: u32 = 5;
 /// Shares of K̇ and K̈ in ω.
 const SHARES: [f64; 2] = [0.25, 0.01];
 
+/// The share of what passes, 8¹², and that of ‖K‖ by which two bodies that turn around each other do not.
+const PASSING: [f64; 2] = [68_719_476_736.0, 150.0];
+
+/// ρ/ω, of what passes, at least.
+const STAYS: f64 = 2.0 / 3.0;
+
 /// ω¹² of one motion, or of several together, and how it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frequency<R = f64> {
@@ -87,6 +95,8 @@ pub struct Frequency<R = f64> {
     power: R,
     /// s d(ω s)¹²/dt.
     rise: R,
+    /// What passes: it shortens steps, and they do not follow how it grows.
+    passing: R,
     /// A length of time.
     s: R,
 }
@@ -107,6 +117,35 @@ impl<R: Real> Frequency<R> {
         course: Course<D, R>,
         stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
     ) -> Frequency<R> {
+        Self::with_size(course, stiffness).0
+    }
+
+    /// The same of two bodies at the separation q, and what they feel of each other in passing,
+    ///
+    /// ```text
+    /// ω¹² + 8¹² ‖K‖ w⁵,   w = u²/(u + 150 ‖K‖),   u = v²/q²
+    /// ```
+    ///
+    /// A body that passes another fast feels little of it until it is there, and by then a step on the time scale of all else has
+    /// gone past. K⁽ⁿ⁾, of the order of ‖K‖ (v/q)ⁿ, tells of it from the farther away, the larger n is; here n = 10. Where
+    /// two bodies turn around each other, u ≤ 2 ‖K‖/√6, it is small beside ‖K‖⁶. It is not among what grows: of an ω that falls
+    /// by half in each step as one body leaves the other behind, steps would follow the fall beyond its end.
+    #[inline(always)]
+    pub fn between<const D: usize>(
+        course: Course<D, R>,
+        stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
+    ) -> Frequency<R> {
+        let (Frequency { power, rise, s, .. }, size) = Self::with_size(course, stiffness);
+        let passing = course.passing(s, size);
+        Frequency { power, rise, passing: R::either(passing.finite(), passing, R::ZERO), s }
+    }
+
+    /// ω¹², and ‖K‖ and how it grows, in units of s.
+    #[inline(always)]
+    fn with_size<const D: usize>(
+        course: Course<D, R>,
+        stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
+    ) -> (Frequency<R>, R) {
         let Course { per_mass, least, .. } = course;
         let [half, two, angle] = [0.5, 2.0, ANGLE].map(R::from_f64);
         // t − 0 is t to the bit, also where that is −0.
@@ -141,38 +180,43 @@ impl<R: Real> Frequency<R> {
         let [six, four, three] = [6.0, 4.0, 3.0].map(R::from_f64);
         let power = kk * kk * kk + first * k1k1 * k1k1 + second * k2k2 * root;
         let rise = six * kk * kk * k.dot(&k1) + four * first * k1k1 * k1.dot(&k2) + three * second * root * k2.dot(&k3);
-        Frequency { power, rise, s }
+        (Frequency { power, rise, passing: R::ZERO, s }, kk.sqrt())
     }
 
     /// What the motion is like, if no ω below `least` counts: ω¹² + ω_least¹².
     #[inline]
     pub fn look(self, least: R) -> Look<R> {
-        let Frequency { power, rise, s } = self;
+        let Frequency { power, rise, passing, s } = self;
         let power = power + (least * s).powi(12);
         let growth = rise / (R::from_f64(12.0) * power * s);
-        Look { power, s, growth: R::either(growth.finite(), growth, R::ZERO) }
+        Look { power: power + passing, passing, s, growth: R::either(growth.finite(), growth, R::ZERO) }
     }
 }
 
 impl Frequency {
     /// Nothing moves faster than `least`.
     pub fn none(least: f64) -> Frequency {
-        Frequency { power: 0.0, rise: 0.0, s: (ANGLE / least).min(1e150) }
+        Frequency { power: 0.0, rise: 0.0, passing: 0.0, s: (ANGLE / least).min(1e150) }
     }
 
     /// Both motions together: ω¹² = ω₁¹² + ω₂¹², which is smooth where the one becomes faster than the other, and
     /// d ln ω/dt = (ω₁¹² d ln ω₁/dt + ω₂¹² d ln ω₂/dt)/ω¹².
     pub fn and(self, other: Frequency) -> Frequency {
-        if other.power == 0.0 {
+        if other.power + other.passing == 0.0 {
             return self;
         }
-        if self.power == 0.0 {
+        if self.power + self.passing == 0.0 {
             return other;
         }
         // In the unit of the faster one nothing overflows.
         let there = self.over(other.s);
         let (fast, slow) = if there.power < other.power { (other, there) } else { (self, other.over(self.s)) };
-        Frequency { power: fast.power + slow.power, rise: fast.rise + slow.rise, s: fast.s }
+        Frequency {
+            power: fast.power + slow.power,
+            rise: fast.rise + slow.rise,
+            passing: fast.passing + slow.passing,
+            s: fast.s,
+        }
     }
 
     /// The same in another unit of time.
@@ -181,7 +225,7 @@ impl Frequency {
         let fourth = ratio.powi(4);
         // Factor by factor: the twelfth power would leave the range of numbers where the product does not.
         let scaled = |x: f64| x * fourth * fourth * fourth;
-        Frequency { power: scaled(self.power), rise: ratio * scaled(self.rise), s }
+        Frequency { power: scaled(self.power), rise: ratio * scaled(self.rise), passing: scaled(self.passing), s }
     }
 }
 
@@ -198,6 +242,17 @@ fn rounded_once<R: Real>(x: R, y: R, z: R) -> R {
 }
 
 impl<const D: usize, R: Real> Course<D, R> {
+    /// 8¹² ‖K‖ w⁵, in units of s.
+    #[inline(always)]
+    fn passing(&self, s: R, size: R) -> R {
+        let reach = self.q.iter().fold(R::ZERO, |most, x| most.max(x.abs()));
+        let [q, v] = [self.q.map(|x| x / reach), self.v.map(|x| s * x / reach)];
+        let [share, slower] = PASSING.map(R::from_f64);
+        let u = dot(v, v) / dot(q, q);
+        let w = u * u / slower.mul_add(size, u);
+        share * w * w * w * w * w * size
+    }
+
     /// m K before and after.
     #[inline(always)]
     fn sides(&self, stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>, s: R) -> [Stiffness<D, R>; 2] {

@@ -129,7 +129,7 @@ pub trait Acts<const D: usize> {
     /// How fast everything moves that is linked or in a field: ω¹² = Σ ω_l¹², in O(links).
     ///
     /// A link is a particle of reduced mass at q_a − q_b and a field acts on each body by itself, both with the accelerations
-    /// of the whole scene; bodies that are pinned have infinite mass. [`Frequency::of`] has ω_l.
+    /// of the whole scene; bodies that are pinned have infinite mass. [`Frequency::of`] and, of a link, [`Frequency::between`] have ω_l.
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency;
     /// The time scale of a scene: ω¹² = Σ ω_l¹² + ω_least¹², and how ω grows. Under v → −v ω is even and its growth odd, to
     /// the bit, while no force depends on a velocity.

@@ -1,0 +1,89 @@
+//! Adaptive steps where bodies pass each other fast.
+
+use dmech::models::Kepler;
+use dmech::models::pairs::Gravity;
+use dmech::prelude::*;
+
+/// Of the sun, in astronomical units and years.
+const GM: f64 = 39.478_417_604_357_434;
+
+type Bodies = [[[f64; 3]; 3]; 2];
+
+/// A sun, a planet and a stone.
+macro_rules! system {
+    ($planet:expr, $at:expr) => {{
+        let (masses, [q, v]): (_, Bodies) = ([1.0, $planet, 1e-15], $at);
+        let bodies = (0..3).fold(Scene::new(), |scene, i| scene.body(masses[i], q[i], v[i]));
+        Simulation::scene(bodies.pairs(Gravity { g: GM })).record_every(1_000_000)
+    }};
+}
+
+/// An equal step that is half as long as the way past.
+fn short(b: f64, speed: f64) -> f64 {
+    (0.5 * b / speed).min(1e-4)
+}
+
+/// A time before the stone is at the distance b from the planet, at a relative speed.
+fn before(planet: f64, [b, speed, time]: [f64; 3]) -> Bodies {
+    let around = GM.sqrt();
+    let q = [[0.0; 3], [1.0, 0.0, 0.0], [1.0 + 0.6 * b, 0.8 * b, 0.0]];
+    let v = [[0.0; 3], [0.0, -around, 0.0], [-0.8 * speed, 0.6 * speed - around, -0.3]];
+    let back = system!(planet, [q, v]).scheme(Gauss::order16()).dt(short(b, speed)).run_until(time).unwrap();
+    let there = back.last();
+    [[0, 1, 2].map(|i| there.q[i]), [0, 1, 2].map(|i| there.v[i].map(|x| -x))]
+}
+
+/// A passage is met, wherever steps fall before it: at the least tolerance errors are below it, where a step that goes past
+/// makes them 10⁻⁴ to 1.
+#[test]
+fn what_passes_is_not_stepped_over() {
+    let (mut passages, mut sharp) = (0, 0);
+    for (planet, b, speed) in
+        [(1e-3, 0.01, 4.0), (1e-3, 0.1, 4.0), (3e-6, 0.01, 1.0), (3e-6, 0.01, 4.0), (1e-8, 1e-4, 4.0)]
+    {
+        for phase in 0..4_u32 {
+            let time = 0.2 + 0.013 * f64::from(phase);
+            let start = before(planet, [b, speed, time]);
+            let exact =
+                system!(planet, start).scheme(Gauss::order16()).dt(short(b, speed)).run_until(time + 0.1).unwrap();
+            macro_rules! meets {
+                ($($scheme:expr),*) => {$(
+                    for tolerance in [1e-6, 1e-9] {
+                        let run = system!(planet, start).scheme($scheme).adaptive(tolerance).run_until(time + 0.1).unwrap();
+                        let (end, exact) = (run.last().q[2], exact.last().q[2]);
+                        let error = (0..3).map(|k| (end[k] - exact[k]).powi(2)).sum::<f64>().sqrt();
+                        assert!(
+                            error < 5.0 * tolerance,
+                            "{} at {tolerance:e}: {error:e} in {} steps past {planet:e} at {b}, phase {phase}",
+                            run.report().scheme(), run.steps(),
+                        );
+                        passages += 1;
+                    }
+                )*};
+            }
+            meets!(Nystrom::order8(), Gauss::order16(), Composed::order6(DiscreteGradient));
+            // That it was worth seeing: without the planet the stone ends elsewhere.
+            let free = system!(1e-30, start).scheme(Gauss::order16()).dt(1e-3).run_until(time + 0.1).unwrap();
+            sharp += u32::from((free.last().q[2][0] - exact.last().q[2][0]).abs() > 1e-5);
+        }
+    }
+    println!("{passages} passages, {sharp} of 20 ways bent by more than 1e-5");
+    assert!(passages == 120 && sharp >= 16, "{passages}, {sharp}");
+}
+
+/// Two bodies that turn around each other do not pass: they take the steps of one body in the same field.
+#[test]
+fn bodies_that_turn_around_each_other_take_the_steps_of_one() {
+    for e in [0.0_f64, 0.5, 0.9] {
+        let (q, v) = (1.0 - e, ((1.0 + e) / (1.0 - e)).sqrt());
+        let scene = Scene::new().body(1.0, [0.0; 2], [0.0; 2]).body(1e-9, [q, 0.0], [0.0, v]).pairs(Gravity { g: 1.0 });
+        let law = Simulation::new(Kepler { gm: 1.0 }, State::new([q, 0.0], [0.0, v]));
+        for tolerance in [1e-5, 1e-9] {
+            let alone = law.clone().scheme(Nystrom::order8()).adaptive(tolerance).run_until(62.0).unwrap().steps();
+            let pair = Simulation::scene(scene.clone()).scheme(Nystrom::order8()).adaptive(tolerance);
+            let pair = pair.run_until(62.0).unwrap().steps();
+            println!("e = {e}, {tolerance:e}: {alone} and {pair} steps");
+            assert!(pair.abs_diff(alone) <= 2 + alone / 100, "{alone} and {pair} steps");
+        }
+    }
+}

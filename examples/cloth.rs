@@ -18,7 +18,7 @@ use dmech::extend::{Scheme, Setup};
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::scene::{OnBonds, OnEach};
-use picture::{BLUE, Drawn, GREEN, INK, OCHRE, PALE};
+use picture::{Axis, BLUE, Drawn, GREEN, INK, OCHRE, PALE};
 
 const SIDE: usize = 16;
 const FRAMES: u32 = 3600;
@@ -146,7 +146,8 @@ fn main() -> Drawn {
 
     let path = picture::save("cloth.svg", [960, 520], |area| {
         let title = "The middle of a curtain in the wind, from the side";
-        let mut chart = picture::equal_chart_beside(area, title, -1.0..2.4, -0.85, 130)?;
+        let (x, y) = (Axis::linear("x (m)", -0.5..1.4), Axis::linear("height (m)", -2.0..0.1));
+        let mut chart = picture::equal_axes(area, title, x, y, 130)?;
         let circle = (0..=200).map(|k| TAU / 200.0 * f64::from(k)).map(|a| (0.5 + 0.4 * a.cos(), 0.4 * a.sin() - 1.0));
         picture::line(&mut chart, circle.collect(), PALE, 2.0)?;
         let names = [("at the start", INK), ("after 1/4 s", BLUE), ("after 1 s", GREEN), ("after 3 s", OCHRE)];
@@ -154,7 +155,8 @@ fn main() -> Drawn {
             let column = state.q.iter().skip(SIDE / 2).step_by(SIDE);
             picture::line(&mut chart, column.map(|q| (q[1], q[2])).collect(), colour, 1.6)?;
         }
-        picture::name_column(&chart, (2.4, -0.4), &names)
+        let corner = (chart.x_range().end, -0.4);
+        picture::name_column(&chart, corner, &names)
     })?;
     println!("\nPicture: {}", path.display());
     Ok(())

@@ -277,7 +277,7 @@ fn energies() -> Drawn {
 fn picture_of(distribution: &[(f64, f64)], atoms: usize) -> Drawn<PathBuf> {
     picture::save("liquid.svg", [960, 480], |area| {
         let title = format!("{atoms} atoms at ρ = {DENSITY}, T = {TEMPERATURE}: radial distribution function");
-        let (x, y) = (Axis::linear("r", 0.0..FAR), Axis::linear("g(r)", 0.0..3.5));
+        let (x, y) = (Axis::linear("r / σ", 0.0..FAR), Axis::linear("g(r)", 0.0..3.5));
         let mut chart = picture::chart(area, &title, x, y, 40)?;
         picture::line(&mut chart, vec![(0.0, 1.0), (FAR, 1.0)], INK, 0.8)?;
         picture::line(&mut chart, vec![(CUTOFF, 0.0), (CUTOFF, 3.5)], OCHRE, 1.2)?;

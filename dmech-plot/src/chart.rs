@@ -56,32 +56,6 @@ pub fn equal_axes<'a>(area: &Area<'a>, title: &str, x: Axis<'_>, y: Axis<'_>, ri
     chart(area, title, Axis { range: across, ..x }, Axis { range: up, ..y }, right)
 }
 
-/// Axes with one scale: the height that belongs to a width, around y = 0.
-pub fn equal_chart<'a>(area: &Area<'a>, title: &str, x: Range<f64>) -> Drawn<Chart<'a>> {
-    equal_chart_about(area, title, x, 0.0)
-}
-
-/// The same around another y.
-pub fn equal_chart_about<'a>(area: &Area<'a>, title: &str, x: Range<f64>, middle: f64) -> Drawn<Chart<'a>> {
-    equal_chart_beside(area, title, x, middle, 10)
-}
-
-/// The same with `right` pixels left free for labels.
-pub fn equal_chart_beside<'a>(
-    area: &Area<'a>,
-    title: &str,
-    x: Range<f64>,
-    middle: f64,
-    right: u32,
-) -> Drawn<Chart<'a>> {
-    let x = sound(x);
-    let titled = area.titled("", text(17.0, INK))?;
-    let empty = builder(&titled, right).build_cartesian_2d(0.0..1.0, 0.0..1.0)?;
-    let (width, height) = empty.plotting_area().dim_in_pixel();
-    let half = 0.5 * (x.end - x.start) * f64::from(height) / f64::from(width);
-    chart(area, title, Axis::linear("x", x), Axis::linear("y", middle - half..middle + half), right)
-}
-
 fn builder<'a, 'b>(area: &'b Area<'a>, right: u32) -> ChartBuilder<'b, 'static, SVGBackend<'a>> {
     let mut builder = ChartBuilder::on(area);
     builder.margin(8 * FINE).margin_right(right * FINE).x_label_area_size(44 * FINE).y_label_area_size(66 * FINE);

@@ -28,7 +28,7 @@ mod thin;
 mod window;
 
 pub use axis::Axis;
-pub use chart::{chart, equal_axes, equal_chart, equal_chart_about, equal_chart_beside, headed};
+pub use chart::{chart, equal_axes, headed};
 pub use colour::{BLUE, GREEN, INK, OCHRE, PALE, PURPLE, RED, TEAL};
 pub use fit::Fit;
 pub use labels::{label, label_beside, label_clear, name_column, name_ends};

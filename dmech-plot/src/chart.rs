@@ -5,7 +5,6 @@ use std::ops::Range;
 use plotters::chart::ChartBuilder;
 use plotters::prelude::{Color, SVGBackend, TRANSPARENT, TextStyle};
 
-use crate::axis::sound;
 use crate::{Area, Axis, Chart, Drawn, FINE, INK, PALE, text};
 
 /// Axes with a title; `right` pixels are left free beside them for labels.

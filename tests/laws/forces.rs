@@ -57,6 +57,30 @@ impl Shaken {
     }
 }
 
+/// A force of the time alone: where it is not read, the position may be written as Rust writes what is not used.
+#[derive(Clone, Copy, Debug)]
+struct Pushed {
+    a: f64,
+    omega: f64,
+}
+
+#[dmech::law]
+impl Pushed {
+    #[force]
+    fn push(&self, _q: f64, t: f64) -> f64 {
+        self.a * (self.omega * t).cos()
+    }
+}
+
+#[test]
+fn an_argument_that_is_not_used_may_say_so() {
+    let law = Pushed { a: 0.6, omega: 1.7 };
+    let run =
+        Simulation::new(law, State::new([0.3], [-0.2])).scheme(Nystrom::order8()).dt(0.05).run_until(3.0).unwrap();
+    let exact = 0.3 - 0.2 * 3.0 + law.a / law.omega.powi(2) * (1.0 - (3.0 * law.omega).cos());
+    assert!((run.last().q[0] - exact).abs() < 1e-12, "{} for {exact}", run.last().q[0]);
+}
+
 const SHAKEN: Shaken = Shaken { k: 1.4, a: 0.6, omega: 1.7 };
 
 /// A magnetic field that grows with x, and a well beside it.

@@ -147,16 +147,25 @@ pub(super) fn arguments<'a>(
 fn coordinates_apart<'a>(typed: &[&'a PatType], of: Role) -> Vec<&'a Pat> {
     let is_coordinate = |typed: &&&PatType| match &*typed.pat {
         Pat::Ident(name) => {
-            let name = name.ident.to_string();
+            let name = used_name(&name.ident);
             let free = ![of, Role::Force].iter().any(|role| role.knows(&name));
             free && name.len() == 1 && known_type(&typed.ty) == Known::Float
         }
         _ => false,
     };
     let coordinates: Vec<_> = typed.iter().filter(is_coordinate).map(|typed| &*typed.pat).collect();
-    let says_where = |name: &syn::Ident| name == of.place().name || (of == Role::Pair && name == "r");
+    let says_where = |name: &syn::Ident| {
+        let name = used_name(name);
+        name == of.place().name || (of == Role::Pair && name == "r")
+    };
     let has_position = typed.iter().any(|typed| matches!(&*typed.pat, Pat::Ident(name) if says_where(&name.ident)));
     if coordinates.len() > 1 && !has_position { coordinates } else { vec![] }
+}
+
+/// `q` of `_q` as well, which is how Rust writes an argument that is not used.
+fn used_name(name: &syn::Ident) -> String {
+    let name = name.to_string();
+    name.strip_prefix('_').map_or_else(|| name.clone(), str::to_owned)
 }
 
 /// A law in `f32` is one mistake, however many types show it.
@@ -179,7 +188,7 @@ fn argument(
         Pat::Slice(_) | Pat::Tuple(_) | Pat::Reference(_) => return Err(law::place_in_pieces(pat, of)),
         _ => return Err(law::unknown_argument(pat, of)),
     };
-    let text = name.to_string();
+    let text = used_name(name);
     if !of.knows(&text) {
         return Err(law::argument_of_another_role(name, of).unwrap_or_else(|| law::unknown_argument(name, of)));
     }

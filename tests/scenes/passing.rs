@@ -87,3 +87,19 @@ fn bodies_that_turn_around_each_other_take_the_steps_of_one() {
         }
     }
 }
+
+/// In a box it is the nearest image that passes.
+#[test]
+fn images_pass_as_bodies_do() {
+    let pass = |shift: f64| {
+        let scene = Scene::new().body(1.0, [0.0; 2], [0.0; 2]).body(1e-3, [shift - 1.0, 0.01], [4.0, 0.0]);
+        let simulation =
+            Simulation::scene(scene.pairs(Gravity { g: 1e-4 }).periodic([8.0; 2])).scheme(Nystrom::order8());
+        simulation.adaptive(1e-9).run_until(0.5).unwrap()
+    };
+    let (here, there) = (pass(0.0), pass(8.0));
+    println!("{} and {} steps", here.steps(), there.steps());
+    assert!(here.steps() > 20 && here.steps().abs_diff(there.steps()) <= 1, "{} and {}", here.steps(), there.steps());
+    let [a, b] = [here, there].map(|run| run.last().q[1]);
+    assert!((a[0] + 8.0 - b[0]).abs() < 1e-10 && (a[1] - b[1]).abs() < 1e-10, "{a:?} and {b:?}");
+}

@@ -328,7 +328,8 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
             if at.per_mass[a] + at.per_mass[b] != 0.0 {
                 let (on_a, on_b) = (at.body(a), at.body(b));
                 let stiffness = |s, d, _| self.stiffness(at.t, s, [(a, &on_a), (b, &on_b)], d);
-                all = all.and(Frequency::between(at.link(&on_a, &on_b), stiffness));
+                let link = at.link(&on_a, &on_b);
+                all = all.and(Frequency::between(Course { q: self.space.image(link.q), ..link }, stiffness));
             }
         });
         all

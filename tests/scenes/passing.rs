@@ -5,7 +5,7 @@ use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
 
 /// Of the sun, in astronomical units and years.
-const GM: f64 = 39.478_417_604_357_434;
+const GM: f64 = 39.478_417_604_357_43;
 
 type Bodies = [[[f64; 3]; 3]; 2];
 

@@ -260,7 +260,13 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
         Self: Members<Y, D>,
     {
         let common = self.common();
-        common.step_length::<f64>()?;
+        let dt = common.step_length::<f64>()?;
+        // What every member would be refused for is one error.
+        common.settings.due.check_for_any()?;
+        match span {
+            Span::Until(end) if !end.is_finite() => return Err(Error::EndTime { end, dt }),
+            _ => {}
+        }
         Ok(Plan { members: self.members, member, common, span, lanes: self.hands.lanes })
     }
 

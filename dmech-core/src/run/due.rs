@@ -30,6 +30,11 @@ impl Due {
         }
     }
 
+    /// Refuses what can be recorded from no start.
+    pub(crate) fn check_for_any(&self) -> Result<(), Error> {
+        self.check(if matches!(self, Due::At(_)) { f64::NEG_INFINITY } else { 0.0 })
+    }
+
     /// How many states so many steps of a length from the start will give, where that is known before.
     pub(crate) fn states(&self, steps: u64, length: f64) -> u64 {
         match self {

@@ -82,8 +82,8 @@ pub const EVALUATIONS: u32 = 5;
 /// Shares of K̇ and K̈ in ω.
 const SHARES: [f64; 2] = [0.25, 0.01];
 
-/// The share of what passes, 8¹², and that of ‖K‖ by which two bodies that turn around each other do not.
-const PASSING: [f64; 2] = [68_719_476_736.0, 150.0];
+/// The share of what passes, and that of ‖K‖ by which two bodies that turn around each other do not.
+const PASSING: [f64; 2] = [1e12, 45.0];
 
 /// ρ/ω, of what passes, at least.
 const STAYS: f64 = 2.0 / 3.0;
@@ -123,12 +123,12 @@ impl<R: Real> Frequency<R> {
     /// The same of two bodies at the separation q, and what they feel of each other in passing,
     ///
     /// ```text
-    /// ω¹² + 8¹² ‖K‖ w⁵,   w = u²/(u + 150 ‖K‖),   u = v²/q²
+    /// ω¹² + 10¹² ‖K‖ w⁵,   w = u³/(u² + 45² ‖K‖²),   u = v²/q²
     /// ```
     ///
     /// A body that passes another fast feels little of it until it is there, and by then a step on the time scale of all else has
     /// gone past. K⁽ⁿ⁾, of the order of ‖K‖ (v/q)ⁿ, tells of it from the farther away, the larger n is; here n = 10. Where
-    /// two bodies turn around each other, u ≤ 2 ‖K‖/√6, it is small beside ‖K‖⁶. It is not among what grows: of an ω that falls
+    /// two bodies turn around each other, u ≤ 2 ‖K‖/√6, it is 2·10⁻⁶ of ‖K‖⁶ at most. It is not among what grows: of an ω that falls
     /// by half in each step as one body leaves the other behind, steps would follow the fall beyond its end.
     #[inline(always)]
     pub fn between<const D: usize>(
@@ -242,14 +242,15 @@ fn rounded_once<R: Real>(x: R, y: R, z: R) -> R {
 }
 
 impl<const D: usize, R: Real> Course<D, R> {
-    /// 8¹² ‖K‖ w⁵, in units of s.
+    /// 10¹² ‖K‖ w⁵, in units of s.
     #[inline(always)]
     fn passing(&self, s: R, size: R) -> R {
         let reach = self.q.iter().fold(R::ZERO, |most, x| most.max(x.abs()));
         let [q, v] = [self.q.map(|x| x / reach), self.v.map(|x| s * x / reach)];
         let [share, slower] = PASSING.map(R::from_f64);
         let u = dot(v, v) / dot(q, q);
-        let w = u * u / slower.mul_add(size, u);
+        let turning = slower * size;
+        let w = u * u * u / (u * u + turning * turning);
         share * w * w * w * w * w * size
     }
 

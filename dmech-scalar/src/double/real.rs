@@ -1,7 +1,7 @@
 //! [`Real`] for double-double numbers.
 
 use super::{DoubleDouble, cardinal, exponential, hyperbolic, power, trigonometric};
-use crate::Real;
+use crate::{Real, functions};
 
 /// A method that is a function of this folder.
 macro_rules! from_here {
@@ -53,6 +53,16 @@ impl Real for DoubleDouble {
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
         self * b + c
+    }
+    /// To the rounding of the products of its halves, 53 digits each.
+    #[inline(always)]
+    fn product(self, b: Self) -> (Self, Self) {
+        let product = self * b;
+        (product, functions::split_error(product, [self, b], 9007199254740992.0)) // 2⁵³
+    }
+    #[inline(always)]
+    fn quotient(self, b: Self) -> (Self, Self) {
+        functions::two_quotient(self, b)
     }
     #[inline(always)]
     fn recip(self) -> Self {

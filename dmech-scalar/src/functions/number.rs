@@ -156,24 +156,26 @@ pub(crate) fn two_product<R: Real>(a: R, b: R) -> (R, R) {
     if FUSED {
         return (product, a.mul_add(b, -product));
     }
-    let (a1, a2) = halves(a);
-    let (b1, b2) = halves(b);
-    (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)
+    (product, split_error(product, [a, b], 134217729.0)) // 2²⁷ + 1
+}
+
+/// a b less the rounded product, by splitting both factors in halves with 2ᵏ + 1 (or 2ᵏ, where that has too many digits).
+#[inline(always)]
+pub(crate) fn split_error<R: Real>(product: R, factors: [R; 2], splitter: f64) -> R {
+    let [(a1, a2), (b1, b2)] = factors.map(|x| {
+        let wide = x * R::from_f64(splitter);
+        let upper = wide - (wide - x);
+        (upper, x - upper)
+    });
+    ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2
 }
 
 /// a/b as (quotient, what its rounding left out).
 #[inline(always)]
 pub(crate) fn two_quotient<R: Real>(a: R, b: R) -> (R, R) {
     let quotient = a / b;
-    let (product, error) = two_product(quotient, b);
+    let (product, error) = quotient.product(b);
     (quotient, ((a - product) - error) / b)
-}
-
-#[inline(always)]
-fn halves<R: Real>(x: R) -> (R, R) {
-    let wide = x * R::from_f64(134217729.0); // 2²⁷ + 1
-    let upper = wide - (wide - x);
-    (upper, x - upper)
 }
 
 /// (p + p′)/(q + q′), where the primed are below the last places: the rounded quotient and what its remainder adds.

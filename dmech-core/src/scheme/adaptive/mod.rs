@@ -41,8 +41,8 @@ use pacing::MIDDLE;
 /// through zero, as for a pendulum at a right angle. As ω is even under v → −v, the sequence of steps is that of the
 /// motion backward, and a reversible scheme stays reversible: what it keeps does not begin to drift because steps differ.
 ///
-/// Of two bodies of a scene at a separation d with a relative velocity v, 8¹² ‖K‖ w⁵ is added, with w = u²/(u + 150 ‖K‖) and
-/// u = v²/d²: one that passes another fast is seen before it is there. That is not among what grows, and ρ is at least
+/// Of two bodies of a scene at a separation d with a relative velocity v, 10¹² ‖K‖ w⁵ is added, with w = u³/(u² + 45² ‖K‖²)
+/// and u = v²/d²: one that passes another fast is seen before it is there. That is not among what grows, and ρ is at least
 /// ⅔ of it.
 ///
 /// An explicit reversible rule cannot pull ρ back to ω, or it would push it away on the way back. On smooth motions they

@@ -8,16 +8,16 @@
 //! use dmech::prelude::*;
 //!
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let sweep = || {
+//!         Ensemble::of(1_000_000)
+//!             .law(|k| Kepler { gm: 1.0 + 1e-6 * k as f64 })
+//!             .start(|_| State::new([0.5, 0.0], [0.0, 1.63]))
+//!             .scheme(Nystrom::order6())
+//!             .dt(0.01)
+//!             .look_every(100)
+//!     };
 //!     let world = dmech_mpi::World::start()?;
-//!     let run = Ensemble::of(1_000_000)
-//!         .law(|k| Kepler { gm: 1.0 + 1e-6 * k as f64 })
-//!         .start(|_| State::new([0.5, 0.0], [0.0, 1.63]))
-//!         .scheme(Nystrom::order6())
-//!         .dt(0.01)
-//!         .look_every(100)
-//!         .store("sweep.sqlite")
-//!         .ranks(&world)
-//!         .run_until(100.0)?;
+//!     let run = sweep().store("sweep.sqlite").ranks(&world).run_until(100.0)?;
 //!     // The first rank has the results, the others have nothing.
 //!     if let Some(run) = run {
 //!         println!("{run}checksum {:016x}", run.checksum());

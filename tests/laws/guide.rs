@@ -121,3 +121,20 @@ fn messages_are_the_compilers() {
     }
     assert!(shown > 20, "{shown} messages");
 }
+
+/// What needs an MPI is compiled in the crate that has one: what the guide shows of it is what stands there.
+#[test]
+fn what_needs_an_mpi_is_compiled_where_there_is_one() {
+    let crate_page = read_to_string(root().join("dmech-mpi/src/lib.rs")).unwrap();
+    let compiled: BTreeSet<_> =
+        between(&crate_page, "//! ```no_run\n", "//! ```\n").into_iter().flat_map(str::lines).collect();
+    let compiled: BTreeSet<_> = compiled.into_iter().map(|line| line.trim_start_matches("//!").trim()).collect();
+    let mut lines = 0;
+    for (file, text) in files() {
+        for line in between(&text, "```rust,ignore\n", "```").into_iter().flat_map(str::lines) {
+            assert!(compiled.contains(line.trim()), "{file}: {line}");
+            lines += 1;
+        }
+    }
+    assert!(lines > 3, "{lines}");
+}

@@ -157,8 +157,8 @@
 //! # }
 //! ```
 //!
-//! Scenes take them too: their time scale is that of all links and fields together where the bodies are at the step. Bodies that rush
-//! past each other can be stepped over: `.dt(h)` beside it is the longest step.
+//! Scenes take them too: their time scale is that of all links and fields together, and steps shorten before two bodies that pull on
+//! each other pass. Contacts can be stepped over: `.dt(h)` beside it is the longest step.
 //!
 //! # Which scheme for which error
 //!

@@ -15,12 +15,20 @@ pub(crate) enum Span {
 }
 
 impl Span {
+    /// Refuses an end that no start reaches, by steps of this length.
+    pub(crate) fn check(self, dt: f64) -> Result<(), Error> {
+        match self {
+            Span::Until(end) if !end.is_finite() => Err(Error::EndTime { end, dt }),
+            _ => Ok(()),
+        }
+    }
+
     /// The steps that it takes.
     pub(crate) fn steps<Y: System, S: Scheme<Y>>(self, stepper: &Stepper<Y, S>) -> Result<u64, Error> {
+        self.check(stepper.dt())?;
         match self {
             Span::Steps(steps) => stepper.possible(steps),
             Span::Until(end) if stepper.scheme.tolerance().is_none() => steps_until(stepper.t(), end, stepper.dt()),
-            Span::Until(end) if !end.is_finite() => Err(Error::EndTime { end, dt: stepper.dt() }),
             Span::Until(end) if end < stepper.t() => Err(Error::Span { start: stepper.t(), end }),
             Span::Until(_) => Ok(UNCOUNTED),
         }

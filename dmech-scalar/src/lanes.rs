@@ -327,14 +327,6 @@ impl Real for Lanes {
         }
     }
     #[inline(always)]
-    fn product(self, b: Self) -> (Self, Self) {
-        functions::two_product(self, b)
-    }
-    #[inline(always)]
-    fn quotient(self, b: Self) -> (Self, Self) {
-        functions::two_quotient(self, b)
-    }
-    #[inline(always)]
     fn recip(self) -> Self {
         Self::ONE / self
     }

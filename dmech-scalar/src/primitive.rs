@@ -116,14 +116,6 @@ macro_rules! primitive {
 
 primitive! {
     f64 {
-        #[inline(always)]
-        fn product(self, b: Self) -> (Self, Self) {
-            functions::two_product(self, b)
-        }
-        #[inline(always)]
-        fn quotient(self, b: Self) -> (Self, Self) {
-            functions::two_quotient(self, b)
-        }
         own! {
             exp(); exp2(); exp_m1(); ln(); ln_1p(); log2(); log10();
             sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
@@ -136,11 +128,6 @@ primitive! {
         fn product(self, b: Self) -> (Self, Self) {
             let product = self * b;
             (product, (f64::from(self) * f64::from(b) - f64::from(product)) as Self)
-        }
-        #[inline(always)]
-        fn quotient(self, b: Self) -> (Self, Self) {
-            let quotient = self / b;
-            (quotient, (f64::from(self) - f64::from(quotient) * f64::from(b)) as Self / b)
         }
         from_std! { f32:
             powf(p: Self); cbrt();

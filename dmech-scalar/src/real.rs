@@ -3,6 +3,8 @@
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use crate::functions;
+
 /// The outcome of a comparison: `bool` for one number, one bit per lane for several.
 pub trait Mask: Copy + Debug {
     /// How many numbers were compared.
@@ -98,12 +100,14 @@ pub trait Real:
     /// ```
     #[inline(always)]
     fn product(self, b: Self) -> (Self, Self) {
-        (self * b, Self::ZERO)
+        functions::two_product(self, b)
     }
     /// self/b, rounded, and what the rounding left out, rounded in its turn.
     #[inline(always)]
     fn quotient(self, b: Self) -> (Self, Self) {
-        (self / b, Self::ZERO)
+        let quotient = self / b;
+        let (product, rest) = quotient.product(b);
+        (quotient, ((self - product) - rest) / b)
     }
     /// 1/self.
     fn recip(self) -> Self;

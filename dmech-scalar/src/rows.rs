@@ -4,7 +4,6 @@ use core::array::from_fn;
 use core::fmt;
 use core::ops::{Index, IndexMut, Neg};
 
-use crate::functions;
 use crate::operators::operators;
 use crate::{Lanes, LanesMask, Mask, Real};
 
@@ -194,14 +193,6 @@ impl<const N: usize> Real for Rows<N> {
             all.0[i] = self.0[i].mul_add(b.0[i], c.0[i]);
         }
         all
-    }
-    #[inline(always)]
-    fn product(self, b: Self) -> (Self, Self) {
-        functions::two_product(self, b)
-    }
-    #[inline(always)]
-    fn quotient(self, b: Self) -> (Self, Self) {
-        functions::two_quotient(self, b)
     }
     #[inline(always)]
     fn powi(self, n: i32) -> Self {

@@ -63,13 +63,7 @@ pub(crate) fn draw(picture: &Picture) -> Drawn<PathBuf> {
             };
             fits(&heading, 17.0, WIDTH / columns as u32)?;
             let mut chart = if equal {
-                picture::equal_axes(
-                    panel,
-                    &heading,
-                    Axis::linear("x", x.from..x.to),
-                    Axis::linear("y", y.from..y.to),
-                    10,
-                )?
+                picture::equal_axes(panel, &heading, axis(x), axis(y), 10)?
             } else {
                 picture::chart(panel, &heading, axis(x), axis(y), 20)?
             };

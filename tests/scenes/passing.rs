@@ -33,8 +33,8 @@ fn before(planet: f64, [b, speed, time]: [f64; 3]) -> Bodies {
     [[0, 1, 2].map(|i| there.q[i]), [0, 1, 2].map(|i| there.v[i].map(|x| -x))]
 }
 
-/// A passage is met, wherever steps fall before it: at the least tolerance errors are below it, where a step that goes past
-/// makes them 10⁻⁴ to 1.
+/// A passage is met, wherever steps fall before it: errors are below five tolerances, where a step that goes past makes them 10⁻⁴
+/// to 1.
 #[test]
 fn what_passes_is_not_stepped_over() {
     let (mut passages, mut sharp) = (0, 0);

@@ -263,10 +263,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
         let dt = common.step_length::<f64>()?;
         // What every member would be refused for is one error.
         common.settings.due.check_for_any()?;
-        match span {
-            Span::Until(end) if !end.is_finite() => return Err(Error::EndTime { end, dt }),
-            _ => {}
-        }
+        span.check(dt)?;
         Ok(Plan { members: self.members, member, common, span, lanes: self.hands.lanes })
     }
 

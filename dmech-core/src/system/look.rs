@@ -24,7 +24,7 @@ impl<R: Real> Look<R> {
     /// ω, the angular frequency of the linearised motion.
     #[cold]
     pub fn rate(&self) -> R {
-        self.power.sqrt().sqrt().cbrt() / self.s
+        twelfth_root(self.power) / self.s
     }
 
     /// ρ, or the end of the range `band` of ρ/ω where it lies outside; what passes now is not taken to be gone soon.
@@ -38,9 +38,14 @@ impl<R: Real> Look<R> {
         if !below.or(above).any() {
             return density;
         }
-        let end = Look { power: R::either(below, least, most), ..*self }.rate();
+        let end = twelfth_root(R::either(below, least, most)) / self.s;
         R::either(below.or(above), end, density)
     }
+}
+
+#[cold]
+fn twelfth_root<R: Real>(power: R) -> R {
+    power.sqrt().sqrt().cbrt()
 }
 
 /// A particle, or two as one of reduced mass, where the motion has brought it.
@@ -140,7 +145,7 @@ impl<R: Real> Frequency<R> {
         Frequency { power, rise, passing: R::either(passing.finite(), passing, R::ZERO), s }
     }
 
-    /// ω¹², and ‖K‖ and how it grows, in units of s.
+    /// ω¹², and ‖K‖ in units of s.
     #[inline(always)]
     fn with_size<const D: usize>(
         course: Course<D, R>,

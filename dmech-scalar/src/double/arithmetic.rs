@@ -3,6 +3,7 @@
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::DoubleDouble;
+use crate::functions::two_product;
 use crate::{FUSED, two_sum};
 
 /// a + b rounded, and the error of that: for |a| ≥ |b|.
@@ -12,17 +13,8 @@ pub(super) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
-/// a b rounded, and the error of that.
-#[inline(always)]
-pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
-    if FUSED {
-        let product = a * b;
-        return (product, a.mul_add(b, -product));
-    }
-    split_product(a, b)
-}
-
-/// The same by splitting both factors in halves, as T. J. Dekker did; the splitting is Veltkamp's.
+/// a b rounded, and the error of that, when a program is compiled, as [`two_product`] has it on targets without a fused
+/// instruction.
 #[inline(always)]
 pub(super) const fn split_product(a: f64, b: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134217729.0; // 2²⁷ + 1

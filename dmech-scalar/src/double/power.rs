@@ -1,7 +1,7 @@
 //! Roots and powers.
 
 use super::DoubleDouble;
-use super::arithmetic::two_product;
+use crate::functions::two_product;
 
 const ONE: DoubleDouble = DoubleDouble::pair(1.0, 0.0);
 

@@ -61,10 +61,6 @@ impl Real for DoubleDouble {
         (product, functions::split_error(product, [self, b], 9007199254740992.0)) // 2⁵³
     }
     #[inline(always)]
-    fn quotient(self, b: Self) -> (Self, Self) {
-        functions::two_quotient(self, b)
-    }
-    #[inline(always)]
     fn recip(self) -> Self {
         Self::ONE / self
     }

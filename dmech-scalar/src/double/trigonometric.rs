@@ -3,9 +3,9 @@
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4};
 
 use super::DoubleDouble;
-use super::arithmetic::two_product;
 use super::power::sqrt;
 use super::series::{self, COS, SINC};
+use crate::functions::two_product;
 use crate::two_sum;
 
 const ONE: DoubleDouble = DoubleDouble::pair(1.0, 0.0);

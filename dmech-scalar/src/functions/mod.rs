@@ -44,6 +44,6 @@ pub(crate) use hyperbolic::{cosh, sinh, tanh};
 pub(crate) use inverse_hyperbolic::{acosh, asinh, atanh};
 pub(crate) use inverse_trigonometric::{acos, asin, atan, atan2};
 pub(crate) use logarithmic::{ln, ln_1p, log2, log10};
-pub(crate) use number::{Bits, Number, b, by_range, c, fast_two_sum, split_error, two_product, two_quotient};
+pub(crate) use number::{Bits, Number, b, by_range, c, fast_two_sum, split_error, two_product};
 pub(crate) use power::{cbrt, powf};
 pub(crate) use trigonometric::{cos, sin, tan};

@@ -170,14 +170,6 @@ pub(crate) fn split_error<R: Real>(product: R, factors: [R; 2], splitter: f64) -
     ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2
 }
 
-/// a/b as (quotient, what its rounding left out).
-#[inline(always)]
-pub(crate) fn two_quotient<R: Real>(a: R, b: R) -> (R, R) {
-    let quotient = a / b;
-    let (product, error) = quotient.product(b);
-    (quotient, ((a - product) - error) / b)
-}
-
 /// (p + p′)/(q + q′), where the primed are below the last places: the rounded quotient and what its remainder adds.
 #[inline(always)]
 pub(crate) fn quotient_terms<R: Number>((p, p_rest): (R, R), (q, q_rest): (R, R)) -> (R, R) {

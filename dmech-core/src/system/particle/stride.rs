@@ -2,6 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Real, two_sum};
 
+use crate::system::stages::path;
 use crate::vector::by_component;
 
 /// Time step and mass, with the coefficients that follow from them.
@@ -45,8 +46,8 @@ impl<R: Real> Stride<R> {
     pub(super) fn drift_and_rest<const D: usize>(&self, v: &CompensatedVector<D, R>) -> ([R; D], [R; D]) {
         let (mut drift, mut left) = ([R::ZERO; D], [R::ZERO; D]);
         for i in 0..D {
-            let (moved, rest) = self.dt.product(v.hi[i]);
-            (drift[i], left[i]) = two_sum(moved, self.dt.mul_add(v.lo[i], rest));
+            let (moved, rest) = path(self.dt, (v.hi[i], v.lo[i]));
+            (drift[i], left[i]) = two_sum(moved, rest);
         }
         (drift, left)
     }

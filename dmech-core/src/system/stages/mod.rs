@@ -81,7 +81,7 @@ pub trait Staged: System<Scalar: Staging> {
 /// fractions) in the mean to one side; as do quotients by h. Energy then grows like the number of steps and not like its root.
 #[inline(always)]
 pub(crate) fn path<R: Real>(dt: R, (v, v_low): (R, R)) -> (R, R) {
-    let (path, rest) = v.product(dt);
+    let (path, rest) = dt.product(v);
     (path, dt.mul_add(v_low, rest))
 }
 

@@ -153,7 +153,18 @@ impl<R: Real> Drift<R> {
 impl<R: Copy> Drift<R> {
     /// Its numbers, in order.
     pub(crate) fn fields(&self) -> [R; 8] {
-        let Drift { start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx } = *self;
+        self.each_field().map(|&number| number)
+    }
+
+    /// Where they are.
+    pub(crate) fn each_field(&self) -> [&R; 8] {
+        let Drift { start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx } = self;
+        [start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx]
+    }
+
+    /// The same, to be written to.
+    pub(crate) fn each_field_mut(&mut self) -> [&mut R; 8] {
+        let Drift { start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx } = self;
         [start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx]
     }
 

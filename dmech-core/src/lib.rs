@@ -67,7 +67,7 @@ pub use scene::{Scene, SceneState};
 pub use scheme::NoScheme;
 pub use scheme::{
     Adaptable, Adaptive, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss, Guess,
-    Implicit, Kanatani, Leapfrog, LineIntegral, Newton, Nystrom, Relaxed, Start, coefficients,
+    Implicit, Kanatani, Leapfrog, LineIntegral, Newton, Nystrom, Relaxed, RungeKuttaNystrom, Start, coefficients,
 };
 pub use setup::Setup;
 pub use state::State;
@@ -85,7 +85,8 @@ pub mod prelude {
     pub use crate::scene::{Scene, SceneState};
     pub use crate::scheme::{
         Adaptable, Boris, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss, Guess,
-        Implicit, Kanatani, Leapfrog, LineIntegral, Method, Newton, Nystrom, Relaxed, Scheme, Start, coefficients,
+        Implicit, Kanatani, Leapfrog, LineIntegral, Method, Newton, Nystrom, Relaxed, RungeKuttaNystrom, Scheme, Start,
+        coefficients,
     };
     pub use crate::{
         Crossing, Csv, Drift, Ensemble, EnsembleRun, Error, Event, Interrupted, Invariant, Kept, Npy, Particle, Run,

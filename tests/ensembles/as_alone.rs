@@ -87,6 +87,7 @@ table! {
     composed_discrete_gradient: Composed::order6(DiscreteGradient), [Orbit, Saddle, Bottle];
     gauss: Gauss::order16(), [Orbit, Saddle, Contact, Damped, Bottle];
     line_integral: LineIntegral::order6(), [Orbit, Driven];
+    runge_kutta_nystrom: RungeKuttaNystrom::order12(), [Orbit, Saddle, Contact, Driven, Plummer];
     relaxed: Relaxed::order6(), [Orbit];
 }
 
@@ -113,6 +114,7 @@ fn adaptive() {
     }
     follow::<Plummer, _, 3>(Adaptive::new(DiscreteGradient, 1e-3), "exact");
     follow::<Saddle, _, 2>(Adaptive::new(ForceGradient::order4(), 1e-5), "force-gradient");
+    follow::<Orbit, _, 2>(Adaptive::new(RungeKuttaNystrom::order12(), 1e-9), "order 12");
     follow::<Bottle, _, 2>(Adaptive::new(Composed::order4(Boris), 1e-4), "Boris");
     follow::<Bottle, _, 2>(Adaptive::new(DiscreteGradient, 1e-2), "workless");
     follow::<Orbit, _, 2>(Adaptive::new(Implicit, 1e-4), "implicit");

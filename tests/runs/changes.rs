@@ -78,6 +78,7 @@ fn one_law_changes_under_every_scheme() {
     law(Kanatani.start(Start::BackwardStep));
     law(Nystrom::order6());
     law(Relaxed::order8());
+    law(RungeKuttaNystrom::order12());
     law(ForceGradient::order6());
     law(Gauss::order16());
     law(LineIntegral::order6());
@@ -203,6 +204,7 @@ fn scenes_change_under_every_kind_of_scheme() {
     scene!(Leapfrog);
     scene!(Nystrom::order6());
     scene!(Relaxed::order6());
+    scene!(RungeKuttaNystrom::order12());
     scene!(Implicit);
     scene!(DiscreteGradient);
     scene!(Kanatani);

@@ -78,7 +78,7 @@ fn equal_steps() {
     each!(Composed::order6(Leapfrog), Composed::order6(Implicit), Composed::order6(DiscreteGradient));
     each!(Composed::order8(Leapfrog), Composed::order8(Implicit), Composed::order8(DiscreteGradient));
     each!(Nystrom::order4(), Nystrom::order6(), Nystrom::order8(), Nystrom::new(McLachlan4S4));
-    each!(Relaxed::order6(), Relaxed::order8());
+    each!(Relaxed::order6(), Relaxed::order8(), RungeKuttaNystrom::order12());
     each!(ForceGradient::order4(), ForceGradient::order6(), ForceGradient::order8());
     each!(Gauss::order16(), LineIntegral::order4(), LineIntegral::order10());
     each!(ForceGradient::new(Chin4A), ForceGradient::new(Chin4C));
@@ -88,7 +88,7 @@ fn equal_steps() {
     law(damped.clone().scheme(Boris));
     law(damped.clone().scheme(Gauss::order16()));
     law(damped.scheme(Composed::order4(DiscreteGradient)));
-    assert_eq!(checked.get(), 33);
+    assert_eq!(checked.get(), 34);
 }
 
 /// The tolerances are such that rows of equal steps are of one step, of a few, and longer than the run.
@@ -126,7 +126,7 @@ fn steps_that_follow_the_motion() {
         Composed::new(DiscreteGradient, TripleJump4) => 1e-4 1e-7,
         Nystrom::order4() => 1e-4 1e-7, Nystrom::order6() => 1e-4 1e-10, Nystrom::order8() => 1e-4 1e-12,
         ForceGradient::order4() => 1e-4 1e-7, ForceGradient::order6() => 1e-4 1e-10,
-        ForceGradient::order8() => 1e-4 1e-12, Gauss::order16() => 1e-3 1e-12 1e-30, LineIntegral::order6() => 1e-4 1e-9,
+        ForceGradient::order8() => 1e-4 1e-12, RungeKuttaNystrom::order12() => 1e-4 1e-12, Gauss::order16() => 1e-3 1e-12 1e-30, LineIntegral::order6() => 1e-4 1e-9,
     }
     let [in_rows, changing] = rows.get();
     assert!(in_rows >= 10 && changing >= 25, "{in_rows} with equal steps, {changing} with others");
@@ -186,7 +186,7 @@ fn scenes() {
     each!(chain: Explicit, Leapfrog, Implicit, DiscreteGradient, Kanatani, Kanatani.start(Start::BackwardStep));
     each!(chain: Composed::order4(Leapfrog), Composed::order4(DiscreteGradient), Composed::order6(DiscreteGradient));
     each!(chain: Composed::order8(Leapfrog), Nystrom::order4(), Nystrom::order6(), Nystrom::order8());
-    each!(chain: Gauss::order16(), LineIntegral::order6());
+    each!(chain: Gauss::order16(), LineIntegral::order6(), RungeKuttaNystrom::order12());
     let bonds = bodies.bonds(SPRING, [(0, 3), (3, 5), (4, 1), (1, 2)]);
     each!(bonds: Implicit, DiscreteGradient.with(Newton::from_previous()), Composed::order4(DiscreteGradient));
 }

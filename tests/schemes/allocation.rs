@@ -134,6 +134,7 @@ fn no_step_of_a_scene_allocates() {
         check(all.clone(), DiscreteGradient, dt, "pairs, DiscreteGradient");
         check(all.clone(), Relaxed::order6(), dt, "pairs, Relaxed");
         check(bodies().chain(spring), Relaxed::order8(), dt, "chain, Relaxed");
+        check(bodies().chain(spring), RungeKuttaNystrom::order12(), dt, "chain, RungeKuttaNystrom");
         check(bodies().chain(spring), Kanatani, dt, "chain, Kanatani");
         check(bodies().chain(spring), DiscreteGradient, dt, "chain, DiscreteGradient");
     }

@@ -13,4 +13,5 @@ mod order;
 mod published;
 mod relaxed;
 mod round_off;
+mod runge_kutta_nystrom;
 mod splittings;

@@ -33,6 +33,7 @@ fn every_scheme_passes() {
         Composed::order6(DiscreteGradient),
         Nystrom::order6(),
         Relaxed::order6(),
+        RungeKuttaNystrom::order12(),
         ForceGradient::order4(),
         LineIntegral::order4(),
         LineIntegral::order10(),

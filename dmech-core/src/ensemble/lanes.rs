@@ -45,7 +45,6 @@ where
         let mut convoy = Convoy::of(&seats);
         while go_on(&mut convoy, &mut seats) {
             if !relieve(&mut convoy, &mut seats, &mut queue) {
-                convoy.land_all(&mut seats);
                 break;
             }
         }
@@ -110,27 +109,47 @@ where
     true
 }
 
-/// Gives the lanes of those who have ended to the next, if there are as many.
+/// Gives the lanes of those who have ended to the next, and where there is none to the last of those who are on their way.
+/// Whether somebody is.
 fn relieve<L, S, const D: usize>(
     convoy: &mut Convoy<L, S, D>,
-    seats: &mut [Member<L, S, D>],
+    seats: &mut Vec<Member<L, S, D>>,
     queue: &mut Queue<'_, '_, L, S, D>,
 ) -> bool
 where
     L: Fields<D>,
     S: InLanes<L, D>,
 {
-    for (lane, seat) in seats.iter_mut().enumerate() {
+    let (taken, mut lane, mut first) = (seats.len(), 0, false);
+    while lane < seats.len() {
         if convoy.left[lane] > 0 {
+            lane += 1;
             continue;
         }
-        let Some(next) = queue.next() else { return false };
-        convoy.land(lane, seat);
-        queue.end(replace(seat, next));
-        convoy.seat(lane, seat);
+        first |= lane == 0;
+        convoy.land(lane, &mut seats[lane]);
+        let ended = match queue.next() {
+            Some(next) => replace(&mut seats[lane], next),
+            None => {
+                let last = seats.len() - 1;
+                convoy.land(last, &mut seats[last]);
+                convoy.leave(last);
+                seats.swap_remove(lane)
+            }
+        };
+        queue.end(ended);
+        // The last may have ended too.
+        if let Some(seat) = seats.get(lane) {
+            convoy.seat(lane, seat);
+        }
     }
-    // Those without a member must not move past the end of one.
-    (seats.len()..Ride::COUNT).for_each(|lane| convoy.place(lane, &seats[0]));
+    let Some(seat) = seats.first() else { return false };
+    // Lanes without a member move as the first, and must not move past its end.
+    let vacant = seats.len()..if first { Ride::COUNT } else { taken };
+    if !vacant.is_empty() {
+        convoy.system = together(&convoy.numbers);
+        vacant.for_each(|lane| convoy.place(lane, seat));
+    }
     true
 }
 
@@ -304,6 +323,12 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         self.count(lane, member);
     }
 
+    /// Leaves the last lane that a member has.
+    fn leave(&mut self, lane: usize) {
+        self.numbers.truncate(lane);
+        [self.left[lane], self.until_look[lane], self.every[lane]] = [u64::MAX; 3];
+    }
+
     /// Has a lane move as a member does.
     fn place(&mut self, lane: usize, member: &Member<L, S, D>) {
         self.scheme.seat(&self.system, &mut self.all, lane, &member.stepper);
@@ -357,7 +382,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         stepper.evaluations += self.cost.take_evaluations(lane);
         stepper.iterations += self.cost.iterations - replace(&mut self.iterations[lane], self.cost.iterations);
         stepper.memory = self.scheme.lane(&self.all, lane);
-        log.watch.set_drifts(self.drifts.map(|drift| drift.map(|drift| drift.lane(lane))));
+        log.watch.set_drifts(self.drifts.each_ref().map(|drift| Some(drift.as_ref()?.lane(lane))));
         if member.every.is_some() {
             log.until_record = self.until_look[lane];
         }

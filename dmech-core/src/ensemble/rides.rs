@@ -9,7 +9,7 @@ use crate::run::{Attend, Due, Interrupted, Run, Simulation};
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
     Adaptive, Boris, Coefficients, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss,
-    Implicit, Kanatani, Leapfrog, LineIntegral, Nystrom, Relaxed, Scheme,
+    Implicit, Kanatani, Leapfrog, LineIntegral, Nystrom, Relaxed, RungeKuttaNystrom, Scheme,
 };
 use crate::span::Span;
 use crate::state::State;
@@ -103,6 +103,7 @@ ride! {
     CompensatedLeapfrog, VelocityIndependent, [];
     Composed<Leapfrog, C, N>, VelocityIndependent, [C: Coefficients<N>, const N: usize];
     Nystrom<C, N>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
+    RungeKuttaNystrom, VelocityIndependent, [];
     ForceGradient<C, N>, VelocityIndependent, [C: ForceGradientCoefficients<N>, const N: usize];
     Kanatani, VelocityIndependent, [];
     Boris, LinearInVelocity, [];
@@ -116,6 +117,7 @@ ride! {
     LineIntegral<N>, AtStages<D, f64>, [const N: usize];
     Adaptive<Composed<Leapfrog, C, N>>, VelocityIndependent, [C: Coefficients<N>, const N: usize];
     Adaptive<Nystrom<C, N>>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
+    Adaptive<RungeKuttaNystrom>, VelocityIndependent, [];
     Adaptive<ForceGradient<C, N>>, VelocityIndependent, [C: ForceGradientCoefficients<N>, const N: usize];
     Adaptive<Boris>, LinearInVelocity, [];
     Adaptive<Composed<Boris, C, N>>, LinearInVelocity, [C: Coefficients<N>, const N: usize];

@@ -122,8 +122,7 @@ impl<L: Fields<D>, S: BySide<L, D>, const D: usize> InLanes<L, D> for S {
         all.made[lane] = alone.steps as f64;
         all.memory.set(lane, &alone.memory);
         all.stride = system.stride(all.dt, <S as Scheme<Together<L, D>>>::SHARE);
-        all.workspace = self.workspace(system, &all.stride);
-        <S as Scheme<Together<L, D>>>::watch(self, false, &mut all.workspace);
+        <S as Scheme<Together<L, D>>>::pace(self, system, &all.stride, &mut all.workspace);
     }
 
     fn advance(&self, system: &Together<L, D>, all: &mut Even<L, S, D>, steps: u64, cost: &mut Cost) -> Option<u64> {
@@ -187,8 +186,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> fo
         all.memory.set(lane, &memory.inner);
         all.longest[lane] = alone.dt;
         all.stride = system.stride(all.pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
-        all.workspace = scheme.workspace(system, &all.stride);
-        <S as Scheme<Together<L, D>>>::watch(&scheme, false, &mut all.workspace);
+        scheme.pace(system, &all.stride, &mut all.workspace);
     }
 
     fn advance(&self, system: &Together<L, D>, all: &mut Paced<L, S, D>, steps: u64, cost: &mut Cost) -> Option<u64> {

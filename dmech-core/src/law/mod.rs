@@ -47,7 +47,7 @@ pub trait Conservative {}
 #[diagnostic::on_unimplemented(
     message = "the force of `{Self}` depends on the velocity, and this scheme has no velocity where it needs the force",
     label = "this scheme cannot step a velocity-dependent force",
-    note = "leap-frog, Kanatani's scheme, `Nystrom`, `Relaxed` and `ForceGradient` kick at a position, where they have no velocity of that time",
+    note = "leap-frog, Kanatani's scheme, `Nystrom`, `RungeKuttaNystrom`, `Relaxed` and `ForceGradient` kick at a position, where they have no velocity of that time",
     note = "use `Boris` where the force is linear in the velocity, else `Gauss::order16()`, `DiscreteGradient`, `Implicit` or `Explicit`"
 )]
 pub trait VelocityIndependent {}

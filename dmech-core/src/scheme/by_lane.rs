@@ -96,12 +96,11 @@ impl ByLane<Drift> for Drift<Ride> {
         Drift::by_field(|field| Ride::from_fn(|lane| one(lane).fields()[field]))
     }
     fn lane(&self, lane: usize) -> Drift {
-        Drift::by_field(|field| self.fields()[field][lane])
+        let all = self.each_field();
+        Drift::by_field(|field| all[field][lane])
     }
     fn set(&mut self, lane: usize, one: &Drift) {
-        let mut own = self.fields();
-        own.set(lane, &one.fields());
-        *self = Drift::by_field(|field| own[field]);
+        self.each_field_mut().into_iter().zip(one.fields()).for_each(|(all, own)| all[lane] = own);
     }
     fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
         let (own, other) = (self.fields(), other.fields());

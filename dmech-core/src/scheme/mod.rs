@@ -16,6 +16,7 @@ mod memory;
 mod missing;
 mod nystrom;
 mod relaxed;
+mod runge_kutta_nystrom;
 mod splitting;
 
 pub(crate) use adaptive::Pacing;
@@ -37,6 +38,7 @@ pub use leapfrog::Leapfrog;
 pub use missing::{NeverBegun, NoScheme, WithScheme};
 pub use nystrom::Nystrom;
 pub use relaxed::{Relaxed, RelaxedMemory, RelaxedRoom};
+pub use runge_kutta_nystrom::{NystromStages, RungeKuttaNystrom, RungeKuttaNystromMemory};
 pub use splitting::{First, SplittingMemory};
 
 use dmech_scalar::Real;

@@ -94,7 +94,7 @@ pub trait System: Sized {
     /// x += c y.
     fn add_scaled(x: &mut Self::Vector, c: Self::Scalar, y: &Self::Vector);
     /// out ← Σ wⱼ xⱼ.
-    fn weigh<const N: usize>(w: &[f64; N], x: &[Self::Vector; N], out: &mut Self::Vector);
+    fn weigh(w: &[f64], x: &[Self::Vector], out: &mut Self::Vector);
     /// x ← 0 for bodies that count in no energy.
     #[inline(always)]
     fn leave_uncounted(&self, _x: &mut Self::Vector) {}
@@ -174,6 +174,8 @@ pub trait System: Sized {
         kick: Kick<Self::Scalar>,
         start: &Beginning<'_, Self>,
     ) -> [Self::Vector; 2];
+    /// x += c y.
+    fn add_to_sum(x: &mut Self::Sum, c: Self::Scalar, y: &Self::Vector);
     /// q += h v, with what both have in their low parts.
     fn drift_sum(stride: &Self::Stride, q: &mut Self::Sum, v: &Self::Sum);
     /// change ← −b (h/m)(∇Φ − F), and v += change.

@@ -1,6 +1,6 @@
 //! The schemes of dmech that take part, with equal steps and with steps that follow the motion of each planet.
 //!
-//! All but Gauss's method ride in lanes; this moves one planet after another, with its stages in the lanes.
+//! All ride in lanes.
 
 use std::time::Instant;
 
@@ -52,6 +52,7 @@ pub(crate) fn entrants() -> Vec<Entrant<'static>> {
         ForceGradient::order4(),
         ForceGradient::order6(),
         ForceGradient::order8(),
+        RungeKuttaNystrom::order12(),
         Gauss::order16(),
     ]);
     entrants.extend(adaptive![
@@ -63,6 +64,7 @@ pub(crate) fn entrants() -> Vec<Entrant<'static>> {
         ForceGradient::order6(),
         ForceGradient::order8(),
         Composed::order8(Leapfrog),
+        RungeKuttaNystrom::order12(),
         Gauss::order16(),
     ]);
     entrants

@@ -229,10 +229,12 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         passes::add_scaled(x.blocks_mut(), c, y.blocks());
     }
 
-    fn weigh<const N: usize>(w: &[f64; N], x: &[Vectors<D>; N], out: &mut Vectors<D>) {
+    fn weigh(w: &[f64], x: &[Vectors<D>], out: &mut Vectors<D>) {
         out.clear();
         for (&w, x) in w.iter().zip(x) {
-            Self::add_scaled(out, w, x);
+            if w != 0.0 {
+                Self::add_scaled(out, w, x);
+            }
         }
     }
 
@@ -369,6 +371,10 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
             passes::kick(sign * b, stride.kick.blocks(), room.slope.blocks(), start.v.blocks(), to.blocks_mut());
             to
         })
+    }
+
+    fn add_to_sum(x: &mut CompensatedVectors<D>, c: f64, y: &Vectors<D>) {
+        x.add(|i| c * y.flat()[i]);
     }
 
     fn drift_sum(stride: &SceneStride<D>, q: &mut CompensatedVectors<D>, v: &CompensatedVectors<D>) {

@@ -5,6 +5,7 @@ use crate::scheme::force_gradient::coefficients::ForceGradientCoefficients;
 use crate::scheme::nystrom::coefficients::NystromCoefficients;
 use crate::scheme::{
     Boris, Composed, DiscreteGradient, ForceGradient, Gauss, Implicit, Leapfrog, LineIntegral, Method, Nystrom,
+    RungeKuttaNystrom,
 };
 
 /// A scheme whose steps may differ: [`Simulation::adaptive`](crate::Simulation::adaptive) takes it.
@@ -15,7 +16,7 @@ use crate::scheme::{
     message = "`.adaptive(tolerance)` makes steps that differ, and `{Self}` cannot take such",
     label = "cannot follow the time scale of the motion",
     note = "`Leapfrog` and `Kanatani` join positions at equal distances in time, and `Explicit` is not symmetric",
-    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, `Boris`, a composition of these or of `Leapfrog`, a `Nystrom`, `ForceGradient`, `Gauss` or `LineIntegral` scheme; or give the step with `.dt(h)`"
+    note = "call `.scheme(...)` before `.adaptive(tolerance)`, with `DiscreteGradient`, `Implicit`, `Boris`, a composition of these or of `Leapfrog`, a `Nystrom`, `RungeKuttaNystrom`, `ForceGradient`, `Gauss` or `LineIntegral` scheme; or give the step with `.dt(h)`"
 )]
 pub trait Adaptable: Method {
     /// ε, the angle in radians by which the linearised motion turns in a step, for a tolerance.
@@ -81,6 +82,12 @@ impl<C: ForceGradientCoefficients<N>, const N: usize> Adaptable for ForceGradien
 impl Adaptable for Gauss {
     fn angle(&self, tolerance: f64) -> f64 {
         turn::<Self>(1.59, tolerance, LONG)
+    }
+}
+
+impl Adaptable for RungeKuttaNystrom {
+    fn angle(&self, tolerance: f64) -> f64 {
+        turn::<Self>(0.94, tolerance, LONG)
     }
 }
 

@@ -137,7 +137,7 @@ impl<S: Adaptable> Adaptive<S> {
 impl<S: Adaptable> Method for Adaptive<S> {
     const NAME: &'static str = Self::TITLE.text();
     const ORDER: u32 = S::ORDER;
-    const SYMMETRIC: bool = true;
+    const SYMMETRIC: bool = S::SYMMETRIC;
 
     fn keeps(invariant: Invariant) -> Kept {
         S::keeps(invariant)

@@ -161,10 +161,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         *x = add_scaled(*x, c, *y);
     }
     #[inline(always)]
-    fn weigh<const N: usize>(w: &[f64; N], x: &[[R; D]; N], out: &mut [R; D]) {
+    fn weigh(w: &[f64], x: &[[R; D]], out: &mut [R; D]) {
         let mut sum = [R::ZERO; D];
-        for j in 0..N {
-            sum = add_scaled(sum, R::from_f64(w[j]), x[j]);
+        for (&w, &x) in w.iter().zip(x) {
+            sum = add_scaled(sum, R::from_f64(w), x);
         }
         *out = sum;
     }
@@ -244,6 +244,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
             self.kick(room, stride, kick, start.q, start.v, &mut to);
             to
         })
+    }
+    #[inline(always)]
+    fn add_to_sum(x: &mut CompensatedVector<D, R>, c: R, y: &[R; D]) {
+        x.add(scaled(c, *y));
     }
     #[inline(always)]
     fn drift_sum(stride: &Stride<R>, q: &mut CompensatedVector<D, R>, v: &CompensatedVector<D, R>) {

@@ -105,7 +105,6 @@ fn the_error_is_in_proportion_to_the_tolerance_at_every_order() {
     check(Nystrom::new(coefficients::BlanesMoan6S11), [1e-9, 1e-11]);
     check(Nystrom::order6(), [1e-9, 1e-11]);
     check(Nystrom::order8(), [1e-9, 1e-11]);
-    check(RungeKuttaNystrom::order12(), [1e-8, 1e-11]);
     check(ForceGradient::new(coefficients::Omelyan4S4), [1e-7, 1e-9]);
     check(ForceGradient::order4(), [1e-7, 1e-9]);
     check(ForceGradient::order6(), [1e-8, 1e-10]);

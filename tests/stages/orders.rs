@@ -68,6 +68,17 @@ fn orders_are_as_declared() {
     assert_eq!(measured, 20);
 }
 
+/// The explicit one too, where no force depends on the velocity.
+#[test]
+fn seventeen_explicit_stages_have_order_12() {
+    let mut measured = 0;
+    let scheme = RungeKuttaNystrom::order12();
+    has_its_order!(scheme, measured, Kepler { gm: 1.3 }, State::new([0.8, 0.1], [0.2, 1.1]));
+    has_its_order!(scheme, measured, BOWL, State::new([1.1, 0.3], [-0.2, 0.5]));
+    has_its_order!(scheme, measured, SHAKEN, State::new([1.3], [0.9]).at_time(0.25));
+    assert_eq!(measured, 3);
+}
+
 /// Forces linear in v, and general relativity's.
 #[test]
 fn forces_of_the_velocity_have_order_16() {

@@ -12,15 +12,15 @@ use super::wrapped::{Honest, Promise, promising};
 #[test]
 fn every_scheme_passes() {
     macro_rules! passes {
-        ($($scheme:expr),* $(,)?) => { $({
+        ($least:literal: $($scheme:expr),* $(,)?) => { $({
             let report = verify_scheme($scheme);
             report.assert();
             let measured = report.checks().iter().filter(|check| check.measured().is_some()).count();
-            assert!(measured >= 6, "{report}");
+            assert!(measured >= $least, "{report}");
         })* };
     }
     passes![
-        Explicit,
+        6: Explicit,
         Leapfrog,
         CompensatedLeapfrog,
         Boris,
@@ -33,12 +33,13 @@ fn every_scheme_passes() {
         Composed::order6(DiscreteGradient),
         Nystrom::order6(),
         Relaxed::order6(),
-        RungeKuttaNystrom::order12(),
         ForceGradient::order4(),
         LineIntegral::order4(),
         LineIntegral::order10(),
         Gauss::order16(),
     ];
+    // Its errors are at the level of rounding, and it has no way back.
+    passes![4: RungeKuttaNystrom::order12()];
 }
 
 #[derive(Clone, Copy, Debug)]

@@ -87,7 +87,7 @@ impl Adaptable for Gauss {
 
 impl Adaptable for RungeKuttaNystrom {
     fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>(0.94, tolerance, LONG)
+        turn::<Self>(1.0, tolerance, LONG)
     }
 }
 

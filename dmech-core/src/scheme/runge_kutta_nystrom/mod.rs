@@ -7,6 +7,7 @@ use dmech_scalar::Real;
 use self::coefficients::{COUNTED, KICKS, MOVES, PLACES, STAGES, TIMES};
 use super::by_lane::by_lane;
 use super::memory::{memory, q_and_v};
+use super::splitting::digits;
 use super::{Effort, Method, Scheme, WithoutVelocities};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
@@ -49,8 +50,7 @@ use crate::system::{Beginning, Kick, System};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Work is Σ m (v′ − v)·(v′ + v)/2, that of the mean force. The coefficients have the digits of `f64`: with
-/// [`DoubleDouble`](crate::DoubleDouble) numbers the order shows down to errors of 10⁻¹⁶.
+/// Work is Σ m (v′ − v)·(v′ + v)/2, that of the mean force.
 ///
 /// # Requires
 /// Forces that do not depend on the velocity. The potential may depend on the time.
@@ -114,6 +114,15 @@ impl<Y: System> core::fmt::Debug for NystromStages<Y> {
     }
 }
 
+/// out ← Σ wⱼ xⱼ, with what rounding to `f64` leaves out of the weights where the scalar has more digits.
+#[inline(always)]
+fn weigh<Y: System>([weights, low]: [&[f64]; 2], x: &[Y::Vector], out: &mut Y::Vector) {
+    Y::weigh(weights, x, out);
+    if Y::Scalar::EPSILON.to_f64() < f64::EPSILON {
+        low.iter().zip(x).for_each(|(&low, x)| Y::add_scaled(out, Y::Scalar::from_f64(low), x));
+    }
+}
+
 impl Method for RungeKuttaNystrom {
     const NAME: &'static str = "RungeKuttaNystrom(12)";
     const ORDER: u32 = 12;
@@ -158,25 +167,27 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
         memory: &mut Self::Memory,
         NystromStages { room, still, place, weighed, gains }: &mut NystromStages<Y>,
     ) -> Result<Effort, NotConverged> {
-        let (h, number) = (Y::dt(stride), Y::Scalar::from_f64);
+        let h = Y::dt(stride);
         let RungeKuttaNystromMemory { q, v } = memory;
         for i in 0..STAGES {
-            Y::weigh(PLACES[i], &gains[..i], weighed);
-            Y::add_scaled(weighed, number(TIMES[i]), Y::value(v));
+            let [places, low] = PLACES[i];
+            weigh::<Y>([places, low], &gains[..i], weighed);
+            let time = digits(TIMES[0][i], TIMES[1][i]);
+            Y::add_scaled(weighed, time, Y::value(v));
             place.clone_from(Y::value(q));
             Y::add_scaled(place, h, weighed);
-            let kick = Kick { t: number(TIMES[i]).mul_add(h, t), b: Y::Scalar::ONE, e: 0.0 };
+            let kick = Kick { t: time.mul_add(h, t), b: Y::Scalar::ONE, e: 0.0 };
             system.kick(room, stride, kick, place, still, &mut gains[i]);
         }
         // Stages 1 to 5 have no weight in the end.
-        let weigh = |weights: &[f64; STAGES], weighed: &mut Y::Vector| {
-            Y::weigh(&weights[COUNTED], &gains[COUNTED], weighed);
-            Y::add_scaled(weighed, number(weights[0]), &gains[0]);
+        let at_the_end = |of: &[[f64; STAGES]; 2], weighed: &mut Y::Vector| {
+            weigh::<Y>([&of[0][COUNTED], &of[1][COUNTED]], &gains[COUNTED], weighed);
+            Y::add_scaled(weighed, digits(of[0][0], of[1][0]), &gains[0]);
         };
         Y::drift_sum(stride, q, v);
-        weigh(&MOVES, weighed);
+        at_the_end(&MOVES, weighed);
         Y::add_to_sum(q, h, weighed);
-        weigh(&KICKS, weighed);
+        at_the_end(&KICKS, weighed);
         Y::add_to_sum(v, Y::Scalar::ONE, weighed);
         Ok(Effort { evaluations: STAGES as u32, iterations: 0 })
     }

@@ -10,8 +10,8 @@ const GOALS: [(f64, f64); 4] = [(1e-3, 1.5), (1e-6, 1.5), (1e-9, 1.5), (1e-12, 1
 /// The scheme of dmech for each of these, chosen before the run.
 const FIXED: [&str; 4] = [
     "ForceGradient(Smooth8S14)",
-    "ForceGradient(Smooth8S14)",
-    "ForceGradient(Smooth8S14)",
+    "RungeKuttaNystrom(12), adaptive",
+    "RungeKuttaNystrom(12), adaptive",
     "RungeKuttaNystrom(12), adaptive",
 ];
 

@@ -73,6 +73,7 @@ fn long_steps_are_made_in_parts_by_each_alone() {
             };
             assert_eq!(member.last(), alone.last(), "{k}, dt = {dt}");
             assert_eq!(member.report().evaluations(), alone.report().evaluations(), "{k}, dt = {dt}");
+            assert_eq!(member.report().rough(), alone.report().rough(), "{k}, dt = {dt}");
             rough += alone.report().rough();
         }
     }

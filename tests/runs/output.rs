@@ -230,6 +230,28 @@ fn a_run_has_the_states_between_those_that_it_recorded() {
     assert!(distance(&a.q, &b.q) < 1e-8 && distance(&a.v, &b.v) < 1e-6);
 }
 
+/// Steps of a radian of the motion: no polynomial through them is exact, and those through many went astray by up to 10⁷.
+#[test]
+fn between_long_steps_a_run_does_not_go_astray() {
+    fn check<S: dmech::extend::Adaptable + Scheme<Particle<Kepler, 2>>>(scheme: S, e: f64, most: f64) {
+        let law = Kepler { gm: 1.3 };
+        let motion = Simulation::new(law, law.pericentre(1.0, e));
+        let run = motion.clone().scheme(scheme).adaptive(1e-9).run_until(20.0).unwrap();
+        let middles = run.states().windows(2).map(|two| 0.5 * (two[0].t + two[1].t));
+        let exact = motion.scheme(Gauss::order16()).adaptive(1e-13).record_at(middles).run_until(20.0).unwrap();
+        let off = |state: &State<2>| distance(&[run.at(state.t).unwrap().q], &[state.q]);
+        let worst = exact.states().iter().map(off).fold(0.0, f64::max);
+        println!("{} at e = {e}: {worst:.1e} between {} steps", S::NAME, run.steps());
+        assert!(worst < most && run.steps() < 200, "{} at e = {e}: {worst:e}", S::NAME);
+    }
+    check(Gauss::order16(), 0.1, 1e-5);
+    check(Gauss::order16(), 0.6, 1e-2);
+    check(Gauss::order16(), 0.9, 0.2);
+    check(RungeKuttaNystrom::order12(), 0.6, 1e-4);
+    check(RungeKuttaNystrom::order12(), 0.9, 1e-3);
+    check(Nystrom::order8(), 0.9, 1e-5);
+}
+
 /// A step that fails keeps what was recorded before; a law that is not finite between two steps fails the output.
 #[test]
 fn a_failed_run_keeps_its_output() {

@@ -172,7 +172,7 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Member<L, S, D> {
         let simulation = (block.member)(k);
         let due = simulation.due().clone();
         let Prepared { mut stepper, run, steps: left, .. } = simulation.prepare(block.span)?;
-        stepper.scheme.watch(false, &mut stepper.workspace);
+        stepper.scheme.watch(S::SEES_ROUGH, &mut stepper.workspace);
         let every = if let Due::Every(n) = due { Some(n) } else { None };
         let mut log = Log::new(&stepper, run, due, ());
         log.watch.forget_work();

@@ -105,7 +105,7 @@ impl<L: Fields<D>, S: BySide<L, D>, const D: usize> InLanes<L, D> for S {
         let dt = Ride::from_fn(|lane| alone(lane).dt);
         let stride = system.stride(dt, <S as Scheme<Together<L, D>>>::SHARE);
         let mut workspace = self.workspace(system, &stride);
-        <S as Scheme<Together<L, D>>>::watch(self, false, &mut workspace);
+        <S as Scheme<Together<L, D>>>::watch(self, <S as Scheme<Together<L, D>>>::SEES_ROUGH, &mut workspace);
         Even {
             stride,
             memory: ByLane::of(&|lane| &alone(lane).memory),
@@ -175,7 +175,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> fo
         let stride = system.stride(pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
         let scheme = self.inner();
         let mut workspace = scheme.workspace(system, &stride);
-        <S as Scheme<Together<L, D>>>::watch(&scheme, false, &mut workspace);
+        <S as Scheme<Together<L, D>>>::watch(&scheme, <S as Scheme<Together<L, D>>>::SEES_ROUGH, &mut workspace);
         let memory = ByLane::of(&|lane| &alone(lane).memory.inner);
         Paced { stride, memory, workspace, pacing, longest: Ride::from_fn(|lane| alone(lane).dt) }
     }

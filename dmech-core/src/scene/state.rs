@@ -70,6 +70,11 @@ impl<const D: usize> Blend for SceneState<D> {
         }
         sum
     }
+
+    fn apart(&self, other: &Self) -> f64 {
+        let pairs = self.q.iter().flatten().zip(other.q.iter().flatten());
+        pairs.fold(0.0, |most, (x, y)| most.max((x - y).abs()))
+    }
 }
 
 /// The columns are `t`, then `q3_0` for component 0 of the position of body 3, and `v3_0` for that of its velocity.

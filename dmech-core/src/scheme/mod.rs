@@ -64,6 +64,9 @@ pub trait Scheme<Y: System>: Method {
     /// Whether something has to be done where steps change their length: [`stretch`](Scheme::stretch).
     const STRETCHES: bool = true;
 
+    /// Whether [watched](Scheme::watch) steps are looked at for bends and jumps: [`rough`](Scheme::rough).
+    const SEES_ROUGH: bool = false;
+
     /// What is carried from step to step.
     type Memory: Clone + core::fmt::Debug;
 

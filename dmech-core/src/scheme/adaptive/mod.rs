@@ -173,6 +173,7 @@ impl<Y: System, W: core::fmt::Debug> core::fmt::Debug for Pace<Y, W> {
 
 impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
     const SHARE: f64 = S::SHARE;
+    const SEES_ROUGH: bool = S::SEES_ROUGH;
 
     type Memory = AdaptiveMemory<S::Memory>;
     type Workspace = Pace<Y, S::Workspace>;

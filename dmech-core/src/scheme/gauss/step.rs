@@ -203,6 +203,8 @@ fn in_parts<Y: Staged>(
 macro_rules! stepped_by_stages {
     ($($scheme:ty, <$(const $s:ident: usize)?>;)*) => {$(
         impl<$(const $s: usize,)? Y: Staged> Scheme<Y> for $scheme {
+            const SEES_ROUGH: bool = true;
+
             type Memory = GaussMemory<Y>;
             type Workspace = Sweeps<Y>;
 

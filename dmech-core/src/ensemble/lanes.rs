@@ -363,7 +363,8 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
                 *left *= u64::from(arrived[lane] == 0.0);
             }
         }
-        true
+        // A lane without a member that had come to the end first would keep all others from moving.
+        made > 0 || self.has_ended()
     }
 
     /// Gives each what is in its lane.

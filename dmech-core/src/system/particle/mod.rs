@@ -163,8 +163,8 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     #[inline(always)]
     fn weigh(w: &[f64], x: &[[R; D]], out: &mut [R; D]) {
         let mut sum = [R::ZERO; D];
-        for (&w, &x) in w.iter().zip(x) {
-            sum = add_scaled(sum, R::from_f64(w), x);
+        for j in 0..w.len().min(x.len()) {
+            sum = add_scaled(sum, R::from_f64(w[j]), x[j]);
         }
         *out = sum;
     }

@@ -78,6 +78,9 @@ const ANGLE: f64 = 0.05;
 /// What s² ‖K‖ may be at most, over ANGLE².
 const EVEN: f64 = 4.0;
 
+/// 1/4 of (EVEN ANGLE²)⁻², and a little more for rounding: (x + y + 2z)² is at most 4 (x² + y² + 2z²).
+const SURE: f64 = 1.01 * 0.25 / (EVEN * EVEN * ANGLE * ANGLE * ANGLE * ANGLE);
+
 /// How often s is shortened at most.
 const MOST: u32 = 120;
 
@@ -161,6 +164,12 @@ impl<R: Real> Frequency<R> {
         // Where K is small only here, the motion is not alike as far away as K tells.
         for _ in 0..MOST {
             let [before, after] = &sides;
+            // Their mean is not above the root of the mean of their squares: mostly that says it without a root.
+            let squares = per_mass * per_mass * (before.dot(before) + after.dot(after)) + two * size * size;
+            let bound = R::from_f64(SURE) * (s * s) * (s * s) * squares;
+            if R::from_f64(1e-200).less_or_equal(squares).and(bound.less_or_equal(R::ONE)).all() {
+                break;
+            }
             let sum = per_mass * (before.norm() + after.norm()) + two * size;
             let excess = s * s * sum * R::from_f64(0.25 / (ANGLE * ANGLE));
             let even = excess.less_or_equal(R::from_f64(EVEN));

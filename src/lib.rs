@@ -53,8 +53,8 @@
 //! An `#[invariant]`, a number of `q` and `v`, is watched in runs beside energy and momenta: [`Run::drift_of`].
 //! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
 //! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog`,
-//! `Nystrom`, `RungeKuttaNystrom`, `Relaxed`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the program is compiled, and
-//! `Boris` one that is not linear in it.
+//! `Nystrom`, `RungeKuttaNystrom`, `Relaxed`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the
+//! program is compiled, and `Boris` one that is not linear in it.
 //! [`Derivation::derivation`] shows everything that was derived in readable mathematics.
 //!
 //! # Bodies and the laws between them
@@ -130,7 +130,7 @@
 //! | [`Composed`] | 4, 6, 8 | what the scheme keeps that it is composed of | 7, 13, 21 of its steps |
 //! | [`Nystrom`] | 4, 6, 8 | angular momentum; energy bounded | 6, 14, 19 forces |
 //! | [`Relaxed`] | 6, 8 | energy exactly; no momentum | 15, 20 forces |
-//! | [`RungeKuttaNystrom`] | 12 | nothing but linear momentum: for ensembles and scenes whose position is wanted to many digits | 17 forces |
+//! | [`RungeKuttaNystrom`] | 12 | nothing but linear momentum: for members of ensembles whose position is wanted to many digits | 17 forces |
 //! | [`ForceGradient`] | 4, 6, 8 | angular momentum; energy bounded | 5, 5, 14 forces, and the change of 2, 3, 14 along themselves |
 //! | [`Gauss`] | 16 | angular momentum; energy bounded, mostly to rounding | 2 to 15 sweeps of 8 forces side by side |
 //! | [`LineIntegral`] | 4, 6, 8, 10 | energy exactly where the potential is a polynomial | the same |

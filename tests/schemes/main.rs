@@ -5,6 +5,7 @@ mod cases;
 
 mod adaptive;
 mod allocation;
+mod bodies;
 mod compensated;
 mod composed;
 mod double_double;

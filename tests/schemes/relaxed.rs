@@ -1,6 +1,6 @@
 //! Steps that are put back onto the energy surface: the energy of the start to rounding, the order of the splitting.
 
-use dmech::models::pairs::{FermiPastaUlamTsingou, Spring};
+use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
 use dmech::{Kept, Potential, extend::Method};
@@ -9,8 +9,7 @@ use dmech_tests::laws::*;
 use dmech_tests::measured::*;
 use dmech_tests::motion::*;
 
-const SPRING: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.2, alpha: 0.4, beta: 0.7 };
-const BOND: Spring = Spring { k: 0.9, length: 0.6 };
+use super::bodies::{BOND, SPRING, line, stars};
 
 /// Runs a macro for every set.
 macro_rules! for_each_set {
@@ -25,24 +24,6 @@ fn ellipse() -> (State<2>, f64) {
     let (gm, e): (f64, f64) = (Kepler::new().gm / MASS, 0.3);
     let speed = (gm * (1.0 + e) / (1.0 - e)).sqrt();
     (State::new([1.0 - e, 0.0], [0.0, speed]), core::f64::consts::TAU / gm.sqrt())
-}
-
-/// Nine masses on a line, the ends pinned, one of them struck.
-fn line() -> Scene<1> {
-    let at = |i: u32| if i.is_multiple_of(8) { 0.0 } else { 0.03 * f64::from(i * i % 7) };
-    let all = (0..9).fold(Scene::new(), |scene, i| {
-        scene.body(0.9 + 0.1 * f64::from(i % 3), [at(i)], [if i == 4 { 0.8 } else { 0.0 }])
-    });
-    all.pin(0).pin(8)
-}
-
-/// Three stars.
-fn stars() -> Scene<2> {
-    Scene::new().body(1.3, [0.9, 0.1], [0.1, 0.6]).body(0.7, [-0.8, 0.3], [0.2, -0.7]).body(
-        2.1,
-        [0.2, -1.1],
-        [-0.7, 0.1],
-    )
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! The explicit step of order 12: its order on scenes, what it keeps, and what it costs. Its order on laws is measured with 31 digits
 //! among the `stages`.
 
-use dmech::models::pairs::{FermiPastaUlamTsingou, Spring};
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
 use dmech::{Kept, extend::Method};
@@ -10,9 +9,9 @@ use dmech_tests::laws::*;
 use dmech_tests::measured::BOWL;
 use dmech_tests::motion::*;
 
+use super::bodies::{BOND, SPRING, line, stars};
+
 const SCHEME: RungeKuttaNystrom = RungeKuttaNystrom::order12();
-const SPRING: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.2, alpha: 0.4, beta: 0.7 };
-const BOND: Spring = Spring { k: 0.9, length: 0.6 };
 
 /// The slope of ln(error) over ln(step), by least squares over errors between 10⁻³ and 3·10⁻¹³.
 fn slope_of(what: &str, ladder: &[u64], error: impl Fn(u64) -> f64) -> f64 {
@@ -27,23 +26,6 @@ fn slope_of(what: &str, ladder: &[u64], error: impl Fn(u64) -> f64) -> f64 {
     let (x, y) = (mean(|p| p.0), mean(|p| p.1));
     let rise: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
     -rise / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
-}
-
-/// Nine masses on a line, the ends pinned, one of them struck.
-fn line() -> Scene<1> {
-    let at = |i: u32| if i.is_multiple_of(8) { 0.0 } else { 0.03 * f64::from(i * i % 7) };
-    let all = (0..9).fold(Scene::new(), |scene, i| {
-        scene.body(0.9 + 0.1 * f64::from(i % 3), [at(i)], [if i == 4 { 0.8 } else { 0.0 }])
-    });
-    all.pin(0).pin(8)
-}
-
-fn stars() -> Scene<2> {
-    Scene::new().body(1.3, [0.9, 0.1], [0.1, 0.6]).body(0.7, [-0.8, 0.3], [0.2, -0.7]).body(
-        2.1,
-        [0.2, -1.1],
-        [-0.7, 0.1],
-    )
 }
 
 #[test]

@@ -43,11 +43,7 @@ where
             return queue.outcomes.into_iter().flatten().collect();
         }
         let mut convoy = Convoy::of(&seats);
-        while go_on(&mut convoy, &mut seats) {
-            if !relieve(&mut convoy, &mut seats, &mut queue) {
-                break;
-            }
-        }
+        while go_on(&mut convoy, &mut seats) && relieve(&mut convoy, &mut seats, &mut queue) {}
         seats.extract_if(.., |member| member.has_ended()).for_each(|member| queue.end(member));
     }
 }

@@ -137,10 +137,10 @@ fn nearest<X: Blend>(t: f64, states: &[X]) -> X {
     let steps: Vec<f64> = all.windows(2).map(|two| two[0].apart(&two[1])).collect();
     // Of the last no more is known than how far it is from the one before.
     let off = |k: usize| {
-        let next = &steps[k.min(steps.len() - 1)..steps.len().min(k + 2)];
-        next.iter().fold(0.0, |most: f64, &x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
+        let next = steps[k.min(steps.len().saturating_sub(1))..].iter().take(2);
+        next.fold(0.0, |most: f64, &x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
     };
-    let best = (0..all.len()).rev().filter(|_| !steps.is_empty()).min_by(|&a, &b| off(a).total_cmp(&off(b)));
+    let best = (0..all.len()).rev().min_by(|&a, &b| off(a).total_cmp(&off(b)));
     all.swap_remove(best.unwrap_or(0))
 }
 

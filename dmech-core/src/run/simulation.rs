@@ -172,8 +172,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// energy-exact ones give at any.
     ///
     /// Other sets of its stages are within 0.07 to 1.5 at e = 0.9, but for `SuzukiUmeno8` (3) and `Yoshida8` (10). Steps are
-    /// never longer than a radian of the local motion, of `Gauss`, `LineIntegral` and `RungeKuttaNystrom` 1.25 radians, so that very large tolerances
-    /// give smaller errors than that. On other laws the errors relate to one another as the tolerances do; how large they are depends on the motion.
+    /// never longer than a radian of the local motion, of `Gauss`, `LineIntegral` and `RungeKuttaNystrom` 1.25
+    /// radians, so that very large tolerances give smaller errors than that. On other laws the errors relate to one another as the tolerances do; how large they are depends on the motion.
     ///
     /// **`dt` beside it is the longest step.** A law that names the time, or whose force does not vary where the motion
     /// is (free flight before a wall), needs one; without it the run ends with

@@ -152,8 +152,6 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for CompensatedLeapfrog {
 
     /// F_k·(q_{k+1} − q_{k−1})/2, with F_k as the kick applied it.
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, _: &Self::Memory) -> Y::Scalar {
-        let mut work = system.no_work();
-        system.add_work(&mut work, &before.before(1.0), Y::value(&before.v_after));
-        system.total(&work)
+        system.work_of_kick(&before.before(1.0), Y::value(&before.v_after))
     }
 }

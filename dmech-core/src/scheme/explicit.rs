@@ -100,8 +100,6 @@ impl<Y: System> Scheme<Y> for Explicit {
 
     /// F_k·(q_{k+1} − q_k), with F_k as the kick applied it.
     fn work(&self, system: &Y, _: &Y::Stride, _: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
-        let mut work = system.no_work();
-        system.add_work(&mut work, &after.v_before, &after.v);
-        system.total(&work)
+        system.work_of_kick(&after.v_before, &after.v)
     }
 }

@@ -196,6 +196,13 @@ pub trait System: Sized {
     fn clear(work: &mut Self::Work);
     /// Adds that of a kick, F·(its time)(v + v′)/2 = Σ m (v′ − v)(v′ + v)/2.
     fn add_work(&self, work: &mut Self::Work, v: &Self::Vector, next: &Self::Vector);
+    /// That of one kick.
+    #[inline]
+    fn work_of_kick(&self, v: &Self::Vector, next: &Self::Vector) -> Self::Scalar {
+        let mut work = self.no_work();
+        self.add_work(&mut work, v, next);
+        self.total(&work)
+    }
     /// Summed over the coordinates.
     fn total(&self, work: &Self::Work) -> Self::Scalar;
     /// −Σ (∇Φ − F)·Δq.

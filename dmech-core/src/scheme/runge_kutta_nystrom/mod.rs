@@ -171,8 +171,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
         let h = Y::dt(stride);
         let RungeKuttaNystromMemory { q, v } = memory;
         for i in 0..STAGES {
-            let [places, low] = PLACES[i];
-            weigh::<Y>([places, low], &gains[..i], weighed);
+            weigh::<Y>(PLACES[i], &gains[..i], weighed);
             let time = digits(TIMES[0][i], TIMES[1][i]);
             Y::add_scaled(weighed, time, Y::value(v));
             place.clone_from(Y::value(q));
@@ -197,8 +196,6 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
 
     /// Σ m (v′ − v)·(v′ + v)/2.
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {
-        let mut work = system.no_work();
-        system.add_work(&mut work, Y::value(&before.v), Y::value(&after.v));
-        system.total(&work)
+        system.work_of_kick(Y::value(&before.v), Y::value(&after.v))
     }
 }

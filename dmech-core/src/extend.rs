@@ -122,7 +122,8 @@ pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
 pub use crate::ensemble::{
-    Block, Checksum, Each, End, InLanes, Members, NoLaw, NoStart, Outcome, Ride, Rides, Together,
+    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, Members, NoCompany, NoLaw, NoStart, Outcome, Ride,
+    Rides, Together, With,
 };
 #[cfg(feature = "ranks")]
 pub use crate::ensemble::{Ranked, Ranks};

@@ -1,6 +1,7 @@
 //! Ensembles: every member is, to the bit, what it is alone.
 
 mod as_alone;
+mod company;
 mod edges;
 mod laws;
 mod occupancy;

@@ -16,7 +16,7 @@ use crate::same::{of, the_same};
 type Message = (usize, Vec<u8>);
 
 /// One of several that send one another messages.
-struct Mailbox {
+pub(crate) struct Mailbox {
     rank: usize,
     boxes: Vec<Sender<Message>>,
     come: Receiver<Message>,
@@ -48,7 +48,7 @@ impl Ranks for Mailbox {
 }
 
 /// What comes back from each rank.
-fn on_ranks<T: Send>(count: usize, program: impl Fn(&Mailbox) -> T + Sync) -> Vec<T> {
+pub(crate) fn on_ranks<T: Send>(count: usize, program: impl Fn(&Mailbox) -> T + Sync) -> Vec<T> {
     let (boxes, come): (Vec<_>, Vec<_>) = (0..count).map(|_| channel()).unzip();
     let sent = Arc::default();
     let ranks: Vec<_> = come

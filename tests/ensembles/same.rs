@@ -16,7 +16,9 @@ pub(crate) fn the_same<const D: usize>(a: &EnsembleRun<State<D>>, b: &EnsembleRu
         assert_eq!(one.0, other.0, "{k}");
         let (one, other) = (one.1, other.1);
         // As text, where NaN is NaN and −0 is not 0.
-        let text = |run: &Run<State<D>>| format!("{:?} {:?} {:?}", run.last(), run.states(), run.steps());
+        let text = |run: &Run<State<D>>| {
+            format!("{:?} {:?} {} {:?} {}", run.last(), run.states(), run.steps(), run.events(), run.stopped())
+        };
         assert_eq!(text(one), text(other), "{k}");
         let report = |run: &Run<State<D>>| {
             let report = run.report();

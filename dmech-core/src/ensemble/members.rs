@@ -1,10 +1,20 @@
 //! Members of one law.
 
 use super::Ensemble;
+use super::company::Companies;
+use super::plan::Plan;
 use super::rides::Rides;
 use crate::law::Fields;
-use crate::run::Simulation;
+use crate::run::{Attend, Simulation};
 use crate::state::State;
+
+/// A member of an ensemble before it moves.
+pub(super) type Moving<E, L, const D: usize> =
+    Simulation<L, State<D>, <E as Members<L, D>>::Scheme, <E as Members<L, D>>::Attend>;
+
+/// What is to be done with all of them.
+pub(super) type PlanOf<'a, E, L, const D: usize> =
+    Plan<'a, L, <E as Members<L, D>>::Scheme, <E as Members<L, D>>::Attend, D>;
 
 /// An ensemble that has all that its members need: laws, starts, masses, and a scheme that moves them.
 #[diagnostic::on_unimplemented(
@@ -14,6 +24,8 @@ use crate::state::State;
 pub trait Members<L: Fields<D>, const D: usize>: Sync {
     /// The scheme of all.
     type Scheme: Rides<L, D> + Sync;
+    /// What accompanies each.
+    type Attend: Attend<State<D>>;
 
     /// What all have in common.
     #[doc(hidden)]
@@ -21,24 +33,26 @@ pub trait Members<L: Fields<D>, const D: usize>: Sync {
 
     /// One of them.
     #[doc(hidden)]
-    fn member(&self, k: usize) -> Simulation<L, State<D>, Self::Scheme>;
+    fn member(&self, k: usize) -> Simulation<L, State<D>, Self::Scheme, Self::Attend>;
 }
 
-impl<F, X, S, M, L, const D: usize> Members<L, D> for Ensemble<F, X, S, M>
+impl<F, X, S, M, C, L, const D: usize> Members<L, D> for Ensemble<F, X, S, M, C>
 where
     F: Fn(usize) -> L + Sync,
     X: Fn(usize) -> State<D> + Sync,
     M: Fn(usize) -> f64 + Sync,
     L: Fields<D>,
     S: Rides<L, D> + Sync,
+    C: Companies<State<D>>,
 {
     type Scheme = S;
+    type Attend = C::Attend;
 
     fn common(&self) -> &Simulation<(), (), S> {
         &self.common
     }
 
-    fn member(&self, k: usize) -> Simulation<L, State<D>, S> {
-        self.common.clone().moving((self.law)(k), (self.start)(k)).mass((self.mass)(k))
+    fn member(&self, k: usize) -> Simulation<L, State<D>, S, C::Attend> {
+        self.common.clone().moving((self.law)(k), (self.start)(k), self.company.of(k)).mass((self.mass)(k))
     }
 }

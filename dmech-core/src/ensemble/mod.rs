@@ -1,9 +1,12 @@
 //! Many motions of one law.
 
+mod company;
+mod convoy;
 mod each;
 mod export;
 mod in_order;
 mod lanes;
+mod member;
 mod members;
 mod plan;
 #[cfg(feature = "ranks")]
@@ -22,6 +25,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 pub use crate::ride::Ride;
+pub use company::{Companies, Company, Joined, NoCompany, With};
 pub use each::Each;
 pub use export::End;
 pub use lanes::Together;
@@ -33,6 +37,7 @@ pub use run::{Checksum, EnsembleRun};
 pub use steps::InLanes;
 
 use in_order::{Aides, Hands, Nobody};
+use members::{Moving, PlanOf};
 use plan::{Arrival, Moved, Nowhere, Plan, Rows};
 #[cfg(feature = "store")]
 use store::Stored;
@@ -78,10 +83,11 @@ use crate::state::State;
 /// ```
 #[derive(Clone, Debug)]
 #[must_use = "an ensemble does nothing until it is run"]
-pub struct Ensemble<L = NoLaw, X = NoStart, S = NoScheme, M = fn(usize) -> f64> {
+pub struct Ensemble<L = NoLaw, X = NoStart, S = NoScheme, M = fn(usize) -> f64, C = NoCompany> {
     law: L,
     start: X,
     mass: M,
+    company: C,
     /// What all have in common.
     common: Simulation<(), (), S>,
     members: usize,
@@ -114,6 +120,7 @@ impl Ensemble {
             law: NoLaw,
             start: NoStart,
             mass: |_| 1.0,
+            company: NoCompany,
             common,
             members,
             hands: Hands::ALL,
@@ -127,71 +134,110 @@ impl Ensemble {
     }
 }
 
-impl<L, X, S, M> Ensemble<L, X, S, M> {
+impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// The law of each member, by its number.
-    pub fn law<F, Y>(self, law: F) -> Ensemble<F, X, S, M>
+    pub fn law<F, Y>(self, law: F) -> Ensemble<F, X, S, M, C>
     where
         F: Fn(usize) -> Y + Sync,
     {
-        let Ensemble { start, mass, common, members, hands, beside, .. } = self;
-        Ensemble { law, start, mass, common, members, hands, beside }
+        let Ensemble { start, mass, company, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, company, common, members, hands, beside }
     }
 
     /// The start of each member, by its number.
-    pub fn start<F, const D: usize>(self, start: F) -> Ensemble<L, F, S, M>
+    pub fn start<F, const D: usize>(self, start: F) -> Ensemble<L, F, S, M, C>
     where
         F: Fn(usize) -> State<D> + Sync,
     {
-        let Ensemble { law, mass, common, members, hands, beside, .. } = self;
-        Ensemble { law, start, mass, common, members, hands, beside }
+        let Ensemble { law, mass, company, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, company, common, members, hands, beside }
     }
 
     /// The mass of each member, by its number (default 1).
-    pub fn mass<F>(self, mass: F) -> Ensemble<L, X, S, F>
+    pub fn mass<F>(self, mass: F) -> Ensemble<L, X, S, F, C>
     where
         F: Fn(usize) -> f64 + Sync,
     {
-        let Ensemble { law, start, common, members, hands, beside, .. } = self;
-        Ensemble { law, start, mass, common, members, hands, beside }
+        let Ensemble { law, start, company, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, company, common, members, hands, beside }
     }
 
-    fn with<T>(self, set: impl FnOnce(Simulation<(), (), S>) -> Simulation<(), (), T>) -> Ensemble<L, X, T, M> {
-        let Ensemble { law, start, mass, common, members, hands, beside } = self;
-        Ensemble { law, start, mass, common: set(common), members, hands, beside }
+    fn set<T>(self, set: impl FnOnce(Simulation<(), (), S>) -> Simulation<(), (), T>) -> Ensemble<L, X, T, M, C> {
+        let Ensemble { law, start, mass, company, common, members, hands, beside } = self;
+        Ensemble { law, start, mass, company, common: set(common), members, hands, beside }
     }
 
     /// The scheme of all.
-    pub fn scheme<T>(self, scheme: T) -> Ensemble<L, X, T, M> {
-        self.with(|common| common.scheme(scheme))
+    pub fn scheme<T>(self, scheme: T) -> Ensemble<L, X, T, M, C> {
+        self.set(|common| common.scheme(scheme))
     }
 
     /// The time step of all; with [`adaptive`](Ensemble::adaptive) the longest.
     pub fn dt(self, dt: f64) -> Self {
-        self.with(|common| common.dt(dt))
+        self.set(|common| common.dt(dt))
     }
 
     /// Steps that follow the motion of each member: [`Simulation::adaptive`].
-    pub fn adaptive(self, tolerance: f64) -> Ensemble<L, X, Adaptive<S>, M>
+    pub fn adaptive(self, tolerance: f64) -> Ensemble<L, X, Adaptive<S>, M, C>
     where
         S: Adaptable,
     {
-        self.with(|common| common.adaptive(tolerance))
+        self.set(|common| common.adaptive(tolerance))
     }
 
     /// Looks at the invariants after every n-th step (default 1, as a run does that records every state). No state is kept but the
     /// last: a look costs about as much as a step, so that every tenth or hundredth is often enough.
     pub fn look_every(self, n: u64) -> Self {
-        self.with(|common| common.record_every(n))
+        self.set(|common| common.record_every(n))
     }
 
     /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are looked at there.
     pub fn record_at(self, times: impl IntoIterator<Item = f64>) -> Self {
-        self.with(|common| common.record_at(times))
+        self.set(|common| common.record_at(times))
     }
 
     /// Keeps the states at the times t₀ + k dt of every member: [`Simulation::record_dt`].
     pub fn record_dt(self, dt: f64) -> Self {
-        self.with(|common| common.record_dt(dt))
+        self.set(|common| common.record_dt(dt))
+    }
+
+    /// Has each member accompanied, by its number: by events, also such as end it, by quantities whose drift is looked at, by
+    /// observers, by a stream of its own. To the bit what a [`Simulation`] alone would see.
+    ///
+    /// Members ride in lanes as before; for events and observers each is looked at after every step, which takes some nanoseconds.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// # fn map<L: dmech_core::extend::Fields<2>>(law: impl Fn(usize) -> L + Sync) -> Result<(), Error>
+    /// # where Leapfrog: dmech_core::extend::Rides<L, 2> {
+    /// // Where does each cross the plane x = 0, and which of them escape?
+    /// let run = Ensemble::of(1000)
+    ///     .law(law)
+    ///     .start(|k| State::new([0.5, 0.0], [0.0, 1.6 + 1e-3 * k as f64]))
+    ///     .scheme(Leapfrog)
+    ///     .dt(1e-3)
+    ///     .with(|_, member| {
+    ///         member
+    ///             .event(|state| state.q[0], Crossing::Rising)
+    ///             .stop_when(|state| state.q[0].hypot(state.q[1]) - 10.0, Crossing::Rising)
+    ///     })
+    ///     .run_until(100.0)?;
+    /// let escaped = run.members().flatten().filter(|run| run.stopped()).count();
+    /// println!("{escaped} have escaped");
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Functions see the states of their own member only, in the order of time; which members come first is not said. What they
+    /// have in common, a sum or a histogram, is behind a lock or atomic; what [`Run`](crate::Run) has comes in the order of members. On several
+    /// [ranks](Ensemble::ranks) each sees those that it moves.
+    pub fn with<O, F, const D: usize>(self, company: F) -> Ensemble<L, X, S, M, With<F>>
+    where
+        X: Fn(usize) -> State<D>,
+        F: Fn(usize, Company<State<D>>) -> Company<State<D>, O> + Sync,
+    {
+        let Ensemble { law, start, mass, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, company: With(company), common, members, hands, beside }
     }
 
     /// On so many threads, 1024 at most; on all cores if nothing is said. The results are the same.
@@ -254,8 +300,8 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     fn plan<'a, Y: Fields<D>, const D: usize>(
         &'a self,
         span: Span,
-        member: &'a (dyn Fn(usize) -> Simulation<Y, State<D>, <Self as Members<Y, D>>::Scheme> + Sync),
-    ) -> Result<Plan<'a, Y, <Self as Members<Y, D>>::Scheme, D>, Error>
+        member: &'a (dyn Fn(usize) -> Moving<Self, Y, D> + Sync),
+    ) -> Result<PlanOf<'a, Self, Y, D>, Error>
     where
         Self: Members<Y, D>,
     {
@@ -270,7 +316,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     /// Moves all members; those who help are told of the end.
     fn go<Y: Fields<D>, const D: usize>(
         &self,
-        plan: &Plan<'_, Y, <Self as Members<Y, D>>::Scheme, D>,
+        plan: &PlanOf<'_, Self, Y, D>,
         see: &mut dyn FnMut(usize, Outcome<State<D>>),
         mut aides: impl Aides<Rows, Moved<State<D>>>,
     ) -> Result<(), Error>
@@ -284,7 +330,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
 
     fn arrive<Y: Fields<D>, const D: usize>(
         &self,
-        plan: &Plan<'_, Y, <Self as Members<Y, D>>::Scheme, D>,
+        plan: &PlanOf<'_, Self, Y, D>,
         see: &mut dyn FnMut(usize, Outcome<State<D>>),
         aides: &mut impl Aides<Rows, Moved<State<D>>>,
     ) -> Result<(), Error>

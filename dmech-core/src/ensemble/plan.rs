@@ -6,14 +6,14 @@ use super::in_order::{Aides, Blocks, Direct, Hands, in_order};
 use super::rides::{Block, Outcome, Rides};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Follow, Simulation};
+use crate::run::{Attend, Follow, Simulation};
 use crate::span::Span;
 use crate::state::State;
 
 /// What is to be done.
-pub(super) struct Plan<'a, L, S, const D: usize> {
+pub(super) struct Plan<'a, L, S, O, const D: usize> {
     pub(super) members: usize,
-    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S> + Sync),
+    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S, O> + Sync),
     /// What all have in common.
     #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
     pub(super) common: &'a Simulation<(), (), S>,
@@ -28,8 +28,8 @@ pub(super) type Rows = Vec<Range<usize>>;
 /// Members that were moved, each with its number, in order.
 pub(super) type Moved<X> = Vec<(usize, Outcome<X>)>;
 
-impl<L: Fields<D>, S: Rides<L, D> + Sync, const D: usize> Plan<'_, L, S, D> {
-    fn block(&self, members: Range<usize>) -> Block<'_, L, S, D> {
+impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Plan<'_, L, S, O, D> {
+    fn block(&self, members: Range<usize>) -> Block<'_, L, S, O, D> {
         Block { members, member: self.member, span: self.span, lanes: self.lanes }
     }
 
@@ -48,6 +48,12 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, const D: usize> Plan<'_, L, S, D> {
         let outcome = in_order(blocks, threads, |rows| self.go(rows), &mut arrival, aides);
         arrival.follow.end(arrival.seen, outcome.is_ok());
         outcome
+    }
+
+    /// What accompanies each member, as far as it can be told from others.
+    #[cfg(any(feature = "ranks", feature = "store"))]
+    pub(super) fn company(&self) -> String {
+        format!("{} events and {} watched quantities", O::EVENTS, O::QUANTITIES)
     }
 
     /// Moves one.

@@ -19,26 +19,26 @@ use crate::system::{AtStages, Particle};
 pub type Outcome<X> = Result<Run<X>, Interrupted<X>>;
 
 /// Some members in a row.
-pub struct Block<'a, L, S, const D: usize> {
+pub struct Block<'a, L, S, O, const D: usize> {
     pub(super) members: Range<usize>,
-    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S> + Sync),
+    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S, O> + Sync),
     pub(super) span: Span,
     /// How many side by side.
     pub(super) lanes: usize,
 }
 
-impl<L, S, const D: usize> core::fmt::Debug for Block<'_, L, S, D> {
+impl<L, S, O, const D: usize> core::fmt::Debug for Block<'_, L, S, O, D> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Block").field("members", &self.members).field("lanes", &self.lanes).finish_non_exhaustive()
     }
 }
 
-impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Block<'_, L, S, D> {
+impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Block<'_, L, S, O, D> {
     /// One member by itself.
     pub(super) fn alone(&self, k: usize) -> Outcome<State<D>> {
         let simulation = (self.member)(k);
         let mut outcome = match simulation.due() {
-            Due::Every(_) => simulation.attended(Forget).record(self.span),
+            Due::Every(_) => simulation.attended(Forget { states: true }).record(self.span),
             _ => simulation.record(self.span),
         };
         match &mut outcome {
@@ -54,15 +54,17 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, const D: usize> Block<'_, L, S, D>
     }
 }
 
-/// Looks at the states that are due, and keeps none.
+/// Looks at the states that are due, and keeps none, where they are to be forgotten.
 #[derive(Clone, Copy, Debug)]
-struct Forget;
+pub(super) struct Forget {
+    pub(super) states: bool,
+}
 
 impl<X> Attend<X> for Forget {
     const STREAMS: bool = true;
 
     fn take(&mut self, _: &X) -> Result<bool, Error> {
-        Ok(true)
+        Ok(self.states)
     }
 }
 
@@ -77,7 +79,7 @@ impl<X> Attend<X> for Forget {
 pub trait Rides<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
     /// Moves the members of a block.
     #[doc(hidden)]
-    fn ride(block: &Block<'_, L, Self, D>) -> Vec<Outcome<State<D>>> {
+    fn ride<O: Attend<State<D>>>(block: &Block<'_, L, Self, O, D>) -> Vec<Outcome<State<D>>> {
         block.one_by_one()
     }
 }
@@ -90,7 +92,7 @@ macro_rules! ride {
         }
     )*};
     (in_lanes) => {
-        fn ride(block: &Block<'_, L, Self, D>) -> Vec<Outcome<State<D>>> {
+        fn ride<O: Attend<State<D>>>(block: &Block<'_, L, Self, O, D>) -> Vec<Outcome<State<D>>> {
             if block.lanes > 1 { in_lanes(block) } else { block.one_by_one() }
         }
     };

@@ -54,8 +54,13 @@ pub trait InLanes<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
     /// What one carries.
     fn lane(&self, all: &Self::All, lane: usize) -> Self::Memory;
 
-    /// Time, position, velocity, and the scheme's own energy if it has one.
-    fn state(&self, system: &Together<L, D>, all: &Self::All) -> (Ride, [[Ride; D]; 2], Option<Ride>);
+    /// Time, position, velocity.
+    fn state(&self, system: &Together<L, D>, all: &Self::All) -> (Ride, [[Ride; D]; 2]);
+
+    /// The scheme's own energy, if it has one.
+    fn own_energy(&self, _system: &Together<L, D>, _all: &Self::All) -> Option<Ride> {
+        None
+    }
 
     /// 1 for those who have come to the end that they were given, if there are any.
     fn at_the_end(&self, _all: &Self::All) -> Option<Ride> {
@@ -147,10 +152,14 @@ impl<L: Fields<D>, S: BySide<L, D>, const D: usize> InLanes<L, D> for S {
         all.memory.lane(lane)
     }
 
-    fn state(&self, system: &Together<L, D>, all: &Even<L, S, D>) -> (Ride, [[Ride; D]; 2], Option<Ride>) {
+    fn state(&self, system: &Together<L, D>, all: &Even<L, S, D>) -> (Ride, [[Ride; D]; 2]) {
         let (t, Even { stride, memory, .. }) = (all.t(), all);
         let q = *<S as Scheme<Together<L, D>>>::position(self, memory);
-        (t, [q, self.velocity(system, stride, t, memory)], self.discrete_energy(system, t, memory))
+        (t, [q, self.velocity(system, stride, t, memory)])
+    }
+
+    fn own_energy(&self, system: &Together<L, D>, all: &Even<L, S, D>) -> Option<Ride> {
+        self.discrete_energy(system, all.t(), &all.memory)
     }
 }
 
@@ -239,11 +248,11 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> fo
         crate::scheme::AdaptiveMemory { inner: all.memory.lane(lane), pacing: all.pacing.lane(lane) }
     }
 
-    fn state(&self, system: &Together<L, D>, all: &Paced<L, S, D>) -> (Ride, [[Ride; D]; 2], Option<Ride>) {
+    fn state(&self, system: &Together<L, D>, all: &Paced<L, S, D>) -> (Ride, [[Ride; D]; 2]) {
         let (scheme, Paced { stride, memory, pacing, .. }) = (self.inner(), all);
         let t = pacing.time.value();
         let q = *<S as Scheme<Together<L, D>>>::position(&scheme, memory);
-        (t, [q, scheme.velocity(system, stride, t, memory)], None)
+        (t, [q, scheme.velocity(system, stride, t, memory)])
     }
 
     fn at_the_end(&self, all: &Paced<L, S, D>) -> Option<Ride> {

@@ -120,6 +120,12 @@ pub enum StoreError {
         /// In the store.
         store: Name,
     },
+    /// Events and watched quantities of the members.
+    #[error("each member of the store has {store}, of this ensemble others")]
+    Company {
+        /// In the store.
+        store: Name,
+    },
     /// A number of the law, the mass or the start of a member.
     #[error("member {member} has another {column}: {} in the store against {}", Number(*store), Number(*here))]
     Member {

@@ -170,7 +170,7 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             let before = (O::EVENTS > 0 || self.is_due_before(stepper)).then(|| stepper.state());
             self.watch.step(stepper)?;
             if let Some(before) = before
-                && let Some(stopped) = self.look_into_the_step(stepper, &before)?
+                && let Some(stopped) = self.look_into_the_step(stepper, &before, stepper.state())?
             {
                 return Ok(Some(stopped));
             }
@@ -180,20 +180,38 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
                 row = follow.look(stepper.steps()).min(self.until_record);
                 left = row;
             }
-            if O::OBSERVES && self.attend.observe(stepper.steps(), &mut || stepper.state()).is_break() {
-                return Ok(Some(stepper.state()));
+            if let Some(stopped) = self.observe(stepper, &mut || stepper.state()) {
+                return Ok(Some(stopped));
             }
         }
         Ok(None)
     }
 
+    /// Shows the state to those who observe it; where they have stopped the run.
+    #[inline(always)]
+    pub(crate) fn observe<S: Scheme<Y>>(
+        &mut self,
+        stepper: &Stepper<Y, S>,
+        now: &mut dyn FnMut() -> Y::State,
+    ) -> Option<Y::State> {
+        let stops = O::OBSERVES && self.attend.observe(stepper.steps(), now).is_break();
+        stops.then(now)
+    }
+
     /// Counts a row of steps, and records the state if it is due.
-    fn count<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, steps: u64) -> Result<(), Error> {
+    pub(crate) fn count<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, steps: u64) -> Result<(), Error> {
         self.until_record -= steps;
         let (0, &Due::Every(n)) = (self.until_record, &self.due) else { return Ok(()) };
         self.until_record = n;
         let state = stepper.state();
         self.look_at(stepper, &state);
+        self.keep(state)
+    }
+
+    /// What is left of a look where the invariants of all laws were seen elsewhere.
+    pub(crate) fn look_beside<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: Y::State) -> Result<(), Error> {
+        self.watch.observe_own(stepper, &state);
+        self.attend.look(Y::time(&state), &state);
         self.keep(state)
     }
 
@@ -208,9 +226,9 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         &mut self,
         stepper: &Stepper<Y, S>,
         before: &Y::State,
+        after: Y::State,
     ) -> Result<Option<Y::State>, Error> {
         let Log { attend, between, happened, .. } = self;
-        let after = stepper.state();
         let times = [Y::time(before), Y::time(&after)];
         let mut at = |t| between.state(stepper, before, t);
         if O::EVENTS > 0 {

@@ -44,7 +44,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         n: u64,
         function: F,
     ) -> Attended<L, X, S, O, Observer<F>> {
-        self.attended(Observer { n, function })
+        self.attended(Observer::new(n, function))
     }
 }
 
@@ -53,6 +53,12 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
 pub struct Observer<F> {
     n: u64,
     function: F,
+}
+
+impl<F> Observer<F> {
+    pub(crate) fn new(n: u64, function: F) -> Self {
+        Observer { n, function }
+    }
 }
 
 impl<F> core::fmt::Debug for Observer<F> {

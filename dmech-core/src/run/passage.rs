@@ -67,7 +67,7 @@ pub struct Passage<F> {
 }
 
 impl<F> Passage<F> {
-    fn new(function: F, crossing: Crossing, stops: bool) -> Self {
+    pub(crate) fn new(function: F, crossing: Crossing, stops: bool) -> Self {
         Passage { function, crossing, stops, last: 0.0 }
     }
 }

@@ -30,13 +30,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         name: &'static str,
         function: F,
     ) -> Attended<L, X, S, O, Quantity<F>> {
-        self.attended(Quantity {
-            name,
-            function,
-            drift: None,
-            #[cfg(feature = "plot")]
-            course: Course::new(),
-        })
+        self.attended(Quantity::new(name, function))
     }
 }
 
@@ -48,6 +42,18 @@ pub struct Quantity<F> {
     drift: Option<Drift>,
     #[cfg(feature = "plot")]
     course: Course,
+}
+
+impl<F> Quantity<F> {
+    pub(crate) fn new(name: &'static str, function: F) -> Self {
+        Quantity {
+            name,
+            function,
+            drift: None,
+            #[cfg(feature = "plot")]
+            course: Course::new(),
+        }
+    }
 }
 
 impl<F> core::fmt::Debug for Quantity<F> {

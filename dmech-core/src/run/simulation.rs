@@ -100,9 +100,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         Simulation::of(self.law, self.start).with(|settings| settings.mass = self.settings.mass)
     }
 
-    /// The same of a law, from a start.
-    pub(crate) fn moving<N, Y>(self, law: N, start: Y) -> Simulation<N, Y, S, O> {
-        let Simulation { scheme, settings, attend, .. } = self;
+    /// The same of a law, from a start, accompanied by something else.
+    pub(crate) fn moving<N, Y, A>(self, law: N, start: Y, attend: A) -> Simulation<N, Y, S, A> {
+        let Simulation { scheme, settings, .. } = self;
         Simulation { law, start, scheme, settings, attend }
     }
 
@@ -350,7 +350,7 @@ pub(crate) struct Prepared<Y: System, S: Scheme<Y>, O> {
     pub(crate) stepper: Stepper<Y, S>,
     pub(crate) run: Run<Y::State>,
     pub(crate) steps: u64,
-    attend: O,
+    pub(crate) attend: O,
 }
 
 pub(crate) type Preparation<L, X, S, O> =

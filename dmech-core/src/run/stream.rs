@@ -37,7 +37,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// # Errors
     /// When run: [`Error::Stream`] where nothing more can be written; what was written stays.
     pub fn stream<W: Sink<X::State>>(self, sink: W) -> Attended<L, X, S, O, Stream<W>> {
-        self.attended(Stream { sink, rows: 0 })
+        self.attended(Stream::new(sink))
     }
 }
 
@@ -151,6 +151,12 @@ impl<X: Columns, W: Write + Seek> Sink<X> for Npy<W> {
 pub struct Stream<W> {
     sink: W,
     rows: u64,
+}
+
+impl<W> Stream<W> {
+    pub(crate) fn new(sink: W) -> Self {
+        Stream { sink, rows: 0 }
+    }
 }
 
 fn told(error: &io::Error) -> Error {

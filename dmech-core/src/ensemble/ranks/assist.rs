@@ -9,12 +9,13 @@ use crate::ensemble::plan::{Moved, Plan, Rows};
 use crate::ensemble::share::{Board, with_hands};
 use crate::error::Error;
 use crate::law::Fields;
+use crate::run::Attend;
 use crate::state::State;
 
 /// Moves members for the first rank until that has all.
-pub(super) fn assist<R, L, S, const D: usize>(
+pub(super) fn assist<R, L, S, O, const D: usize>(
     ranks: &R,
-    plan: &Plan<'_, L, S, D>,
+    plan: &Plan<'_, L, S, O, D>,
     threads: usize,
     set_up: SetUp,
 ) -> Result<(), Error>
@@ -22,6 +23,7 @@ where
     R: Ranks + ?Sized,
     L: Fields<D>,
     S: Rides<L, D> + Sync,
+    O: Attend<State<D>>,
 {
     let tell = |report: &Report<D>| ranks.send(0, &write(report));
     tell(&Report::Here { set_up, hands: threads });

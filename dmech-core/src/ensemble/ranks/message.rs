@@ -7,7 +7,7 @@ use crate::ensemble::plan::{Moved, Plan, Rows};
 use crate::ensemble::{Checksum, Outcome, Rides};
 use crate::error::Error;
 use crate::law::{Fields, Numbers};
-use crate::run::{Interrupted, Restored};
+use crate::run::{Attend, Interrupted, Restored};
 use crate::span::Span;
 use crate::state::State;
 
@@ -86,10 +86,11 @@ impl<const D: usize> Arrived<D> {
     }
 
     /// What became of the member with this number.
-    pub(super) fn outcome<L, S>(self, k: usize, plan: &Plan<'_, L, S, D>) -> Result<Outcome<State<D>>, Error>
+    pub(super) fn outcome<L, S, O>(self, k: usize, plan: &Plan<'_, L, S, O, D>) -> Result<Outcome<State<D>>, Error>
     where
         L: Fields<D>,
         S: Rides<L, D> + Sync,
+        O: Attend<State<D>>,
     {
         Ok(match self {
             Arrived::Whole(run) => Ok((plan.member)(k).restore(run)?),
@@ -100,13 +101,14 @@ impl<const D: usize> Arrived<D> {
 }
 
 /// Reads what came of some members.
-pub(super) fn home<L, S, const D: usize>(
+pub(super) fn home<L, S, O, const D: usize>(
     members: Vec<(usize, Arrived<D>)>,
-    plan: &Plan<'_, L, S, D>,
+    plan: &Plan<'_, L, S, O, D>,
 ) -> Result<Moved<State<D>>, Error>
 where
     L: Fields<D>,
     S: Rides<L, D> + Sync,
+    O: Attend<State<D>>,
 {
     members.into_iter().map(|(k, member)| Ok((k, member.outcome(k, plan)?))).collect()
 }
@@ -116,9 +118,14 @@ where
 pub(super) struct SetUp(u64);
 
 impl SetUp {
-    pub(super) fn of<L: Fields<D>, S: Rides<L, D> + Sync, const D: usize>(plan: &Plan<'_, L, S, D>) -> Self {
+    pub(super) fn of<L, S, O, const D: usize>(plan: &Plan<'_, L, S, O, D>) -> Self
+    where
+        L: Fields<D>,
+        S: Rides<L, D> + Sync,
+        O: Attend<State<D>>,
+    {
         let mut sum = Checksum::default();
-        let words = format!("{} {:?} {:?}", S::NAME, plan.common.scheme, plan.common.due());
+        let words = format!("{} {:?} {:?} {}", S::NAME, plan.common.scheme, plan.common.due(), plan.company());
         words.bytes().for_each(|byte| sum.word(byte.into()));
         sum.word(plan.members as u64);
         sum.word(D as u64);

@@ -56,7 +56,7 @@ impl<E: fmt::Debug, R: Ranks + ?Sized> fmt::Debug for Ranked<'_, E, R> {
     }
 }
 
-impl<L, X, S, M> Ensemble<L, X, S, M> {
+impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// Moved by all ranks, each of which runs this same program: the first hands out blocks of members to its own threads and to any rank
     /// that asks for more, and takes what comes back in the order of members. The results, to the bit those of one process, are in the
     /// first rank; it alone opens the [store](Ensemble::store) and shows progress (feature `ranks`; with MPI the crate `dmech-mpi`).
@@ -67,7 +67,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     }
 }
 
-impl<L, X, S, M, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M>, R> {
+impl<L, X, S, M, C, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M, C>, R> {
     /// [`Ensemble::run`]: in the first rank what has come of all members, `None` in the others.
     ///
     /// # Errors
@@ -75,7 +75,7 @@ impl<L, X, S, M, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M>, R> {
     /// [`Error::FirstRank`] where the first has failed.
     pub fn run<Y: Fields<D>, const D: usize>(self, steps: u64) -> Result<Option<EnsembleRun<State<D>>>, Error>
     where
-        Ensemble<L, X, S, M>: Members<Y, D>,
+        Ensemble<L, X, S, M, C>: Members<Y, D>,
     {
         self.collect(Span::Steps(steps))
     }
@@ -86,7 +86,7 @@ impl<L, X, S, M, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M>, R> {
     /// As [`run`](Ranked::run).
     pub fn run_until<Y: Fields<D>, const D: usize>(self, end: f64) -> Result<Option<EnsembleRun<State<D>>>, Error>
     where
-        Ensemble<L, X, S, M>: Members<Y, D>,
+        Ensemble<L, X, S, M, C>: Members<Y, D>,
     {
         self.collect(Span::Until(end))
     }
@@ -101,14 +101,14 @@ impl<L, X, S, M, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M>, R> {
         mut see: impl FnMut(usize, Outcome<State<D>>),
     ) -> Result<(), Error>
     where
-        Ensemble<L, X, S, M>: Members<Y, D>,
+        Ensemble<L, X, S, M, C>: Members<Y, D>,
     {
         self.go(Span::Until(end), &mut see)
     }
 
     fn collect<Y: Fields<D>, const D: usize>(self, span: Span) -> Result<Option<EnsembleRun<State<D>>>, Error>
     where
-        Ensemble<L, X, S, M>: Members<Y, D>,
+        Ensemble<L, X, S, M, C>: Members<Y, D>,
     {
         let (clock, mut members) = (Instant::now(), Vec::new());
         self.go(span, &mut |_, member| members.push(member))?;
@@ -121,7 +121,7 @@ impl<L, X, S, M, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M>, R> {
         see: &mut dyn FnMut(usize, Outcome<State<D>>),
     ) -> Result<(), Error>
     where
-        Ensemble<L, X, S, M>: Members<Y, D>,
+        Ensemble<L, X, S, M, C>: Members<Y, D>,
     {
         let Ranked { ensemble, ranks } = self;
         let member = |k| ensemble.member(k);

@@ -11,12 +11,13 @@ use crate::ensemble::plan::{Moved, Plan, Rows};
 use crate::ensemble::share::Board;
 use crate::error::Error;
 use crate::law::Fields;
+use crate::run::Attend;
 use crate::state::State;
 
 /// The other ranks, as the first sees them.
-pub(super) struct Relay<'a, R: ?Sized, L, S, const D: usize> {
+pub(super) struct Relay<'a, R: ?Sized, L, S, O, const D: usize> {
     ranks: &'a R,
-    plan: &'a Plan<'a, L, S, D>,
+    plan: &'a Plan<'a, L, S, O, D>,
     set_up: SetUp,
     /// Ranks that are there, and threads that they have.
     here: usize,
@@ -27,8 +28,14 @@ pub(super) struct Relay<'a, R: ?Sized, L, S, const D: usize> {
     gone: usize,
 }
 
-impl<'a, R: Ranks + ?Sized, L: Fields<D>, S: Rides<L, D> + Sync, const D: usize> Relay<'a, R, L, S, D> {
-    pub(super) fn new(ranks: &'a R, plan: &'a Plan<'a, L, S, D>, set_up: SetUp) -> Self {
+impl<'a, R, L, S, O, const D: usize> Relay<'a, R, L, S, O, D>
+where
+    R: Ranks + ?Sized,
+    L: Fields<D>,
+    S: Rides<L, D> + Sync,
+    O: Attend<State<D>>,
+{
+    pub(super) fn new(ranks: &'a R, plan: &'a Plan<'a, L, S, O, D>, set_up: SetUp) -> Self {
         Relay { ranks, plan, set_up, here: 1, hands: 0, asking: VecDeque::new(), gone: 0 }
     }
 
@@ -49,8 +56,12 @@ impl<'a, R: Ranks + ?Sized, L: Fields<D>, S: Rides<L, D> + Sync, const D: usize>
     }
 }
 
-impl<R: Ranks + ?Sized, L: Fields<D>, S: Rides<L, D> + Sync, const D: usize> Aides<Rows, Moved<State<D>>>
-    for Relay<'_, R, L, S, D>
+impl<R, L, S, O, const D: usize> Aides<Rows, Moved<State<D>>> for Relay<'_, R, L, S, O, D>
+where
+    R: Ranks + ?Sized,
+    L: Fields<D>,
+    S: Rides<L, D> + Sync,
+    O: Attend<State<D>>,
 {
     const PATIENCE: Option<core::time::Duration> = Some(PATIENCE);
 

@@ -14,6 +14,7 @@ use crate::ensemble::plan::{Moved, Plan};
 use crate::ensemble::{Checksum, Outcome, Rides};
 use crate::error::{Error, StoreError};
 use crate::law::Fields;
+use crate::run::Attend;
 use crate::state::State;
 
 /// How long somebody else who writes is waited for.
@@ -26,16 +27,15 @@ const SMALLEST: u64 = 512;
 pub(super) struct Store {
     pub(super) database: Connection,
     layout: Layout,
-    /// The names of the law's own invariants.
-    own: &'static [&'static str],
 }
 
 impl Store {
     /// Opens the store of an ensemble, or makes it.
-    pub(super) fn open<L, S, const D: usize>(path: &Path, plan: &Plan<'_, L, S, D>) -> Result<Self, StoreError>
+    pub(super) fn open<L, S, O, const D: usize>(path: &Path, plan: &Plan<'_, L, S, O, D>) -> Result<Self, StoreError>
     where
         L: Fields<D>,
-        S: Rides<L, D>,
+        S: Rides<L, D> + Sync,
+        O: Attend<State<D>>,
     {
         // SQLite takes the beginning of a database for an empty one.
         let length = std::fs::metadata(path).map_or(0, |file| file.len());
@@ -51,9 +51,10 @@ impl Store {
             return Err(StoreError::Damaged);
         }
         let tables: i64 = database.query_row("SELECT COUNT(*) FROM sqlite_master", [], |row| row.get(0))?;
-        let known = "SELECT COUNT(*) FROM sqlite_master WHERE name IN ('sweep', 'member', 'last', 'drift', 'state')";
+        let known =
+            "SELECT COUNT(*) FROM sqlite_master WHERE name IN ('sweep', 'member', 'last', 'drift', 'event', 'state')";
         let known: i64 = database.query_row(known, [], |row| row.get(0))?;
-        if tables > 0 && known != 5 {
+        if tables > 0 && known != 6 {
             return Err(StoreError::NotAnEnsemble);
         }
         // Others may read while this writes, and what is committed outlives the process. The loss of power may take the last blocks, not
@@ -67,7 +68,7 @@ impl Store {
         } else {
             plan.begin(&database, &layout)?;
         }
-        Ok(Store { database, layout, own: L::INVARIANTS })
+        Ok(Store { database, layout })
     }
 
     /// Which members are in it and did not fail.
@@ -84,15 +85,16 @@ impl Store {
     }
 
     /// Writes what was moved, and puts what was done between it.
-    pub(super) fn hand_over<L, S, const D: usize>(
+    pub(super) fn hand_over<L, S, O, const D: usize>(
         &self,
-        plan: &Plan<'_, L, S, D>,
+        plan: &Plan<'_, L, S, O, D>,
         members: Range<usize>,
         moved: Moved<State<D>>,
     ) -> Result<Vec<Outcome<State<D>>>, Error>
     where
         L: Fields<D>,
-        S: Rides<L, D>,
+        S: Rides<L, D> + Sync,
+        O: Attend<State<D>>,
     {
         let mut stored = Vec::new();
         if moved.len() < members.len() {
@@ -116,7 +118,7 @@ impl Store {
     /// Writes members, all of them or none.
     fn write<const D: usize>(&self, moved: &[(usize, Outcome<State<D>>)]) -> Result<(), StoreError> {
         let transaction = self.database.unchecked_transaction()?;
-        let mut members = Members::new(&self.database, &self.layout, self.own)?;
+        let mut members = Members::new(&self.database, &self.layout)?;
         moved.iter().try_for_each(|(k, member)| members.write(*k, member))?;
         drop(members);
         Ok(transaction.commit()?)

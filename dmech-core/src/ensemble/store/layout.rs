@@ -11,7 +11,7 @@ pub(super) struct Layout {
 
 /// The columns of a drift, as it has them itself; what follows from them is beside, for those who look.
 const DRIFT: &str = "start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx";
-const LAST: &str = "steps, evaluations, iterations, rough, nanoseconds, shortest, longest, bits, seal";
+const LAST: &str = "stopped, steps, evaluations, iterations, rough, nanoseconds, shortest, longest, bits, seal";
 
 impl Layout {
     /// Columns for fields of these names, none twice; SQLite does not tell large letters from small ones.
@@ -50,11 +50,14 @@ impl Layout {
             "CREATE TABLE sweep (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
              CREATE TABLE member (k INTEGER PRIMARY KEY, {member} acts INTEGER, bits BLOB, seal INTEGER);
              CREATE TABLE last (
-                 k INTEGER PRIMARY KEY, failed TEXT, {state} steps INTEGER, evaluations INTEGER, iterations INTEGER, rough INTEGER,
+                 k INTEGER PRIMARY KEY, failed TEXT, {state} stopped INTEGER, steps INTEGER, evaluations INTEGER, iterations INTEGER, rough INTEGER,
                  nanoseconds INTEGER, shortest REAL, longest REAL, bits BLOB, seal INTEGER
              );
              CREATE TABLE drift (
                  k INTEGER, number INTEGER, invariant TEXT, {drift} bits BLOB, max_relative REAL, slope REAL, PRIMARY KEY (k, number)
+             ) WITHOUT ROWID;
+             CREATE TABLE event (
+                 k INTEGER, n INTEGER, which INTEGER, rising INTEGER, {state} bits BLOB, PRIMARY KEY (k, n)
              ) WITHOUT ROWID;
              CREATE TABLE state (k INTEGER, n INTEGER, {state} bits BLOB, PRIMARY KEY (k, n)) WITHOUT ROWID;"
         )
@@ -66,6 +69,7 @@ impl Layout {
             "member" => format!("k, {}, acts, bits, seal", list(&self.member())),
             "last" => format!("k, failed, {}, {LAST}", list(&self.state())),
             "drift" => format!("k, number, {DRIFT}, bits, max_relative, slope, invariant"),
+            "event" => format!("k, n, which, rising, {}, bits", list(&self.state())),
             _ => format!("k, n, {}, bits", list(&self.state())),
         }
     }
@@ -81,7 +85,7 @@ impl Layout {
     pub(super) fn select(&self, table: &str) -> String {
         let order = match table {
             "drift" => ", number",
-            "state" => ", n",
+            "event" | "state" => ", n",
             _ => "",
         };
         format!("SELECT {} FROM {table} WHERE k >= ? AND k < ? ORDER BY k{order}", self.columns(table))

@@ -16,7 +16,7 @@ pub(super) use moving::Stored;
 
 use super::{Beside, Ensemble};
 
-impl<L, X, S, M> Ensemble<L, X, S, M> {
+impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// Keeps the members in a file, as they come, and goes on from it: a sweep that was killed, at whatever moment, moves those that are
     /// not in it and gives the same as one that was not, to the bit, with the same [checksum](crate::EnsembleRun::checksum)
     /// (feature `store`).
@@ -27,8 +27,9 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     /// |---|---|---|
     /// | `sweep` | the whole | `key`, `value`: members, scheme, dt, how far, a checksum of the set-up, at the end one of the results |
     /// | `member` | set-ups, all from the beginning | `k`, `mass`, each field of the law as `law_…`, the start as `t`, `q0` …, `v0` … |
-    /// | `last` | ends | `k`, `failed` (why, else NULL), `t`, `q0` …, `v0` …, steps, evaluations, iterations |
+    /// | `last` | ends | `k`, `failed` (why, else NULL), `t`, `q0` …, `v0` …, stopped, steps, evaluations, iterations |
     /// | `drift` | invariants | `k`, `invariant`, `start`, `last`, `max_abs`, `max_relative`, `slope`, and the moments of the line |
+    /// | `event` | what happened | `k`, `n`, `which`, `rising`, the state there |
     /// | `state` | recorded states | `k`, `n`, `t`, `q0` …, `v0` … |
     ///
     /// NaN and −0, which SQLite does not keep in a number, stand beside in `bits`; `seal` is a checksum of the row, and in `last` of all that

@@ -8,19 +8,20 @@ use crate::ensemble::plan::{Keep, Moved, Plan, Rows};
 use crate::ensemble::{Checksum, Outcome, Rides};
 use crate::error::Error;
 use crate::law::Fields;
+use crate::run::Attend;
 use crate::state::State;
 
 /// A store on its way: what it has, and the checksum of what was seen.
-pub(in crate::ensemble) struct Stored<'a, L, S, const D: usize> {
-    plan: &'a Plan<'a, L, S, D>,
+pub(in crate::ensemble) struct Stored<'a, L, S, O, const D: usize> {
+    plan: &'a Plan<'a, L, S, O, D>,
     store: Store,
     done: Vec<bool>,
     sum: Checksum,
 }
 
-impl<'a, L: Fields<D>, S: Rides<L, D>, const D: usize> Stored<'a, L, S, D> {
+impl<'a, L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Stored<'a, L, S, O, D> {
     /// Opens the store of an ensemble, or makes it.
-    pub(in crate::ensemble) fn open(path: &Path, plan: &'a Plan<'a, L, S, D>) -> Result<Self, Error> {
+    pub(in crate::ensemble) fn open(path: &Path, plan: &'a Plan<'a, L, S, O, D>) -> Result<Self, Error> {
         let store = Store::open(path, plan)?;
         let done = store.done(plan.members)?;
         Ok(Stored { plan, store, done, sum: Checksum::default() })
@@ -32,7 +33,12 @@ impl<'a, L: Fields<D>, S: Rides<L, D>, const D: usize> Stored<'a, L, S, D> {
     }
 }
 
-impl<L: Fields<D>, S: Rides<L, D>, const D: usize> Keep<State<D>> for Stored<'_, L, S, D> {
+impl<L, S, O, const D: usize> Keep<State<D>> for Stored<'_, L, S, O, D>
+where
+    L: Fields<D>,
+    S: Rides<L, D> + Sync,
+    O: Attend<State<D>>,
+{
     fn missing(&self, members: Range<usize>) -> Rows {
         let mut rows = Rows::new();
         for k in members.filter(|&k| !self.done[k]) {

@@ -10,7 +10,7 @@ use super::table::{Reader, Seal, Writer};
 use crate::ensemble::Outcome;
 use crate::error::StoreError;
 use crate::invariant::{Drift, Invariant, MAX_OWN};
-use crate::run::{Interrupted, Restored, Work};
+use crate::run::{Crossing, Event, Interrupted, Restored, Work};
 use crate::state::State;
 
 const KNOWN: usize = Invariant::ALL.len();
@@ -41,17 +41,26 @@ fn drifts<X>(run: &Restored<X>) -> impl Iterator<Item = (usize, Drift)> + '_ {
     all.filter_map(|(number, drift)| Some((number, (*drift)?)))
 }
 
+fn rising<X>(event: &Event<X>) -> u64 {
+    u64::from(event.crossing() == Crossing::Rising)
+}
+
 /// What says whether all that belongs to a member is as it was written.
 fn seal<const D: usize>(k: usize, run: &Restored<State<D>>) -> i64 {
     let mut seal = Seal::default();
     seal.count(k as u64);
     seal.numbers(&flat(&run.last));
     let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
-    [steps, evaluations, iterations, rough, elapsed.as_nanos() as u64].into_iter().for_each(|n| seal.count(n));
+    let counts = [run.stopped.into(), steps, evaluations, iterations, rough, elapsed.as_nanos() as u64];
+    counts.into_iter().for_each(|n| seal.count(n));
     range.iter().for_each(|range| seal.numbers(range));
     for (number, drift) in drifts(run) {
         seal.count(number as u64);
         seal.numbers(&drift.fields());
+    }
+    for event in &run.events {
+        [event.which() as u64, rising(event)].into_iter().for_each(|n| seal.count(n));
+        seal.numbers(&flat(event.state()));
     }
     run.states.iter().for_each(|state| seal.numbers(&flat(state)));
     seal.value()
@@ -61,31 +70,29 @@ fn seal<const D: usize>(k: usize, run: &Restored<State<D>>) -> i64 {
 pub(super) struct Members<'a> {
     last: Writer<'a>,
     drift: Writer<'a>,
+    event: Writer<'a>,
     state: Writer<'a>,
-    /// The names of the law's own invariants.
-    own: &'static [&'static str],
 }
 
 impl<'a> Members<'a> {
-    pub(super) fn new(
-        database: &'a Connection,
-        layout: &Layout,
-        own: &'static [&'static str],
-    ) -> Result<Self, StoreError> {
+    pub(super) fn new(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
         let writer = |table| Writer::new(database, &layout.insert(table));
-        Ok(Members { last: writer("last")?, drift: writer("drift")?, state: writer("state")?, own })
+        Ok(Members { last: writer("last")?, drift: writer("drift")?, event: writer("event")?, state: writer("state")? })
     }
 
     /// Writes a member.
     pub(super) fn write<const D: usize>(&mut self, k: usize, member: &Outcome<State<D>>) -> Result<(), StoreError> {
-        let run = member.as_ref().unwrap_or_else(Interrupted::run).to_restore();
+        let run = member.as_ref().unwrap_or_else(Interrupted::run);
+        let own: Vec<_> = run.report().own_drifts().map(|(name, _)| name).collect();
+        let run = run.to_restore();
         let (k, row, last) = (k as u64, &mut self.last, flat(&run.last));
         row.count(k)?;
         row.put(member.as_ref().err().map(|failed| failed.cause().to_string()))?;
         row.numbers(&last)?;
         let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
         let nanoseconds = elapsed.as_nanos() as u64;
-        [steps, evaluations, iterations, rough, nanoseconds].into_iter().try_for_each(|n| row.count(n))?;
+        let counts = [run.stopped.into(), steps, evaluations, iterations, rough, nanoseconds];
+        counts.into_iter().try_for_each(|n| row.count(n))?;
         row.put(range.map(|[shortest, _]| shortest))?;
         row.put(range.map(|[_, longest]| longest))?;
         row.bits(&last)?;
@@ -100,8 +107,15 @@ impl<'a> Members<'a> {
             row.numbers(&[drift.max_relative(), drift.slope()])?;
             match Invariant::ALL.get(number) {
                 Some(invariant) => row.put(invariant.to_string())?,
-                None => row.put(self.own.get(number - KNOWN))?,
+                None => row.put(own.get(number - KNOWN))?,
             }
+            row.end()?;
+        }
+        for (n, event) in run.events.iter().enumerate() {
+            let (row, numbers) = (&mut self.event, flat(event.state()));
+            [k, n as u64, event.which() as u64, rising(event)].into_iter().try_for_each(|n| row.count(n))?;
+            row.numbers(&numbers)?;
+            row.bits(&numbers)?;
             row.end()?;
         }
         for (n, state) in run.states.iter().enumerate() {
@@ -125,12 +139,16 @@ pub(super) fn read<const D: usize>(
 ) -> Result<(), StoreError> {
     let (from, to) = (members.start as i64, members.end as i64);
     let mut drifts = rows(database, &layout.select("drift"), [from, to], "drift", drift_of)?.into_iter().peekable();
+    let mut events = rows(database, &layout.select("event"), [from, to], "event", happened)?.into_iter().peekable();
     let mut states = rows(database, &layout.select("state"), [from, to], "state", recorded)?.into_iter().peekable();
     for (k, (mut run, failed, sealed)) in rows(database, &layout.select("last"), [from, to], "last", end)? {
         let changed = StoreError::Changed { table: "last", member: k };
         while let Some((_, (number, drift))) = drifts.next_if(|&(of, _)| of == k) {
             let place = if number < KNOWN { run.drifts.get_mut(number) } else { run.own.get_mut(number - KNOWN) };
             *place.ok_or(changed)? = Some(drift);
+        }
+        while let Some((_, event)) = events.next_if(|&(of, _)| of == k) {
+            run.events.push(event);
         }
         while let Some((_, state)) = states.next_if(|&(of, _)| of == k) {
             run.states.push(state);
@@ -144,7 +162,9 @@ pub(super) fn read<const D: usize>(
         }
     }
     // What belongs to nobody.
-    let left = drifts.next().map(|(k, _)| ("drift", k)).or_else(|| states.next().map(|(k, _)| ("state", k)));
+    let left = drifts.next().map(|(k, _)| ("drift", k));
+    let left = left.or_else(|| events.next().map(|(k, _)| ("event", k)));
+    let left = left.or_else(|| states.next().map(|(k, _)| ("state", k)));
     left.map_or(Ok(()), |(table, member)| Err(StoreError::Changed { table, member }))
 }
 
@@ -170,7 +190,7 @@ fn rows<T>(
 fn end<const D: usize>(row: &mut Reader<'_>) -> Option<(Restored<State<D>>, bool, i64)> {
     let failed = row.is_some()?;
     let last = state(row)?;
-    let mut counts = [0; 5];
+    let mut counts = [0; 6];
     for n in &mut counts {
         *n = row.count()?;
     }
@@ -178,11 +198,13 @@ fn end<const D: usize>(row: &mut Reader<'_>) -> Option<(Restored<State<D>>, bool
     row.numbers(&mut range)?;
     let last = with_bits(row, last)?;
     let sealed = row.count()?.cast_signed();
-    let [steps, evaluations, iterations, rough, nanoseconds] = counts;
+    let [stopped, steps, evaluations, iterations, rough, nanoseconds] = counts;
+    let stopped = stopped != 0;
     let elapsed = Duration::from_nanos(nanoseconds);
     let range = (!range[0].is_nan()).then_some(range);
     let work = Work { steps, evaluations, iterations, rough, elapsed, range };
-    let run = Restored { last, states: Vec::new(), drifts: [None; KNOWN], own: [None; MAX_OWN], work };
+    let (states, events, drifts, own) = (Vec::new(), Vec::new(), [None; KNOWN], [None; 2 * MAX_OWN]);
+    let run = Restored { last, states, events, stopped, drifts, own, work };
     Some((run, failed, sealed))
 }
 
@@ -197,6 +219,14 @@ fn drift_of(row: &mut Reader<'_>) -> Option<(usize, Drift)> {
     let agree = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
     let agrees = agree(shown[0], drift.max_relative()) && agree(shown[1], drift.slope());
     agrees.then_some((number, drift))
+}
+
+fn happened<const D: usize>(row: &mut Reader<'_>) -> Option<Event<State<D>>> {
+    row.count()?;
+    let (which, rising) = (usize::try_from(row.count()?).ok()?, row.count()? != 0);
+    let state = state(row)?;
+    let crossing = if rising { Crossing::Rising } else { Crossing::Falling };
+    Some(Event::new(which, with_bits(row, state)?, crossing, None))
 }
 
 fn recorded<const D: usize>(row: &mut Reader<'_>) -> Option<State<D>> {

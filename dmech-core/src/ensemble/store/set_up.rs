@@ -11,7 +11,7 @@ use crate::ensemble::plan::Plan;
 use crate::error::StoreError;
 use crate::law::{Field, Fields, Numbers, Potential};
 use crate::name::Name;
-use crate::run::Simulation;
+use crate::run::{Attend, Simulation};
 use crate::state::State;
 
 /// The numbers of a member, and what acts on it.
@@ -39,7 +39,7 @@ impl Member {
     }
 }
 
-impl<L: Fields<D>, S: Rides<L, D>, const D: usize> Plan<'_, L, S, D> {
+impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Plan<'_, L, S, O, D> {
     /// The columns; those of the law are named by the first member.
     pub(super) fn layout(&self) -> Layout {
         let mut names = Vec::new();

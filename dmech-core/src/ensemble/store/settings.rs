@@ -10,11 +10,12 @@ use crate::error::{Reach, StoreError};
 use crate::law::Fields;
 use crate::method::Method;
 use crate::name::Name;
-use crate::run::Due;
+use crate::run::{Attend, Due};
 use crate::span::Span;
+use crate::state::State;
 
 /// The form of a store, to be raised when a table changes.
-const FORMAT: i64 = 1;
+const FORMAT: i64 = 2;
 
 /// Writes a value of the whole.
 pub(super) fn set(database: &Connection, key: &str, value: &Value) -> Result<(), StoreError> {
@@ -27,7 +28,7 @@ pub(super) fn get(database: &Connection, key: &str) -> Result<Option<Value>, Sto
     Ok(database.query_row("SELECT value FROM sweep WHERE key = ?", [key], |row| row.get(0)).optional()?)
 }
 
-impl<L: Fields<D>, S: Rides<L, D>, const D: usize> Plan<'_, L, S, D> {
+impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Plan<'_, L, S, O, D> {
     /// What is said of the whole, in the order in which it is compared.
     pub(super) fn settings(&self, layout: &Layout) -> Vec<(&'static str, Value)> {
         let count = |n: usize| Value::Integer(n as i64);
@@ -53,6 +54,7 @@ impl<L: Fields<D>, S: Rides<L, D>, const D: usize> Plan<'_, L, S, D> {
             ("looks", Value::Text(looks)),
             ("fields", Value::Text(layout.fields.join(", "))),
             ("invariants", Value::Text(L::INVARIANTS.join(", "))),
+            ("company", Value::Text(self.company())),
         ]
     }
 
@@ -111,6 +113,7 @@ fn difference<S: Method>(key: &'static str, store: &Value, here: &Value) -> Stor
         ("options" | "order", ..) => StoreError::Options { scheme: S::NAME },
         ("looks", Value::Text(store), _) => StoreError::Looks { store: Name::of(&[store]) },
         ("fields" | "invariants", Value::Text(store), _) => StoreError::Law { what: key, store: Name::of(&[store]) },
+        ("company", Value::Text(store), _) => StoreError::Company { store: Name::of(&[store]) },
         ("tolerance" | "dt", ..) => match (number(store), number(here)) {
             (Some(store), Some(here)) if key == "dt" => StoreError::TimeStep { store, here },
             (Some(store), Some(here)) => StoreError::Tolerance { store, here },

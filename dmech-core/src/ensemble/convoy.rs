@@ -1,0 +1,267 @@
+//! Members side by side, one in each lane.
+
+use core::array::from_fn;
+use core::cell::LazyCell;
+use core::mem::{replace, take};
+use core::ops::Range;
+
+use dmech_scalar::{Mask, Real};
+
+use super::lanes::Together;
+use super::member::Member;
+use super::steps::{Cost, InLanes};
+use crate::invariant::{Drift, Drifts, Invariant};
+use crate::law::{Fields, Numbered, Numbers};
+use crate::ride::Ride;
+use crate::run::Attend;
+use crate::scheme::ByLane;
+use crate::state::State;
+use crate::system::{Particle, System};
+
+/// After so many steps at the latest somebody looks whether all are still finite.
+const ROW: u64 = 64;
+
+/// Members side by side, one in each lane; in lanes without one the first is moved once more.
+pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
+    scheme: S,
+    /// The numbers of each law, and each mass.
+    numbers: Vec<(L::Numbers, f64)>,
+    system: Together<L, D>,
+    all: S::All,
+    first: State<D, Ride>,
+    drifts: [Option<Drift<Ride>>; Invariant::ALL.len()],
+    /// Steps until each has ended.
+    pub(super) left: [u64; Ride::COUNT],
+    /// Steps until its invariants are to be looked at, and how many there are from one look to the next.
+    until_look: [u64; Ride::COUNT],
+    every: [u64; Ride::COUNT],
+    /// Steps that were made since each was seated or landed, and how many there were at the last look.
+    made: [u64; Ride::COUNT],
+    looked_at: [Option<u64>; Ride::COUNT],
+    cost: Cost,
+    /// Corrections that others had made when each was seated or landed.
+    iterations: [u64; Ride::COUNT],
+}
+
+/// What acts on each, by lanes.
+fn together<L: Fields<D>, const D: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D> {
+    let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
+    let law = Numbered::new(|n| Ride::from_fn(|lane| of(lane).0.as_slice()[n]));
+    Particle::with_mass(law, Ride::from_fn(|lane| of(lane).1))
+}
+
+impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
+    pub(super) fn of<O: Attend<State<D>>>(seats: &[Member<L, S, O, D>]) -> Self {
+        let stepper = |lane: usize| &seats.get(lane).unwrap_or(&seats[0]).stepper;
+        let numbers: Vec<_> = seats.iter().map(Member::numbers).collect();
+        let system = together(&numbers);
+        let scheme = seats[0].stepper.scheme;
+        let all = scheme.gather(&system, &stepper);
+        let first = State::of(ByLane::of(&|lane| &stepper(lane).start.q), ByLane::of(&|lane| &stepper(lane).start.v));
+        let watched: Vec<Drifts> = seats.iter().map(|member| member.log.watch.drifts()).collect();
+        let drifts = from_fn(|i| {
+            let of_first = watched[0][i].as_ref()?;
+            let of = |lane: usize| watched.get(lane).and_then(|drifts| drifts[i].as_ref()).unwrap_or(of_first);
+            Some(ByLane::of(&of))
+        });
+        let none = [u64::MAX; Ride::COUNT];
+        let (left, until_look, every) = (none, none, none);
+        let (made, looked_at, iterations, cost) = ([0; Ride::COUNT], [None; Ride::COUNT], [0; Ride::COUNT], Cost::NONE);
+        let mut convoy = Convoy {
+            scheme,
+            numbers,
+            system,
+            all,
+            first,
+            drifts,
+            left,
+            until_look,
+            every,
+            made,
+            looked_at,
+            cost,
+            iterations,
+        };
+        seats.iter().enumerate().for_each(|(lane, member)| convoy.count(lane, member));
+        convoy
+    }
+
+    /// How many steps a member has before it.
+    fn count<O: Attend<State<D>>>(&mut self, lane: usize, member: &Member<L, S, O, D>) {
+        self.left[lane] = member.left;
+        self.until_look[lane] = if member.every.is_some() { member.log.until_record } else { u64::MAX };
+        self.every[lane] = member.every.unwrap_or(u64::MAX);
+    }
+
+    /// Gives a lane to a member.
+    pub(super) fn seat<O: Attend<State<D>>>(&mut self, lane: usize, member: &Member<L, S, O, D>) {
+        self.numbers[lane] = member.numbers();
+        self.system = together(&self.numbers);
+        self.place(lane, member);
+        self.count(lane, member);
+    }
+
+    /// Leaves the last lane that a member has.
+    pub(super) fn leave(&mut self, lane: usize) {
+        self.numbers.truncate(lane);
+        [self.left[lane], self.until_look[lane], self.every[lane]] = [u64::MAX; 3];
+    }
+
+    /// Has the lanes without a member move as one does.
+    pub(super) fn vacate<O: Attend<State<D>>>(&mut self, lanes: Range<usize>, member: &Member<L, S, O, D>) {
+        if !lanes.is_empty() {
+            self.system = together(&self.numbers);
+            lanes.for_each(|lane| self.place(lane, member));
+        }
+    }
+
+    /// Has a lane move as a member does.
+    fn place<O: Attend<State<D>>>(&mut self, lane: usize, member: &Member<L, S, O, D>) {
+        self.scheme.seat(&self.system, &mut self.all, lane, &member.stepper);
+        let State { q, v, .. } = &member.stepper.start;
+        self.first.q.set(lane, q);
+        self.first.v.set(lane, v);
+        for (drift, watched) in self.drifts.iter_mut().zip(member.log.watch.drifts()) {
+            if let (Some(drift), Some(watched)) = (drift, &watched) {
+                drift.set(lane, watched);
+            }
+        }
+    }
+
+    pub(super) fn has_ended(&self) -> bool {
+        self.left.contains(&0)
+    }
+
+    /// Steps until one ends, or is to be looked at.
+    pub(super) fn row(&self) -> u64 {
+        self.left.iter().chain(&self.until_look).fold(ROW, |least, &steps| least.min(steps))
+    }
+
+    /// So many steps, or fewer if one arrives; none, and false, where they cannot be made together.
+    pub(super) fn advance(&mut self, steps: u64) -> bool {
+        let Some(made) = self.scheme.advance(&self.system, &mut self.all, steps, &mut self.cost) else { return false };
+        self.made.iter_mut().for_each(|all| *all += made);
+        for column in [&mut self.left, &mut self.until_look] {
+            column.iter_mut().for_each(|left| *left -= made);
+        }
+        if let Some(arrived) = self.scheme.at_the_end(&self.all) {
+            for (lane, left) in self.left.iter_mut().enumerate().take(self.numbers.len()) {
+                *left *= u64::from(arrived[lane] == 0.0);
+            }
+        }
+        // A lane without a member that had come to the end first would keep all others from moving.
+        made > 0 || self.has_ended()
+    }
+
+    /// Gives each what is in its lane.
+    pub(super) fn land_all<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
+        seats.iter_mut().enumerate().for_each(|(lane, member)| self.land(lane, member));
+        self.cost.evaluations = Ride::ZERO;
+    }
+
+    /// Gives one what is in its lane.
+    pub(super) fn land<O: Attend<State<D>>>(&mut self, lane: usize, member: &mut Member<L, S, O, D>) {
+        self.land_steps(lane, member);
+        let Member { stepper, log, .. } = member;
+        stepper.evaluations += self.cost.take_evaluations(lane);
+        stepper.iterations += self.cost.iterations - replace(&mut self.iterations[lane], self.cost.iterations);
+        stepper.memory = self.scheme.lane(&self.all, lane);
+        log.watch.set_drifts(self.drifts.each_ref().map(|drift| Some(drift.as_ref()?.lane(lane))));
+        if member.every.is_some() {
+            log.until_record = self.until_look[lane];
+        }
+        member.left = self.left[lane];
+    }
+
+    /// Gives one the number of its steps.
+    fn land_steps<O: Attend<State<D>>>(&mut self, lane: usize, Member { stepper, log, .. }: &mut Member<L, S, O, D>) {
+        if let Some(steps) = self.looked_at[lane].take() {
+            log.looked_at = stepper.steps() + steps;
+        }
+        stepper.steps += take(&mut self.made[lane]);
+    }
+
+    /// Everything that follows a step, or a row of steps into which nobody looks.
+    pub(super) fn look_back<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
+        if O::EVENTS > 0 || O::OBSERVES {
+            seats.iter_mut().enumerate().for_each(|(lane, member)| self.land_steps(lane, member));
+        }
+        if O::EVENTS > 0 {
+            let now = self.states();
+            seats.iter_mut().enumerate().for_each(|(lane, member)| member.meet(now.lane(lane)));
+            self.dismiss(seats);
+        }
+        self.look(seats);
+        if O::OBSERVES {
+            let now = LazyCell::new(|| self.states());
+            let on_their_way = seats.iter_mut().enumerate().filter(|(_, member)| !member.is_stopped());
+            on_their_way.for_each(|(lane, member)| member.observe(|| now.lane(lane)));
+        }
+        self.dismiss(seats);
+    }
+
+    /// Those who were stopped, or have failed, make no more steps.
+    fn dismiss<O: Attend<State<D>>>(&mut self, seats: &[Member<L, S, O, D>]) {
+        for (lane, _) in seats.iter().enumerate().filter(|(_, member)| member.is_stopped()) {
+            (self.left[lane], self.until_look[lane]) = (0, u64::MAX);
+        }
+    }
+
+    fn states(&self) -> States<D> {
+        let (t, [q, v]) = self.scheme.state(&self.system, &self.all);
+        States { t, q, v }
+    }
+
+    /// Looks at the invariants of those for whom it is time.
+    fn look<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
+        let due = Ride::from_fn(|lane| self.until_look[lane].min(1) as f64).equal(Ride::ZERO);
+        if !due.any() {
+            return;
+        }
+        let (now, system) = (self.states(), &self.system);
+        let States { t, q, v } = now;
+        let state = State::of(q, v);
+        for invariant in Invariant::ALL {
+            let Some(drift) = &mut self.drifts[invariant as usize] else { continue };
+            let start = drift.fields()[0];
+            let seen = match invariant {
+                Invariant::Energy => Some(system.potential(t, &q) + system.kinetic_energy(&v)),
+                Invariant::DiscreteEnergy => self.scheme.own_energy(system, &self.all),
+                _ => None,
+            };
+            let seen = match invariant {
+                Invariant::AngularMomentum => Some(system.momentum(invariant, &state, &self.first)),
+                _ => seen.map(|energy| (energy, energy - start)),
+            };
+            if let Some((value, deviation)) = seen {
+                let last = *drift;
+                drift.observe(t, value, deviation);
+                drift.put(due.not(), &last);
+            }
+        }
+        let beside = O::QUANTITIES > 0 || O::STREAMS || !seats[0].stepper.system.own_invariants().is_empty();
+        for (lane, member) in seats.iter_mut().enumerate() {
+            if self.until_look[lane] > 0 {
+                continue;
+            }
+            self.until_look[lane] = self.every[lane];
+            self.looked_at[lane] = Some(self.made[lane]);
+            if beside {
+                member.look(now.lane(lane));
+            }
+        }
+    }
+}
+
+/// Where members are.
+struct States<const D: usize> {
+    t: Ride,
+    q: [Ride; D],
+    v: [Ride; D],
+}
+
+impl<const D: usize> States<D> {
+    fn lane(&self, lane: usize) -> State<D> {
+        State::of(self.q.lane(lane), self.v.lane(lane)).at_time(self.t[lane])
+    }
+}

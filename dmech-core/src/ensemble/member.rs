@@ -1,0 +1,142 @@
+//! A member on its way.
+
+use std::time::Duration;
+
+use super::rides::{Block, Forget, Outcome};
+use crate::error::Error;
+use crate::law::Fields;
+use crate::run::{Attend, Due, Interrupted, Log, Prepared};
+use crate::scheme::Scheme;
+use crate::state::State;
+use crate::stepper::Stepper;
+use crate::system::Particle;
+
+/// A member on its way.
+pub(super) struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, O, const D: usize> {
+    pub(super) k: usize,
+    pub(super) stepper: Stepper<Particle<L, D>, S>,
+    pub(super) log: Log<Particle<L, D>, (O, Forget)>,
+    /// Steps that are left to make.
+    pub(super) left: u64,
+    /// Steps from one look at the invariants to the next; none where states are recorded by time.
+    pub(super) every: Option<u64>,
+    /// The state before a step that is to be looked into.
+    before: Option<State<D>>,
+    /// Where it was stopped, or why it failed.
+    outcome: Result<Option<State<D>>, Error>,
+}
+
+impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Member<L, S, O, D> {
+    pub(super) fn begin(block: &Block<'_, L, S, O, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
+        let simulation = (block.member)(k);
+        let due = simulation.due().clone();
+        let every = if let Due::Every(n) = due { Some(n) } else { None };
+        let simulation = simulation.attended(Forget { states: every.is_some() });
+        let Prepared { mut stepper, run, steps: left, attend } = simulation.prepare(block.span)?;
+        stepper.scheme.watch(S::SEES_ROUGH, &mut stepper.workspace);
+        let mut log = Log::new(&stepper, run, due, attend);
+        log.watch.forget_work();
+        let outcome = log.begin(&stepper).map(|()| None);
+        let before = (O::EVENTS > 0).then(|| stepper.state());
+        Ok(Member { k, stepper, log, left, every, before, outcome })
+    }
+
+    pub(super) fn has_ended(&self) -> bool {
+        self.left == 0 || self.is_stopped()
+    }
+
+    /// By an event or an observer, or as it has failed.
+    pub(super) fn is_stopped(&self) -> bool {
+        !matches!(self.outcome, Ok(None))
+    }
+
+    /// The numbers of its law, and its mass.
+    pub(super) fn numbers(&self) -> (L::Numbers, f64) {
+        (self.stepper.law().numbers(), self.stepper.system.mass())
+    }
+
+    /// Whether the next step may reach a time at which a state is due.
+    pub(super) fn is_due(&self) -> bool {
+        self.log.is_due_before(&self.stepper)
+    }
+
+    /// Steps that do not reach such a time, but one at least.
+    pub(super) fn free(&self) -> u64 {
+        let Some(next) = self.log.next else { return u64::MAX };
+        (((next - self.stepper.t()) / self.stepper.dt() - 1.01) as u64).max(1)
+    }
+
+    pub(super) fn remember(&mut self) {
+        self.before = (O::EVENTS > 0 || self.is_due()).then(|| self.stepper.state());
+    }
+
+    /// So many steps alone, where together they could not be made.
+    pub(super) fn advance(&mut self, steps: u64) {
+        for _ in 0..steps {
+            if self.stepper.arrived() {
+                self.left = 0;
+            }
+            if self.has_ended() {
+                return;
+            }
+            self.remember();
+            if let Err(cause) = self.stepper.step() {
+                self.outcome = Err(cause);
+                return;
+            }
+            self.left -= 1;
+            self.look_back(1);
+        }
+        if self.stepper.arrived() {
+            self.left = 0;
+        }
+    }
+
+    /// Everything that follows a step; so many are not counted yet.
+    pub(super) fn look_back(&mut self, steps: u64) {
+        let Member { stepper, log, before, outcome, .. } = self;
+        let mut look = || {
+            if let Some(before) = before.take()
+                && let Some(stopped) = log.look_into_the_step(stepper, &before, stepper.state())?
+            {
+                return Ok(Some(stopped));
+            }
+            log.count(stepper, steps)?;
+            Ok(log.observe(stepper, &mut || stepper.state()))
+        };
+        *outcome = look();
+        self.before = (O::EVENTS > 0).then(|| self.stepper.state());
+    }
+
+    /// Events of a step that was made in a lane and led here.
+    pub(super) fn meet(&mut self, after: State<D>) {
+        if let Some(before) = self.before.replace(after) {
+            self.outcome = self.log.look_into_the_step(&self.stepper, &before, after);
+        }
+    }
+
+    /// A look that is due, at a state in a lane, beside the invariants of all laws.
+    pub(super) fn look(&mut self, now: State<D>) {
+        if let Err(cause) = self.log.look_beside(&self.stepper, now) {
+            self.outcome = Err(cause);
+        }
+    }
+
+    /// Shows the state in a lane to those who observe it.
+    pub(super) fn observe(&mut self, now: impl Fn() -> State<D>) {
+        if let Some(stopped) = self.log.observe(&self.stepper, &mut || now()) {
+            self.outcome = Ok(Some(stopped));
+        }
+    }
+
+    pub(super) fn end(self) -> Outcome<State<D>> {
+        let Member { stepper, mut log, outcome, .. } = self;
+        let outcome = outcome.and_then(|stopped| {
+            if stopped.is_none() {
+                log.record_at_the_end(&stepper)?;
+            }
+            Ok(stopped)
+        });
+        log.close(&stepper, outcome, Duration::ZERO)
+    }
+}

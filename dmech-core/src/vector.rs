@@ -68,8 +68,8 @@ pub fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {
 
 /// Σ wᵢ xᵢ yᵢ; [`dot`] to the bit where the weights are 1.
 #[inline(always)]
-pub fn weighted<const D: usize, R: Real>(weights: [f64; D], x: [R; D], y: [R; D]) -> R {
-    dot(by_component!(|i| R::from_f64(weights[i]) * x[i]), y)
+pub fn weighted<const D: usize, R: Real>(weights: [R; D], x: [R; D], y: [R; D]) -> R {
+    dot(by_component!(|i| weights[i] * x[i]), y)
 }
 
 /// Every component is finite in every lane.

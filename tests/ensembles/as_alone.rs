@@ -1,10 +1,10 @@
 //! The same bits as alone: schemes × laws.
 
-use dmech::extend::{Fields, Rides};
+use dmech::extend::{Fields, Masses, Rides};
 use dmech::prelude::*;
 use dmech::scheme::Adaptive;
 
-use crate::laws::{Bottle, Contact, Damped, Driven, Many, Orbit, Plummer, Saddle};
+use crate::laws::{Bottle, Contact, Damped, Driven, Many, Orbit, Pair, Plummer, Saddle};
 
 /// More than twice as many as ride side by side, and no multiple of any power of two.
 const MEMBERS: usize = 83;
@@ -125,4 +125,37 @@ fn adaptive() {
         end: 3.0,
         ..settings
     });
+}
+
+/// Each coordinate of each member with a mass of its own: two bodies on a plane that pull on each other.
+#[test]
+fn masses_of_coordinates() {
+    fn check<S: Rides<Masses<Pair, 4>, 4> + Sync>(scheme: S, dt: f64, name: &str) {
+        let masses = |k: usize| {
+            let [a, b] = [1.3 + 0.01 * k as f64, 0.4 + 0.03 * (k % 11) as f64];
+            [a, a, b, b]
+        };
+        let pairs = Ensemble::of(MEMBERS).law(Pair::member).masses(masses).mass(mass).start(Pair::start).scheme(scheme);
+        let run = pairs.dt(dt).look_every(3).run_until(2.0).unwrap();
+        for k in 0..MEMBERS {
+            let alone = Simulation::new(Pair::member(k), Pair::start(k)).masses(masses(k)).mass(mass(k));
+            let alone = alone.scheme(scheme).dt(dt).record_every(3).run_until(2.0).unwrap();
+            assert_eq!(run.last(k).unwrap(), *alone.last(), "{name}, member {k}");
+            for invariant in [Invariant::Energy, Invariant::DiscreteEnergy, Invariant::AngularMomentum] {
+                assert_eq!(run.drift(k, invariant), alone.drift(invariant), "{name}, member {k}: {invariant}");
+            }
+            assert!(run.drift(k, Invariant::Energy).is_some());
+        }
+    }
+    check(Leapfrog, 0.01, "leap-frog");
+    check(Nystrom::order6(), 0.05, "Nystrom");
+    check(DiscreteGradient, 0.05, "exact");
+    check(Composed::order4(Implicit), 0.05, "implicit");
+    check(Gauss::order16(), 0.1, "Gauss");
+    check(Adaptive::new(ForceGradient::order4(), 1e-5), 1.0, "adaptive");
+
+    let refused = |k: usize| if k == 5 { [1.0, -1.0, 1.0, 1.0] } else { [1.0; 4] };
+    let run = Ensemble::of(9).law(Pair::member).masses(refused).start(Pair::start).scheme(Leapfrog).dt(0.01).run(10);
+    let failures: Vec<_> = run.unwrap().failures().collect();
+    assert_eq!(failures, [(5, Error::Mass { mass: -1.0 })]);
 }

@@ -115,3 +115,13 @@ many! {
         }
     }
 }
+
+many! {
+    Pair { g: 1.1 + 0.3 * part(k, 0.49), eps: 0.1 + 0.1 * part(k, 0.77) }, 4, |k| [[0.5, 0.1 * part(k, 0.83), -0.6, 0.0], [0.0, 0.4, 0.1 * part(k, 0.03), -0.7]];
+    impl Pair {
+        #[potential]
+        fn energy(&self, q: [f64; 4]) -> f64 {
+            -self.g / ((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) + self.eps.powi(2)).sqrt()
+        }
+    }
+}

@@ -9,7 +9,7 @@ use dmech::extend::{Fields, Reach, Rides, StoreError};
 use dmech::prelude::*;
 use rusqlite::{Connection, OpenFlags};
 
-use crate::laws::{Contact, Driven, Many, Orbit, Saddle};
+use crate::laws::{Contact, Driven, Many, Orbit, Pair, Saddle};
 use crate::same::{Made, of, the_same};
 
 /// A file that is not there yet, in a directory of its own that goes with it.
@@ -74,6 +74,22 @@ fn what_comes_back_is_what_was_computed() {
     check("adaptive", of::<Orbit, _, 2>(20, Composed::order4(DiscreteGradient)).adaptive(1e-6));
     check("rough", of::<Contact, _, 1>(20, Gauss::order16()).dt(0.2).record_dt(0.17));
     check("none", of::<Contact, _, 1>(0, Leapfrog).dt(0.2));
+}
+
+/// The masses of coordinates are columns of the set-up, and another is found out.
+#[test]
+fn masses_of_coordinates() {
+    let place = Place::new("masses");
+    let of = |last: f64| {
+        let masses = move |k: usize| [1.0, 1.0, 2.5, if k == 7 { last } else { 0.5 + 0.1 * k as f64 }];
+        let pairs = Ensemble::of(12).law(Pair::member).masses(masses).start(Pair::start).scheme(Leapfrog).dt(0.01);
+        pairs.store(place.file()).run(100)
+    };
+    let sum = of(3.0).unwrap().checksum();
+    assert_eq!(of(3.0).unwrap().checksum(), sum);
+    assert_eq!(place.number("SELECT COUNT(*) FROM member WHERE law_masses_2 = 2.5 AND law_g > 1"), 12);
+    let refused = of(3.5).unwrap_err();
+    assert!(matches!(refused, Error::Store(StoreError::Member { member: 7, store: 3.0, here: 3.5, .. })), "{refused}");
 }
 
 /// What fails, and numbers that SQLite does not keep: NaN and −0.

@@ -115,7 +115,7 @@ const MOLECULAR: Molecular = Molecular { g: 1.4, h: 2.2, alpha: 0.08 };
 
 pub(super) fn numbers<P, L: Reads<P>>(_: &L, mass: f64, data: &P) -> <L::Numbers as Numbers>::Of<f64> {
     let numbers = L::numbers(mass, data);
-    let numbers = numbers.as_slice();
+    let numbers = numbers.list();
     <L::Numbers as Numbers>::gather(|i| numbers[i])
 }
 
@@ -159,7 +159,7 @@ pub(super) fn norm<const D: usize>(d: [f64; D]) -> f64 {
 
 #[test]
 fn coulomb_in_any_number_of_dimensions() {
-    assert_eq!(<Coulomb as Reads<Charge>>::numbers(5.0, &ION).as_slice(), [ION.q]);
+    assert_eq!(<Coulomb as Reads<Charge>>::numbers(5.0, &ION).list(), [ION.q]);
     let (a, b) = (numbers(&COULOMB, 2.0, &ION), numbers(&COULOMB, 3.0, &OTHER));
     fn check<const D: usize>(a: [f64; 1], b: [f64; 1], here: [f64; D], there: [f64; D]) {
         let acts = PairLaw::<D, Charge>::between(&COULOMB, a, b, 0.0);

@@ -29,6 +29,8 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
     system: Together<L, D>,
     all: S::All,
     first: State<D, Ride>,
+    /// Where each is, as far as events ask for it.
+    now: States<D>,
     drifts: [Option<Drift<Ride>>; Invariant::ALL.len()],
     /// Steps until each has ended.
     pub(super) left: [u64; Ride::COUNT],
@@ -46,7 +48,7 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
 /// What acts on each, by lanes.
 fn together<L: Fields<D>, const D: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D> {
     let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
-    let law = Numbered::new(|n| Ride::from_fn(|lane| of(lane).0.as_slice()[n]));
+    let law = Numbered::new(|n| Ride::from_fn(|lane| of(lane).0.at(n)));
     Particle::with_mass(law, Ride::from_fn(|lane| of(lane).1))
 }
 
@@ -64,6 +66,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
             let of = |lane: usize| watched.get(lane).and_then(|drifts| drifts[i].as_ref()).unwrap_or(of_first);
             Some(ByLane::of(&of))
         });
+        let now = States::default();
         let none = [u64::MAX; Ride::COUNT];
         let (left, until_look, every) = (none, none, none);
         let (made, looked_at, iterations, cost) = ([0; Ride::COUNT], [None; Ride::COUNT], [0; Ride::COUNT], Cost::NONE);
@@ -73,6 +76,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
             system,
             all,
             first,
+            now,
             drifts,
             left,
             until_look,
@@ -91,6 +95,9 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         self.left[lane] = member.left;
         self.until_look[lane] = if member.every.is_some() { member.log.until_record } else { u64::MAX };
         self.every[lane] = member.every.unwrap_or(u64::MAX);
+        if O::EVENTS > 0 {
+            self.now.set(lane, &member.stepper.state());
+        }
     }
 
     /// Gives a lane to a member.
@@ -187,8 +194,11 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
             seats.iter_mut().enumerate().for_each(|(lane, member)| self.land_steps(lane, member));
         }
         if O::EVENTS > 0 {
-            let now = self.states();
-            seats.iter_mut().enumerate().for_each(|(lane, member)| member.meet(now.lane(lane)));
+            let after = self.states();
+            let before = replace(&mut self.now, after);
+            for (lane, member) in seats.iter_mut().enumerate() {
+                member.meet(before.t[lane], || before.lane(lane), &self.now.lane(lane));
+            }
             self.dismiss(seats);
         }
         self.look(seats);
@@ -260,7 +270,20 @@ struct States<const D: usize> {
     v: [Ride; D],
 }
 
+impl<const D: usize> Default for States<D> {
+    fn default() -> Self {
+        States { t: Ride::ZERO, q: [Ride::ZERO; D], v: [Ride::ZERO; D] }
+    }
+}
+
 impl<const D: usize> States<D> {
+    fn set(&mut self, lane: usize, State { t, q, v }: &State<D>) {
+        self.t[lane] = *t;
+        self.q.set(lane, q);
+        self.v.set(lane, v);
+    }
+
+    #[inline(always)]
     fn lane(&self, lane: usize) -> State<D> {
         State::of(self.q.lane(lane), self.v.lane(lane)).at_time(self.t[lane])
     }

@@ -37,8 +37,7 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
         let mut log = Log::new(&stepper, run, due, attend);
         log.watch.forget_work();
         let outcome = log.begin(&stepper).map(|()| None);
-        let before = (O::EVENTS > 0).then(|| stepper.state());
-        Ok(Member { k, stepper, log, left, every, before, outcome })
+        Ok(Member { k, stepper, log, left, every, before: None, outcome })
     }
 
     pub(super) fn has_ended(&self) -> bool {
@@ -94,24 +93,26 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 
     /// Everything that follows a step; so many are not counted yet.
     pub(super) fn look_back(&mut self, steps: u64) {
-        let Member { stepper, log, before, outcome, .. } = self;
-        let mut look = || {
-            if let Some(before) = before.take()
-                && let Some(stopped) = log.look_into_the_step(stepper, &before, stepper.state())?
-            {
-                return Ok(Some(stopped));
-            }
-            log.count(stepper, steps)?;
-            Ok(log.observe(stepper, &mut || stepper.state()))
-        };
-        *outcome = look();
-        self.before = (O::EVENTS > 0).then(|| self.stepper.state());
+        self.outcome = self.what_followed(steps);
     }
 
-    /// Events of a step that was made in a lane and led here.
-    pub(super) fn meet(&mut self, after: State<D>) {
-        if let Some(before) = self.before.replace(after) {
-            self.outcome = self.log.look_into_the_step(&self.stepper, &before, after);
+    fn what_followed(&mut self, steps: u64) -> Result<Option<State<D>>, Error> {
+        let Member { stepper, log, before, .. } = self;
+        if let Some(before) = before.take()
+            && let Some(stopped) = log.look_into_the_step(stepper, before.t, || before, &stepper.state())?
+        {
+            return Ok(Some(stopped));
+        }
+        log.count(stepper, steps)?;
+        Ok(log.observe(stepper, &mut || stepper.state()))
+    }
+
+    /// Events of a step that was made in a lane.
+    #[inline]
+    pub(super) fn meet(&mut self, start: f64, before: impl Fn() -> State<D>, after: &State<D>) {
+        match self.log.look_into_the_step(&self.stepper, start, before, after) {
+            Ok(None) => {}
+            outcome => self.outcome = outcome,
         }
     }
 

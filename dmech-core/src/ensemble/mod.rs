@@ -43,7 +43,7 @@ use plan::{Arrival, Moved, Nowhere, Plan, Rows};
 use store::Stored;
 
 use crate::error::Error;
-use crate::law::Fields;
+use crate::law::{Fields, MassIndependent, Masses};
 use crate::run::{Follow, Shown, Simulation};
 use crate::scheme::{Adaptable, Adaptive, NoScheme};
 use crate::span::Span;
@@ -128,7 +128,7 @@ impl Ensemble {
         }
     }
 
-    /// So many simulations of any kind, each moved alone, over all cores: scenes, events, observers. What they record is kept.
+    /// So many simulations of any kind, each moved alone, over all cores: scenes among them. What they record is kept.
     pub fn each<F>(members: usize, member: F) -> Each<F> {
         Each { member, members, hands: Hands::ALL, shown: Shown::default() }
     }
@@ -159,6 +159,21 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         F: Fn(usize) -> f64 + Sync,
     {
         let Ensemble { law, start, company, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, company, common, members, hands, beside }
+    }
+
+    /// A mass for each coordinate of each member, by its number, in units of [`mass`](Ensemble::mass): [`Simulation::masses`]. It comes after
+    /// [`law`](Ensemble::law).
+    ///
+    /// A law of several bodies is a small scene whose members ride in lanes.
+    pub fn masses<F, Y, const D: usize>(self, masses: F) -> Ensemble<impl Fn(usize) -> Masses<Y, D> + Sync, X, S, M, C>
+    where
+        L: Fn(usize) -> Y + Sync,
+        Y: MassIndependent,
+        F: Fn(usize) -> [f64; D] + Sync,
+    {
+        let Ensemble { law, start, mass, company, common, members, hands, beside } = self;
+        let law = move |k| Masses::new(law(k), masses(k));
         Ensemble { law, start, mass, company, common, members, hands, beside }
     }
 

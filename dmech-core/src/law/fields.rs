@@ -11,7 +11,7 @@ use super::{Field, Law, LinearInVelocity, Numbers, VelocityIndependent};
 #[diagnostic::on_unimplemented(
     message = "the numbers of `{Self}` cannot stand side by side with those of other members",
     label = "not a law of {D} coordinates that `#[dmech::law]` has written",
-    note = "members that are laws written by hand, `Option`s of laws, laws with a mass for each coordinate or scenes ride alone: `Ensemble::each(n, |k| Simulation::new(…)…)`"
+    note = "members that are laws written by hand, `Option`s of laws or scenes ride alone: `Ensemble::each(n, |k| Simulation::new(…)…)`"
 )]
 pub trait Fields<const D: usize>: Law<D> {
     /// `[f64; N]`.
@@ -24,6 +24,13 @@ pub trait Fields<const D: usize>: Law<D> {
 
     /// What acts on a particle of a mass at a time, by these numbers.
     fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, mass: R, t: R) -> Self::Moment<R>;
+
+    /// The mass of each coordinate over that of the particle, by these numbers.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn masses<R: Real>(_: <Self::Numbers as Numbers>::Of<R>) -> [R; D] {
+        [R::ONE; D]
+    }
 }
 
 /// Laws side by side, one in each lane; or one, in another scalar.
@@ -57,6 +64,11 @@ impl<L: Fields<D>, const D: usize, R: Real> Law<D, R> for Numbered<L, D, R> {
     #[inline(always)]
     fn field(&self, mass: R, t: R) -> L::Moment<R> {
         L::moment(self.numbers, mass, t)
+    }
+
+    #[inline(always)]
+    fn weights(&self) -> [R; D] {
+        L::masses(self.numbers)
     }
 }
 

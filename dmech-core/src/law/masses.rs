@@ -6,7 +6,7 @@ use dmech_scalar::Real;
 
 use super::field::Linearised;
 use crate::law::written::Written;
-use crate::law::{Field, Law, LinearInVelocity, MassIndependent, Potential, VelocityIndependent};
+use crate::law::{Field, Fields, Law, LinearInVelocity, MassIndependent, Numbers, Potential, VelocityIndependent};
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
 ///
@@ -69,6 +69,27 @@ impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Mass
 
     fn written(&self) -> Option<&dyn Written<D>> {
         self.law.written()
+    }
+}
+
+/// The numbers of the law, and the masses after them.
+#[diagnostic::do_not_recommend]
+impl<L: Fields<D> + MassIndependent, const D: usize> Fields<D> for Masses<L, D> {
+    type Numbers = (L::Numbers, [f64; D]);
+    type Moment<R: Real> = Divided<L::Moment<R>, D, R>;
+
+    fn numbers(&self) -> Self::Numbers {
+        (self.law.numbers(), self.ratios)
+    }
+
+    #[inline(always)]
+    fn moment<R: Real>((numbers, ratios): (<L::Numbers as Numbers>::Of<R>, [R; D]), mass: R, t: R) -> Self::Moment<R> {
+        Divided { field: L::moment(numbers, mass, t), ratios, t }
+    }
+
+    #[inline(always)]
+    fn masses<R: Real>((_, ratios): (<L::Numbers as Numbers>::Of<R>, [R; D])) -> [R; D] {
+        ratios
     }
 }
 

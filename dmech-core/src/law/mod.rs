@@ -118,6 +118,13 @@ pub trait Law<const D: usize, R: Real = f64> {
         [1.0; D]
     }
 
+    /// The same in the scalar in use.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn weights(&self) -> [R; D] {
+        self.mass_ratios().map(R::from_f64)
+    }
+
     /// The methods that a macro has made this of; a law written by hand is its own.
     #[doc(hidden)]
     fn written(&self) -> Option<&dyn Written<D>> {

@@ -14,8 +14,12 @@ pub trait Numbers: Copy + core::fmt::Debug + Send + Sync + 'static {
     /// `[R; K]`.
     type Of<R: Real>: Copy + Send + Sync;
 
-    /// The numbers as a slice.
-    fn as_slice(&self) -> &[f64];
+    /// The k-th of them.
+    fn at(&self, k: usize) -> f64;
+    /// All of them.
+    fn list(&self) -> Vec<f64> {
+        (0..Self::COUNT).map(|k| self.at(k)).collect()
+    }
     /// [f(0), …, f(K − 1)].
     fn gather<R: Real>(f: impl FnMut(usize) -> R) -> Self::Of<R>;
 }
@@ -25,13 +29,29 @@ impl<const K: usize> Numbers for [f64; K] {
     type Of<R: Real> = [R; K];
 
     #[inline(always)]
-    fn as_slice(&self) -> &[f64] {
-        self
+    fn at(&self, k: usize) -> f64 {
+        self[k]
     }
 
     #[inline(always)]
     fn gather<R: Real>(f: impl FnMut(usize) -> R) -> [R; K] {
         core::array::from_fn(f)
+    }
+}
+
+/// Those of a law, and then the masses of its coordinates.
+impl<N: Numbers, const D: usize> Numbers for (N, [f64; D]) {
+    const COUNT: usize = N::COUNT + D;
+    type Of<R: Real> = (N::Of<R>, [R; D]);
+
+    #[inline(always)]
+    fn at(&self, k: usize) -> f64 {
+        if k < N::COUNT { self.0.at(k) } else { self.1[k - N::COUNT] }
+    }
+
+    #[inline(always)]
+    fn gather<R: Real>(mut f: impl FnMut(usize) -> R) -> Self::Of<R> {
+        (N::gather(&mut f), core::array::from_fn(|i| f(N::COUNT + i)))
     }
 }
 

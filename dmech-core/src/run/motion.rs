@@ -1,5 +1,6 @@
 //! The loop that records a motion.
 
+use core::borrow::Borrow;
 use std::time::{Duration, Instant};
 
 use super::attend::{Attend, Happened, Within, in_order};
@@ -170,7 +171,8 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
             let before = (O::EVENTS > 0 || self.is_due_before(stepper)).then(|| stepper.state());
             self.watch.step(stepper)?;
             if let Some(before) = before
-                && let Some(stopped) = self.look_into_the_step(stepper, &before, stepper.state())?
+                && let Some(stopped) =
+                    self.look_into_the_step(stepper, Y::time(&before), || &before, &stepper.state())?
             {
                 return Ok(Some(stopped));
             }
@@ -221,20 +223,35 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
         self.next.is_some_and(|next| next <= stepper.t() + 1.01 * stepper.next_dt())
     }
 
-    /// Events, and states that are due, in the step that was made; where the run was stopped in it.
-    pub(crate) fn look_into_the_step<S: Scheme<Y>>(
+    /// Events, and states that are due, in the step that was made; where the run was stopped in it. The state before it is asked
+    /// for where something has happened.
+    #[inline]
+    pub(crate) fn look_into_the_step<S: Scheme<Y>, B: Borrow<Y::State>>(
         &mut self,
         stepper: &Stepper<Y, S>,
-        before: &Y::State,
-        after: Y::State,
+        start: f64,
+        before: impl Fn() -> B,
+        after: &Y::State,
     ) -> Result<Option<Y::State>, Error> {
-        let Log { attend, between, happened, .. } = self;
-        let times = [Y::time(before), Y::time(&after)];
-        let mut at = |t| between.state(stepper, before, t);
+        let Log { attend, between, happened, next, .. } = self;
+        let mut at = |t| between.state(stepper, before().borrow(), t);
         if O::EVENTS > 0 {
-            attend.meet(0, &mut Within { end: &after, times, at: &mut at, happened })?;
-            in_order(happened, Y::time);
+            attend.meet(0, &mut Within { end: after, times: [start, Y::time(after)], at: &mut at, happened })?;
         }
+        if happened.is_empty() && next.is_none_or(|next| next > Y::time(after)) {
+            return Ok(None);
+        }
+        self.take_what_happened(stepper, before, after)
+    }
+
+    fn take_what_happened<S: Scheme<Y>, B: Borrow<Y::State>>(
+        &mut self,
+        stepper: &Stepper<Y, S>,
+        before: impl Fn() -> B,
+        after: &Y::State,
+    ) -> Result<Option<Y::State>, Error> {
+        let Log { happened, .. } = self;
+        in_order(happened, Y::time);
         let mut stopped = None;
         for Happened { stops, event } in happened.drain(..) {
             let state = stops.then(|| event.state().clone());
@@ -244,15 +261,16 @@ impl<Y: System, O: Attend<Y::State>> Log<Y, O> {
                 break;
             }
         }
-        let end = stopped.as_ref().map_or(times[1], Y::time);
+        let end = Y::time(stopped.as_ref().unwrap_or(after));
         let mut any = false;
         while let Some(t) = self.next.filter(|&t| t <= end) {
-            let state = if t == times[1] { after.clone() } else { self.between.state(stepper, before, t)? };
+            let state =
+                if t == Y::time(after) { after.clone() } else { self.between.state(stepper, before().borrow(), t)? };
             self.record_due(state)?;
             any = true;
         }
         if any && stopped.is_none() {
-            self.look_at(stepper, &after);
+            self.look_at(stepper, after);
         }
         Ok(stopped)
     }

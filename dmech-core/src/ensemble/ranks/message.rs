@@ -138,8 +138,8 @@ impl SetUp {
         for k in [0, plan.members.wrapping_sub(1)].into_iter().filter(|&k| k < plan.members) {
             let simulation = (plan.member)(k);
             let State { t, q, v } = simulation.start;
-            let numbers = simulation.law.numbers();
-            let all = numbers.as_slice().iter().chain([&simulation.settings.mass, &t]).chain(&q).chain(&v);
+            let numbers = simulation.law.numbers().list();
+            let all = numbers.iter().chain([&simulation.settings.mass, &t]).chain(&q).chain(&v);
             all.for_each(|x| sum.word(x.to_bits()));
         }
         SetUp(sum.value())

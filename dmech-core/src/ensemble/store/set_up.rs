@@ -43,12 +43,13 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
     /// The columns; those of the law are named by the first member.
     pub(super) fn layout(&self) -> Layout {
         let mut names = Vec::new();
-        let mut numbers = <L::Numbers as Numbers>::COUNT;
+        let numbers = <L::Numbers as Numbers>::COUNT;
         if self.members > 0 {
-            let law = (self.member)(0).law;
-            numbers = law.numbers().as_slice().len();
-            if let Some(written) = law.written() {
+            if let Some(written) = (self.member)(0).law.written() {
                 written.fields(&mut |name, _| names.push(name));
+            }
+            if names.len() + D == numbers {
+                names.extend(["masses"; D]);
             }
         }
         if names.len() == numbers {
@@ -60,7 +61,7 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
 
     fn numbers(&self, k: usize) -> Member {
         let Simulation { law, start: State { t, q, v }, settings, .. } = (self.member)(k);
-        let numbers = [&[settings.mass], law.numbers().as_slice(), &[t], &q, &v].concat();
+        let numbers = [&[settings.mass], law.numbers().list().as_slice(), &[t], &q, &v].concat();
         let field = law.field(settings.mass, t);
         let mut seal = Seal::default();
         // Beside the start too, where nothing is zero by symmetry.

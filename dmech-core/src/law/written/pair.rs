@@ -50,7 +50,7 @@ impl<L: PairAuthor<D, P>, const D: usize, P> WrittenPair<D, P> for L {
 fn acting<L: PairLaw<D, P, R>, const D: usize, P, R: Real>(law: &L, place: &Probe<D>, a: &P, b: &P) -> Values<D, R> {
     let numbers = |mass: f64, data: &P| {
         let numbers = L::numbers(mass, data);
-        <L::Numbers as Numbers>::gather(|k| R::from_f64(numbers.as_slice()[k]))
+        <L::Numbers as Numbers>::gather(|k| R::from_f64(numbers.at(k)))
     };
     let [va, vb] = place.v.map(|v| v.map(R::from_f64));
     let d = place.q.map(R::from_f64);

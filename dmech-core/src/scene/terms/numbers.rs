@@ -18,8 +18,8 @@ impl<N: Numbers> NumberColumns<N> {
         let bodies = list.len();
         let mut flat = vec![0.0; N::COUNT * bodies];
         for (i, numbers) in list.enumerate() {
-            for (k, &x) in numbers.as_slice().iter().enumerate() {
-                flat[k * bodies + i] = x;
+            for k in 0..N::COUNT {
+                flat[k * bodies + i] = numbers.at(k);
             }
         }
         NumberColumns { bodies, flat, layout: core::marker::PhantomData }

@@ -179,7 +179,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
     #[inline]
     fn kinetic_energy(&self, v: &[R; D]) -> R {
-        R::from_f64(0.5) * self.mass * weighted(self.law.mass_ratios(), *v, *v)
+        R::from_f64(0.5) * self.mass * weighted(self.law.weights(), *v, *v)
     }
     #[inline(always)]
     fn slope(&self, t: R, q: &[R; D], v: &[R; D], out: &mut [R; D]) {
@@ -269,7 +269,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
     #[inline(always)]
     fn add_work(&self, work: &mut R, v: &[R; D], next: &[R; D]) {
-        *work += weighted(self.law.mass_ratios(), difference(*next, *v), sum(*next, *v));
+        *work += weighted(self.law.weights(), difference(*next, *v), sum(*next, *v));
     }
     #[inline(always)]
     fn total(&self, work: &R) -> R {
@@ -277,7 +277,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
     #[inline(always)]
     fn work_along(&self, slope: &[R; D], moved: &[R; D]) -> R {
-        -weighted(self.law.mass_ratios(), *slope, *moved)
+        -weighted(self.law.weights(), *slope, *moved)
     }
     #[inline(always)]
     fn work_between(&self, slope: &[R; D], before: &Self::Sum, after: &Self::Sum) -> R {

@@ -189,6 +189,6 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
             });
             work.sum() / dt
         });
-        self.mass * weighted(self.law.mass_ratios(), work, [R::ONE; D])
+        self.mass * weighted(self.law.weights(), work, [R::ONE; D])
     }
 }

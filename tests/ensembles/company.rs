@@ -179,6 +179,33 @@ fn those_that_fail() {
     assert!(failed > 3 && failed < 20, "{failed}");
 }
 
+/// Members that begin where they are to end, beside others: nobody sees a state twice.
+#[test]
+fn those_that_have_nowhere_to_go() {
+    let start = |k: usize| Orbit::start(k).at_time(if k.is_multiple_of(7) { 2.0 } else { 0.1 * (k % 3) as f64 });
+    let seen: Vec<Seen> = (0..30).map(|_| Seen::default()).collect();
+    let adaptive = Adaptive::new(Nystrom::order6(), 1e-6);
+    let ensemble = Ensemble::of(30).law(Orbit::member).start(start).scheme(adaptive).record_dt(0.1);
+    let watch = |seen: &Seen, state: &State<2>| {
+        seen.see(state);
+        ControlFlow::Continue(())
+    };
+    let (seen_by, watch) = (&seen, &watch);
+    let run = ensemble.with(|k, member| member.observe(1, move |state| watch(&seen_by[k], state))).run_until(2.0);
+    let run = run.unwrap();
+    let mut still = 0;
+    for (k, seen) in seen.iter().enumerate() {
+        let by_itself = Seen::default();
+        let alone = Simulation::new(Orbit::member(k), start(k)).scheme(adaptive).record_dt(0.1);
+        let alone = alone.observe(1, |state| watch(&by_itself, state)).run_until(2.0).unwrap();
+        let member = run.member(k).unwrap();
+        assert_eq!((member.steps(), member.states()), (alone.steps(), alone.states()), "{k}");
+        assert_eq!(seen.sum(), by_itself.sum(), "{k}");
+        still += usize::from(alone.steps() == 0);
+    }
+    assert_eq!(still, 5);
+}
+
 /// A stream of each, of the states that are due.
 #[test]
 fn a_stream_of_each() {

@@ -37,6 +37,8 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
         let mut log = Log::new(&stepper, run, due, attend);
         log.watch.forget_work();
         let outcome = log.begin(&stepper).map(|()| None);
+        // It may begin where it is to end.
+        let left = if stepper.arrived() { 0 } else { left };
         Ok(Member { k, stepper, log, left, every, before: None, outcome })
     }
 

@@ -72,11 +72,23 @@ fn ensemble<S: Rides<Kepler, 2> + Sync>(scheme: S, dt: f64, every: u64, lanes: u
     assert_eq!(black_box(run).failures().count(), 0);
 }
 
+/// As [`ensemble`], with passages of the pericentre.
+fn events<S: Rides<Kepler, 2> + Sync>(scheme: S, dt: f64, lanes: usize, steps: u64) {
+    let members = Ensemble::of(MEMBERS).law(law).start(start).scheme(scheme).dt(dt).look_every(100).lanes(lanes);
+    let members = members.with(|_, member| member.event(|state| state.q[1], Crossing::Rising));
+    let run = members.threads(1).run(steps).expect("a step that is a number");
+    assert!(black_box(run).members().flatten().all(|run| !run.events().is_empty()));
+}
+
 fn compare<S: Rides<Kepler, 2> + Sync>(name: &str, scheme: S, dt: f64, steps: u64) {
     let together = time(steps, |steps| ensemble(scheme, dt, 100, usize::MAX, steps));
     let each = time(steps, |steps| ensemble(scheme, dt, 1, usize::MAX, steps));
     let alone = time(steps, |steps| ensemble(scheme, dt, 100, 1, steps));
-    println!("{name:<36} {together:9.2} {each:12.2} {alone:9.2} {:9.2}", alone / together);
+    let [met, met_alone] = [usize::MAX, 1].map(|lanes| time(steps, |steps| events(scheme, dt, lanes, steps)));
+    let [ratio, met_ratio] = [alone / together, met_alone / met];
+    println!(
+        "{name:<36} {together:9.2} {each:12.2} {alone:9.2} {ratio:9.2} {met:12.2} {met_alone:9.2} {met_ratio:9.2}"
+    );
 }
 
 fn main() {
@@ -92,7 +104,9 @@ fn main() {
         });
         println!("leap-frog by hand, {rows} x 8 lanes        {time:9.2}");
     }
-    println!("\nscheme                                 in lanes  a look each     alone     ratio");
+    println!(
+        "\nscheme                                 in lanes  a look each     alone     ratio   with events     alone     ratio"
+    );
     compare("Leapfrog", Leapfrog, 0.01, steps);
     compare("Nystrom::order6()", Nystrom::order6(), 0.05, steps / 5);
     compare("DiscreteGradient", DiscreteGradient, 0.01, steps / 5);

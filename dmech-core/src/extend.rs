@@ -123,7 +123,7 @@ pub use crate::changes::{Holds, LawMut};
 pub use crate::checkpoint::{Carried, Saved};
 pub use crate::ensemble::{
     Block, Checksum, Companies, Company, Each, End, InLanes, Joined, Members, NoCompany, NoLaw, NoStart, Outcome, Ride,
-    Rides, Together, With,
+    Rides, Starts, Together, With,
 };
 #[cfg(feature = "ranks")]
 pub use crate::ensemble::{Ranked, Ranks};

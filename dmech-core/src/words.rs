@@ -3,20 +3,38 @@
 /// A word that is written in a program.
 pub(crate) type Word = &'static str;
 
+#[cfg(any(feature = "serde", feature = "store"))]
+pub(crate) use read::word;
 #[cfg(feature = "serde")]
 pub(crate) use serialized::{deserialize, serialize};
 
-#[cfg(feature = "serde")]
-mod serialized {
+#[cfg(any(feature = "serde", feature = "store"))]
+mod read {
     use std::collections::BTreeSet;
     use std::sync::{Mutex, PoisonError};
-
-    use serde::{Deserialize, Deserializer, Serializer};
 
     use super::Word;
 
     /// The words that were read: there are a few dozen, and they stay.
     static WORDS: Mutex<BTreeSet<Word>> = Mutex::new(BTreeSet::new());
+
+    /// The word with this text.
+    pub(crate) fn word(text: &str) -> Word {
+        let mut words = WORDS.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(word) = words.get(text) {
+            return word;
+        }
+        let word: Word = String::leak(text.to_owned());
+        words.insert(word);
+        word
+    }
+}
+
+#[cfg(feature = "serde")]
+mod serialized {
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    use super::Word;
 
     /// A word as text.
     pub(crate) fn serialize<S: Serializer>(word: &Word, serializer: S) -> Result<S::Ok, S::Error> {
@@ -25,13 +43,6 @@ mod serialized {
 
     /// The word with this text.
     pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Word, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let mut words = WORDS.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(word) = words.get(text.as_str()) {
-            return Ok(word);
-        }
-        let word: Word = String::leak(text);
-        words.insert(word);
-        Ok(word)
+        String::deserialize(deserializer).map(|text| super::word(&text))
     }
 }

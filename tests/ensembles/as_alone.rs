@@ -154,6 +154,20 @@ fn masses_of_coordinates() {
     check(Gauss::order16(), 0.1, "Gauss");
     check(Adaptive::new(ForceGradient::order4(), 1e-5), 1.0, "adaptive");
 
+    // Where one turns and its neighbour, with two masses, does not, each goes its own way.
+    fn bottles<S: Rides<Masses<Bottle, 2>, 2> + Sync>(scheme: S) {
+        let masses = |k: usize| [1.0, if k.is_multiple_of(3) { 1.0 } else { 1.0 + 0.1 * k as f64 }];
+        let run = Ensemble::of(MEMBERS).law(Bottle::member).masses(masses).start(Bottle::start).scheme(scheme);
+        let run = run.dt(0.05).run(100).unwrap();
+        for k in 0..MEMBERS {
+            let alone = Simulation::new(Bottle::member(k), Bottle::start(k)).masses(masses(k)).scheme(scheme).dt(0.05);
+            assert_eq!(run.last(k).unwrap(), *alone.run(100).unwrap().last(), "{k}");
+        }
+    }
+    bottles(Boris);
+    bottles(Composed::order4(Boris));
+    bottles(Adaptive::new(Boris, 1e-4));
+
     let refused = |k: usize| if k == 5 { [1.0, -1.0, 1.0, 1.0] } else { [1.0; 4] };
     let run = Ensemble::of(9).law(Pair::member).masses(refused).start(Pair::start).scheme(Leapfrog).dt(0.01).run(10);
     let failures: Vec<_> = run.unwrap().failures().collect();

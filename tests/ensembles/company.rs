@@ -44,13 +44,15 @@ fn enough(k: usize) -> u64 {
     if k % 6 == 1 { 3 + k as u64 / 2 } else { u64::MAX }
 }
 
-/// Says the same of a member and of a simulation.
+/// Says the same of a member and of a simulation: of two places in one step the farther is asked for first.
 macro_rules! accompany {
     ($company:expr, $k:expr, $seen:expr, $law:ident, $d:ident) => {{
         let (k, seen, place, first) = ($k, $seen, place::<$law, $d>($k), $law::start($k).q[0]);
         let mut left = enough(k);
         $company
             .event(move |state: &State<$d>| state.q[0] - place, Crossing::Any)
+            .event(move |state: &State<$d>| state.q[0] - place - 1e-4, Crossing::Any)
+            .event(move |state: &State<$d>| state.q[0] - place + 1e-4, Crossing::Any)
             .stop_when(move |state: &State<$d>| bound(k) - (state.q[0] - first).abs(), Crossing::Falling)
             .watch("farthest", |state: &State<$d>| state.q[0] * state.q[0])
             .observe(3, move |state: &State<$d>| {
@@ -281,18 +283,48 @@ fn from_a_store_and_from_ranks() {
     let without = bare.clone().store(place.file()).run_until(9.0).unwrap_err();
     let words = "2 events and 2 watched quantities";
     assert!(matches!(without, Error::Store(StoreError::Company { store }) if store.to_string() == words), "{without}");
+    // An observer may stop a member: a store without one is another.
+    let observed = |k: usize, member: Company<State<2>>| company(k, member).observe(1, |_| ControlFlow::Break(()));
+    let observed = bare.clone().with(observed).store(place.file()).run_until(9.0).unwrap_err();
+    assert!(matches!(observed, Error::Store(StoreError::Company { .. })), "{observed}");
     place.sql(&["last", "drift", "event"].map(|table| format!("DELETE FROM {table} WHERE k % 3 = 1;")).concat());
     the_same(&whole, &kept().unwrap());
     for (change, back) in [
         ("UPDATE event SET which = which + 1", "UPDATE event SET which = which - 1"),
         ("UPDATE last SET stopped = 1 - stopped", "UPDATE last SET stopped = 1 - stopped"),
+        (
+            "UPDATE drift SET invariant = 'hight' WHERE k = 5 AND invariant = 'height'",
+            "UPDATE drift SET invariant = 'height' WHERE k = 5 AND invariant = 'hight'",
+        ),
         ("UPDATE event SET q0 = q0 + 1", "DROP TABLE event"),
     ] {
-        place.sql(&format!("{change} WHERE k = 5"));
+        let where_it_is = |sql: &str| if sql.contains(" AND ") || sql.contains("DROP") { "" } else { " WHERE k = 5" };
+        place.sql(&format!("{change}{}", where_it_is(change)));
         let refused = kept().unwrap_err();
         assert!(matches!(refused, Error::Store(StoreError::Changed { member: 5, .. })), "{change}: {refused}");
-        let where_it_was = if back.starts_with("DROP") { "" } else { "WHERE k = 5" };
-        place.sql(&format!("{back} {where_it_was}"));
+        place.sql(&format!("{back}{}", where_it_is(back)));
     }
     assert!(matches!(kept().unwrap_err(), Error::Store(StoreError::NotAnEnsemble)));
+}
+
+/// What is in a store is not accompanied again: files that a company opens stay as they are.
+#[test]
+fn a_store_opens_no_files_again() {
+    let (place, made) = (Place::new("files"), AtomicU64::new(0));
+    let sweep = || {
+        let ensemble = Ensemble::of(40).law(Orbit::member).start(Orbit::start).scheme(Leapfrog).dt(0.01).look_every(10);
+        let company = |k: usize, member: Company<State<2>>| {
+            made.fetch_add(1, Loosely);
+            let file = std::fs::File::create(place.file().with_extension(k.to_string())).unwrap();
+            member.stream(Csv::new(file))
+        };
+        ensemble.with(company).store(place.file()).run(100).unwrap()
+    };
+    let first = sweep();
+    let bytes = |k: usize| std::fs::read(place.file().with_extension(k.to_string())).unwrap();
+    let written: Vec<_> = (0..40).map(bytes).collect();
+    assert!(written.iter().all(|bytes| bytes.len() > 500));
+    assert_eq!(made.load(Loosely), 40);
+    the_same(&first, &sweep());
+    assert_eq!((made.load(Loosely), (0..40).map(bytes).collect::<Vec<_>>()), (40, written));
 }

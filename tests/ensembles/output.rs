@@ -25,6 +25,18 @@ fn states_at_times_are_those_of_each_alone() {
     assert!(states > 37 * 12, "{states}");
 }
 
+/// So many adaptive steps without a longest: how many states there will be is not known before, in lanes and alone.
+#[test]
+fn states_at_equal_distances_of_steps_without_a_longest() {
+    let adaptive = dmech::scheme::Adaptive::new(Nystrom::order6(), 1e-6);
+    let alone = Simulation::new(Orbit::member(3), Orbit::start(3)).scheme(adaptive).record_dt(0.1).run(10).unwrap();
+    assert!(alone.states().len() > 3);
+    for lanes in [1, 8] {
+        let run = Ensemble::of(9).law(Orbit::member).start(Orbit::start).scheme(adaptive).record_dt(0.1).lanes(lanes);
+        assert_eq!(run.run(10).unwrap().member(3).unwrap().states(), alone.states());
+    }
+}
+
 /// Members come in their order, on any number of threads, and their checksum is that of all together.
 #[test]
 fn members_come_in_order() {

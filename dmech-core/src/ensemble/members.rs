@@ -12,6 +12,9 @@ use crate::state::State;
 pub(super) type Moving<E, L, const D: usize> =
     Simulation<L, State<D>, <E as Members<L, D>>::Scheme, <E as Members<L, D>>::Attend>;
 
+/// The same without what accompanies it.
+pub(super) type Bare<E, L, const D: usize> = Simulation<L, State<D>, <E as Members<L, D>>::Scheme>;
+
 /// What is to be done with all of them.
 pub(super) type PlanOf<'a, E, L, const D: usize> =
     Plan<'a, L, <E as Members<L, D>>::Scheme, <E as Members<L, D>>::Attend, D>;
@@ -30,6 +33,10 @@ pub trait Members<L: Fields<D>, const D: usize>: Sync {
     /// What all have in common.
     #[doc(hidden)]
     fn common(&self) -> &Simulation<(), (), Self::Scheme>;
+
+    /// One of them, without what accompanies it.
+    #[doc(hidden)]
+    fn bare(&self, k: usize) -> Simulation<L, State<D>, Self::Scheme>;
 
     /// One of them.
     #[doc(hidden)]
@@ -52,7 +59,11 @@ where
         &self.common
     }
 
+    fn bare(&self, k: usize) -> Simulation<L, State<D>, S> {
+        self.common.clone().moving((self.law)(k), (self.start)(k)).mass((self.mass)(k))
+    }
+
     fn member(&self, k: usize) -> Simulation<L, State<D>, S, C::Attend> {
-        self.common.clone().moving((self.law)(k), (self.start)(k), self.company.of(k)).mass((self.mass)(k))
+        self.bare(k).accompanied(self.company.of(k))
     }
 }

@@ -25,7 +25,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 pub use crate::ride::Ride;
-pub use company::{Companies, Company, Joined, NoCompany, With};
+pub use company::{Companies, Company, Joined, NoCompany, Starts, With};
 pub use each::Each;
 pub use export::End;
 pub use lanes::Together;
@@ -37,7 +37,7 @@ pub use run::{Checksum, EnsembleRun};
 pub use steps::InLanes;
 
 use in_order::{Aides, Hands, Nobody};
-use members::{Moving, PlanOf};
+use members::{Bare, Moving, PlanOf};
 use plan::{Arrival, Moved, Nowhere, Plan, Rows};
 #[cfg(feature = "store")]
 use store::Stored;
@@ -134,6 +134,49 @@ impl Ensemble {
     }
 }
 
+impl<L, X, S, M> Ensemble<L, X, S, M> {
+    /// Has each member accompanied, by its number: by events, also such as end it, by quantities whose drift is looked at, by
+    /// observers, by a stream of its own. To the bit what a [`Simulation`] alone would see.
+    ///
+    /// Members ride in lanes as before; for events and observers each is looked at after every step, which takes some nanoseconds.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// # fn map<L: dmech_core::extend::Fields<2>>(law: impl Fn(usize) -> L + Sync) -> Result<(), Error>
+    /// # where Leapfrog: dmech_core::extend::Rides<L, 2> {
+    /// // Where does each cross the plane x = 0, and which of them escape?
+    /// let run = Ensemble::of(1000)
+    ///     .law(law)
+    ///     .start(|k| State::new([0.5, 0.0], [0.0, 1.6 + 1e-3 * k as f64]))
+    ///     .scheme(Leapfrog)
+    ///     .dt(1e-3)
+    ///     .with(|_, member| {
+    ///         member
+    ///             .event(|state| state.q[0], Crossing::Rising)
+    ///             .stop_when(|state| state.q[0].hypot(state.q[1]) - 10.0, Crossing::Rising)
+    ///     })
+    ///     .run_until(100.0)?;
+    /// let escaped = run.members().flatten().filter(|run| run.stopped()).count();
+    /// println!("{escaped} have escaped");
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// It is said once, with everything in it, and after [`start`](Ensemble::start).
+    ///
+    /// Functions see the states of their own member only, in the order of time; which members come first is not said. What they
+    /// have in common, a sum or a histogram, is behind a lock or atomic; what [`Run`](crate::Run) has comes in the order of members. On several
+    /// [ranks](Ensemble::ranks) each sees those that it moves.
+    pub fn with<O, F, const D: usize>(self, company: F) -> Ensemble<L, X, S, M, With<F>>
+    where
+        X: Starts<D>,
+        F: Fn(usize, Company<State<D>>) -> Company<State<D>, O> + Sync,
+    {
+        let Ensemble { law, start, mass, common, members, hands, beside, .. } = self;
+        Ensemble { law, start, mass, company: With(company), common, members, hands, beside }
+    }
+}
+
 impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// The law of each member, by its number.
     pub fn law<F, Y>(self, law: F) -> Ensemble<F, X, S, M, C>
@@ -163,14 +206,17 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     }
 
     /// A mass for each coordinate of each member, by its number, in units of [`mass`](Ensemble::mass): [`Simulation::masses`]. It comes after
-    /// [`law`](Ensemble::law).
+    /// [`law`](Ensemble::law), and belongs to it: a law that is given later has none of them.
     ///
     /// A law of several bodies is a small scene whose members ride in lanes.
-    pub fn masses<F, Y, const D: usize>(self, masses: F) -> Ensemble<impl Fn(usize) -> Masses<Y, D> + Sync, X, S, M, C>
+    pub fn masses<F, Y, const D: usize>(
+        self,
+        masses: F,
+    ) -> Ensemble<impl Fn(usize) -> Masses<Y, D> + Clone + Sync, X, S, M, C>
     where
-        L: Fn(usize) -> Y + Sync,
+        L: Fn(usize) -> Y + Clone + Sync,
         Y: MassIndependent,
-        F: Fn(usize) -> [f64; D] + Sync,
+        F: Fn(usize) -> [f64; D] + Clone + Sync,
     {
         let Ensemble { law, start, mass, company, common, members, hands, beside } = self;
         let law = move |k| Masses::new(law(k), masses(k));
@@ -214,45 +260,6 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// Keeps the states at the times t₀ + k dt of every member: [`Simulation::record_dt`].
     pub fn record_dt(self, dt: f64) -> Self {
         self.set(|common| common.record_dt(dt))
-    }
-
-    /// Has each member accompanied, by its number: by events, also such as end it, by quantities whose drift is looked at, by
-    /// observers, by a stream of its own. To the bit what a [`Simulation`] alone would see.
-    ///
-    /// Members ride in lanes as before; for events and observers each is looked at after every step, which takes some nanoseconds.
-    ///
-    /// ```
-    /// use dmech_core::prelude::*;
-    /// # fn map<L: dmech_core::extend::Fields<2>>(law: impl Fn(usize) -> L + Sync) -> Result<(), Error>
-    /// # where Leapfrog: dmech_core::extend::Rides<L, 2> {
-    /// // Where does each cross the plane x = 0, and which of them escape?
-    /// let run = Ensemble::of(1000)
-    ///     .law(law)
-    ///     .start(|k| State::new([0.5, 0.0], [0.0, 1.6 + 1e-3 * k as f64]))
-    ///     .scheme(Leapfrog)
-    ///     .dt(1e-3)
-    ///     .with(|_, member| {
-    ///         member
-    ///             .event(|state| state.q[0], Crossing::Rising)
-    ///             .stop_when(|state| state.q[0].hypot(state.q[1]) - 10.0, Crossing::Rising)
-    ///     })
-    ///     .run_until(100.0)?;
-    /// let escaped = run.members().flatten().filter(|run| run.stopped()).count();
-    /// println!("{escaped} have escaped");
-    /// # Ok(())
-    /// # }
-    /// ```
-    ///
-    /// Functions see the states of their own member only, in the order of time; which members come first is not said. What they
-    /// have in common, a sum or a histogram, is behind a lock or atomic; what [`Run`](crate::Run) has comes in the order of members. On several
-    /// [ranks](Ensemble::ranks) each sees those that it moves.
-    pub fn with<O, F, const D: usize>(self, company: F) -> Ensemble<L, X, S, M, With<F>>
-    where
-        X: Fn(usize) -> State<D>,
-        F: Fn(usize, Company<State<D>>) -> Company<State<D>, O> + Sync,
-    {
-        let Ensemble { law, start, mass, common, members, hands, beside, .. } = self;
-        Ensemble { law, start, mass, company: With(company), common, members, hands, beside }
     }
 
     /// On so many threads, 1024 at most; on all cores if nothing is said. The results are the same.
@@ -300,7 +307,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     where
         Self: Members<Y, D>,
     {
-        self.go(&self.plan(Span::Until(end), &|k| self.member(k))?, &mut see, Nobody)
+        self.go(&self.plan(Span::Until(end), &|k| self.member(k), &|k| self.bare(k))?, &mut see, Nobody)
     }
 
     fn collect<Y: Fields<D>, const D: usize>(self, span: Span) -> Result<EnsembleRun<State<D>>, Error>
@@ -308,7 +315,11 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Self: Members<Y, D>,
     {
         let (clock, mut members) = (Instant::now(), Vec::with_capacity(self.members));
-        self.go(&self.plan(span, &|k| self.member(k))?, &mut |_, member| members.push(member), Nobody)?;
+        self.go(
+            &self.plan(span, &|k| self.member(k), &|k| self.bare(k))?,
+            &mut |_, member| members.push(member),
+            Nobody,
+        )?;
         Ok(EnsembleRun::new(members, clock.elapsed()))
     }
 
@@ -316,6 +327,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         &'a self,
         span: Span,
         member: &'a (dyn Fn(usize) -> Moving<Self, Y, D> + Sync),
+        bare: &'a (dyn Fn(usize) -> Bare<Self, Y, D> + Sync),
     ) -> Result<PlanOf<'a, Self, Y, D>, Error>
     where
         Self: Members<Y, D>,
@@ -325,7 +337,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         // What every member would be refused for is one error.
         common.settings.due.check_for_any()?;
         span.check(dt)?;
-        Ok(Plan { members: self.members, member, common, span, lanes: self.hands.lanes })
+        Ok(Plan { members: self.members, member, bare, common, span, lanes: self.hands.lanes })
     }
 
     /// Moves all members; those who help are told of the end.

@@ -14,6 +14,9 @@ use crate::state::State;
 pub(super) struct Plan<'a, L, S, O, const D: usize> {
     pub(super) members: usize,
     pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S, O> + Sync),
+    /// One without what accompanies it: for those who only ask what it is.
+    #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
+    pub(super) bare: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S> + Sync),
     /// What all have in common.
     #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
     pub(super) common: &'a Simulation<(), (), S>,
@@ -50,10 +53,11 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
         outcome
     }
 
-    /// What accompanies each member, as far as it can be told from others.
+    /// What accompanies each member, as far as it can be told without having it made: that may open files.
     #[cfg(any(feature = "ranks", feature = "store"))]
     pub(super) fn company(&self) -> String {
-        format!("{} events and {} watched quantities", O::EVENTS, O::QUANTITIES)
+        let observed = if O::OBSERVES { ", observed" } else { "" };
+        format!("{} events and {} watched quantities{observed}", O::EVENTS, O::QUANTITIES)
     }
 
     /// Moves one.

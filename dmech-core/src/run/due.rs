@@ -40,7 +40,8 @@ impl Due {
         match self {
             Due::Every(n) => steps.checked_div(*n).map_or(0, |states| states.saturating_add(1)),
             Due::At(times) => times.len() as u64,
-            Due::Apart(dt) => (steps as f64 * length / dt) as u64,
+            Due::Apart(dt) if length.is_finite() => (steps as f64 * length / dt) as u64,
+            Due::Apart(_) => 0,
         }
     }
 

@@ -100,9 +100,15 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         Simulation::of(self.law, self.start).with(|settings| settings.mass = self.settings.mass)
     }
 
-    /// The same of a law, from a start, accompanied by something else.
-    pub(crate) fn moving<N, Y, A>(self, law: N, start: Y, attend: A) -> Simulation<N, Y, S, A> {
-        let Simulation { scheme, settings, .. } = self;
+    /// The same of a law, from a start.
+    pub(crate) fn moving<N, Y>(self, law: N, start: Y) -> Simulation<N, Y, S, O> {
+        let Simulation { scheme, settings, attend, .. } = self;
+        Simulation { law, start, scheme, settings, attend }
+    }
+
+    /// The same accompanied by something else.
+    pub(crate) fn accompanied<A>(self, attend: A) -> Simulation<L, X, S, A> {
+        let Simulation { law, start, scheme, settings, .. } = self;
         Simulation { law, start, scheme, settings, attend }
     }
 

@@ -93,8 +93,8 @@ impl<const D: usize> Arrived<D> {
         O: Attend<State<D>>,
     {
         Ok(match self {
-            Arrived::Whole(run) => Ok((plan.member)(k).restore(run)?),
-            Arrived::Failed(run, cause) => Err(Interrupted::new((plan.member)(k).restore(run)?, cause)),
+            Arrived::Whole(run) => Ok((plan.bare)(k).restore(run)?),
+            Arrived::Failed(run, cause) => Err(Interrupted::new((plan.bare)(k).restore(run)?, cause)),
             Arrived::Again => plan.alone(k),
         })
     }
@@ -136,7 +136,7 @@ impl SetUp {
         };
         [dt, span[0], span[1]].into_iter().for_each(|word| sum.word(word));
         for k in [0, plan.members.wrapping_sub(1)].into_iter().filter(|&k| k < plan.members) {
-            let simulation = (plan.member)(k);
+            let simulation = (plan.bare)(k);
             let State { t, q, v } = simulation.start;
             let numbers = simulation.law.numbers().list();
             let all = numbers.iter().chain([&simulation.settings.mass, &t]).chain(&q).chain(&v);

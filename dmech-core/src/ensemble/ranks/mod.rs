@@ -124,8 +124,8 @@ impl<L, X, S, M, C, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M, C>, R> {
         Ensemble<L, X, S, M, C>: Members<Y, D>,
     {
         let Ranked { ensemble, ranks } = self;
-        let member = |k| ensemble.member(k);
-        let plan = ensemble.plan(span, &member)?;
+        let (member, bare) = (|k| ensemble.member(k), |k| ensemble.bare(k));
+        let plan = ensemble.plan(span, &member, &bare)?;
         let set_up = SetUp::of(&plan);
         if ranks.rank() > 0 {
             return assist(*ranks, &plan, ensemble.hands.threads(), set_up);

@@ -109,7 +109,7 @@ impl Store {
         members
             .map(|k| match (moved.next_if(|&(of, _)| of == k), stored.next_if(|&(of, _)| of == k)) {
                 (Some((_, outcome)), _) => Ok(outcome),
-                (None, Some((_, run))) => Ok(Ok((plan.member)(k).restore(run)?)),
+                (None, Some((_, run))) => Ok(Ok((plan.bare)(k).restore(run)?)),
                 (None, None) => Err(Error::Store(StoreError::Changed { table: "last", member: k as u64 })),
             })
             .collect()

@@ -61,6 +61,10 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// the same to the bit, and the same acts on every member where it starts and beside it. Another build, or another machine, may
     /// round what acts otherwise, and is then refused. Threads, lanes and the progress bar may change.
     ///
+    /// **What accompanies members** ([`with`](Ensemble::with)) is compared by how many events and watched quantities there are, not by
+    /// what they do: a program that watches something else begins another store. It accompanies members that are moved; those that are
+    /// in the store are not seen again.
+    ///
     /// **Members that failed** are in the store with the reason, and are moved again: the [error](crate::Error) with all its numbers is not in
     /// the database, and comes out the same.
     ///

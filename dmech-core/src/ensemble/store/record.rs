@@ -9,9 +9,10 @@ use super::layout::Layout;
 use super::table::{Reader, Seal, Writer};
 use crate::ensemble::Outcome;
 use crate::error::StoreError;
-use crate::invariant::{Drift, Invariant, MAX_OWN};
+use crate::invariant::{Drift, Invariant, OwnDrifts};
 use crate::run::{Crossing, Event, Interrupted, Restored, Work};
 use crate::state::State;
+use crate::words::{Word, word};
 
 const KNOWN: usize = Invariant::ALL.len();
 
@@ -35,10 +36,11 @@ fn with_bits<const D: usize>(row: &mut Reader<'_>, state: State<D>) -> Option<St
     Some(State { t: numbers[0], q, v })
 }
 
-/// Those that there are, each with its number: of all laws, then of this one.
-fn drifts<X>(run: &Restored<X>) -> impl Iterator<Item = (usize, Drift)> + '_ {
-    let all = run.drifts.iter().chain(&run.own).enumerate();
-    all.filter_map(|(number, drift)| Some((number, (*drift)?)))
+/// Those that there are, each with its number and its name: of all laws, then of this one and those that were watched.
+fn drifts<X>(run: &Restored<X>) -> impl Iterator<Item = (usize, String, Drift)> + '_ {
+    let all = Invariant::ALL.into_iter().map(|of| Some((of.to_string(), run.drifts[of as usize]?)));
+    let own = run.own.iter().map(|(name, drift)| Some((name.to_owned(), drift)));
+    all.chain(own).enumerate().filter_map(|(number, drift)| drift.map(|(name, drift)| (number, name, drift)))
 }
 
 fn rising<X>(event: &Event<X>) -> u64 {
@@ -54,8 +56,9 @@ fn seal<const D: usize>(k: usize, run: &Restored<State<D>>) -> i64 {
     let counts = [run.stopped.into(), steps, evaluations, iterations, rough, elapsed.as_nanos() as u64];
     counts.into_iter().for_each(|n| seal.count(n));
     range.iter().for_each(|range| seal.numbers(range));
-    for (number, drift) in drifts(run) {
+    for (number, name, drift) in drifts(run) {
         seal.count(number as u64);
+        name.bytes().for_each(|byte| seal.count(byte.into()));
         seal.numbers(&drift.fields());
     }
     for event in &run.events {
@@ -82,9 +85,7 @@ impl<'a> Members<'a> {
 
     /// Writes a member.
     pub(super) fn write<const D: usize>(&mut self, k: usize, member: &Outcome<State<D>>) -> Result<(), StoreError> {
-        let run = member.as_ref().unwrap_or_else(Interrupted::run);
-        let own: Vec<_> = run.report().own_drifts().map(|(name, _)| name).collect();
-        let run = run.to_restore();
+        let run = member.as_ref().unwrap_or_else(Interrupted::run).to_restore();
         let (k, row, last) = (k as u64, &mut self.last, flat(&run.last));
         row.count(k)?;
         row.put(member.as_ref().err().map(|failed| failed.cause().to_string()))?;
@@ -98,17 +99,14 @@ impl<'a> Members<'a> {
         row.bits(&last)?;
         row.put(seal(k as usize, &run))?;
         row.end()?;
-        for (number, drift) in drifts(&run) {
+        for (number, name, drift) in drifts(&run) {
             let (row, fields) = (&mut self.drift, drift.fields());
             row.count(k)?;
             row.count(number as u64)?;
             row.numbers(&fields)?;
             row.bits(&fields)?;
             row.numbers(&[drift.max_relative(), drift.slope()])?;
-            match Invariant::ALL.get(number) {
-                Some(invariant) => row.put(invariant.to_string())?,
-                None => row.put(own.get(number - KNOWN))?,
-            }
+            row.put(name)?;
             row.end()?;
         }
         for (n, event) in run.events.iter().enumerate() {
@@ -143,9 +141,11 @@ pub(super) fn read<const D: usize>(
     let mut states = rows(database, &layout.select("state"), [from, to], "state", recorded)?.into_iter().peekable();
     for (k, (mut run, failed, sealed)) in rows(database, &layout.select("last"), [from, to], "last", end)? {
         let changed = StoreError::Changed { table: "last", member: k };
-        while let Some((_, (number, drift))) = drifts.next_if(|&(of, _)| of == k) {
-            let place = if number < KNOWN { run.drifts.get_mut(number) } else { run.own.get_mut(number - KNOWN) };
-            *place.ok_or(changed)? = Some(drift);
+        while let Some((_, (number, name, drift))) = drifts.next_if(|&(of, _)| of == k) {
+            match run.drifts.get_mut(number) {
+                Some(place) => *place = Some(drift),
+                None => run.own.add(name, drift),
+            }
         }
         while let Some((_, event)) = events.next_if(|&(of, _)| of == k) {
             run.events.push(event);
@@ -203,12 +203,12 @@ fn end<const D: usize>(row: &mut Reader<'_>) -> Option<(Restored<State<D>>, bool
     let elapsed = Duration::from_nanos(nanoseconds);
     let range = (!range[0].is_nan()).then_some(range);
     let work = Work { steps, evaluations, iterations, rough, elapsed, range };
-    let (states, events, drifts, own) = (Vec::new(), Vec::new(), [None; KNOWN], [None; 2 * MAX_OWN]);
+    let (states, events, drifts, own) = (Vec::new(), Vec::new(), [None; KNOWN], OwnDrifts::default());
     let run = Restored { last, states, events, stopped, drifts, own, work };
     Some((run, failed, sealed))
 }
 
-fn drift_of(row: &mut Reader<'_>) -> Option<(usize, Drift)> {
+fn drift_of(row: &mut Reader<'_>) -> Option<(usize, Word, Drift)> {
     let number = usize::try_from(row.count()?).ok()?;
     let mut fields = [0.0; 8];
     row.numbers(&mut fields)?;
@@ -218,7 +218,8 @@ fn drift_of(row: &mut Reader<'_>) -> Option<(usize, Drift)> {
     // What is there for people is not read, but must not tell them something else.
     let agree = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
     let agrees = agree(shown[0], drift.max_relative()) && agree(shown[1], drift.slope());
-    agrees.then_some((number, drift))
+    let name = word(row.text()?);
+    agrees.then_some((number, name, drift))
 }
 
 fn happened<const D: usize>(row: &mut Reader<'_>) -> Option<Event<State<D>>> {

@@ -45,7 +45,7 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
         let mut names = Vec::new();
         let numbers = <L::Numbers as Numbers>::COUNT;
         if self.members > 0 {
-            if let Some(written) = (self.member)(0).law.written() {
+            if let Some(written) = (self.bare)(0).law.written() {
                 written.fields(&mut |name, _| names.push(name));
             }
             if names.len() + D == numbers {
@@ -60,7 +60,7 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
     }
 
     fn numbers(&self, k: usize) -> Member {
-        let Simulation { law, start: State { t, q, v }, settings, .. } = (self.member)(k);
+        let Simulation { law, start: State { t, q, v }, settings, .. } = (self.bare)(k);
         let numbers = [&[settings.mass], law.numbers().list().as_slice(), &[t], &q, &v].concat();
         let field = law.field(settings.mass, t);
         let mut seal = Seal::default();

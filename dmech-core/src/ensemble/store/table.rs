@@ -96,6 +96,11 @@ impl<'a> Reader<'a> {
         Some(!matches!(self.next()?, ValueRef::Null))
     }
 
+    /// Text; none where something else stands.
+    pub(super) fn text(&mut self) -> Option<&'a str> {
+        self.next()?.as_str().ok()
+    }
+
     /// Numbers, as far as SQLite keeps them.
     pub(super) fn numbers(&mut self, numbers: &mut [f64]) -> Option<()> {
         for x in numbers {

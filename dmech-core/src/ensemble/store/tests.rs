@@ -59,8 +59,9 @@ fn a_full_disk_is_told_and_takes_nothing() {
     let file = std::env::temp_dir().join(format!("dmech-full-{}.sqlite", std::process::id()));
     let _ = std::fs::remove_file(&file);
     let common = Simulation::of((), ()).scheme(Leapfrog).dt(0.01);
-    let member = |k: usize| common.clone().moving(Spring { k: 1.0 + 0.1 * k as f64 }, State::new([1.0], [0.0]), ());
-    let plan = Plan { members: MEMBERS, member: &member, common: &common, span: Span::Steps(5), lanes: 8 };
+    let member = |k: usize| common.clone().moving(Spring { k: 1.0 + 0.1 * k as f64 }, State::new([1.0], [0.0]));
+    let plan =
+        Plan { members: MEMBERS, member: &member, bare: &member, common: &common, span: Span::Steps(5), lanes: 8 };
     let go = |row| plan.go(vec![row]);
     let store = Store::open(&file, &plan).unwrap();
     let pages: i64 = store.database.query_row("PRAGMA page_count", [], |row| row.get(0)).unwrap();

@@ -39,7 +39,7 @@
 //! goes on from there, with any number of ranks.
 //!
 //! # How far it scales
-//! Measured: a member of two coordinates that is not recorded on its way comes home in 193 bytes, in a message with at most 511 others,
+//! Measured: a member of two coordinates that is not recorded on its way comes home in some 190 bytes, in a message with at most 511 others,
 //! and costs the first rank 0.5 µs to read. An order takes about ten bytes, and is there before the last block is done. So n members of
 //! τ each on P threads, in blocks of b = n/8P (a multiple of the lanes, 32 with AVX-512, and 512 at most), take about
 //!

@@ -102,6 +102,8 @@ where
                     assert_eq!(member.report().evaluations(), alone.report().evaluations(), "{name}, member {k}");
                 }
             }
+            let in_order = |pair: &[Event<State<D>>]| pair[0].state().t <= pair[1].state().t;
+            assert!(alone.events().windows(2).all(in_order), "{name}, member {k}");
             happened[0] += alone.events().len();
             happened[1] += usize::from(alone.stopped());
             happened[2] += usize::from(by_itself.sum() != 0);

@@ -9,7 +9,9 @@ use std::time::Instant;
 
 use dmech::extend::{Rides, Rows};
 use dmech::models::Kepler;
+use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
+use dmech::scene::OnPairs;
 
 const MEMBERS: usize = 64;
 
@@ -91,6 +93,37 @@ fn compare<S: Rides<Kepler, 2> + Sync>(name: &str, scheme: S, dt: f64, steps: u6
     );
 }
 
+/// A sun, and planets on circles that are tilted.
+fn planets<const N: usize>(k: usize) -> Scene<3, (), ((), OnPairs<Gravity>)> {
+    let sun = Scene::new().body(1.0, [0.0; 3], [0.0; 3]);
+    let planets = (1..N).fold(sun, |scene, i| {
+        let (r, angle) = (1.6_f64.powi(i as i32), 1.3 * i as f64 + 0.1 * k as f64);
+        let (speed, [x, y]) = (r.sqrt().recip(), [angle.cos(), angle.sin()]);
+        scene.body(1e-4 * i as f64, [r * x, r * y, 0.02 * r * x], [-speed * y, speed * x, 0.01 * speed])
+    });
+    planets.pairs(Gravity { g: 1.0 })
+}
+
+/// Scenes of N bodies: side by side in lanes, each alone as a law, and each alone as a scene.
+macro_rules! scenes {
+    ($($scheme:expr, $n:literal, $k:literal, $steps:expr;)*) => {$({
+        let law = |k| planets::<$n>(k).as_law::<$n, $k>();
+        let ensemble = |lanes: usize, steps: u64| {
+            let members = Ensemble::of(MEMBERS).scene(law).scheme($scheme).dt(0.02).look_every(100);
+            let run = members.lanes(lanes).threads(1).run(steps).expect("a step that is a number");
+            assert_eq!(black_box(run).failures().count(), 0);
+        };
+        let [together, alone] = [usize::MAX, 1].map(|lanes| time($steps, |steps| ensemble(lanes, steps)));
+        let each = time($steps, |steps| {
+            let scene = |k| Simulation::scene(planets::<$n>(k)).scheme($scheme).dt(0.02).record_every(100);
+            let run = Ensemble::each(MEMBERS, scene).threads(1).run(steps).expect("a step that is a number");
+            assert_eq!(black_box(run).failures().count(), 0);
+        });
+        let name = format!("{} bodies, {}", $n, stringify!($scheme));
+        println!("{name:<36} {together:9.0} {alone:12.0} {each:9.0} {:9.2} {:9.2}", alone / together, each / together);
+    })*};
+}
+
 fn main() {
     let steps = 20_000;
     println!("nanoseconds a member and step, {MEMBERS} planets on one core");
@@ -115,4 +148,17 @@ fn main() {
     compare("RungeKuttaNystrom::order12()", RungeKuttaNystrom::order12(), 0.05, steps / 20);
     compare("Gauss::order16()", Gauss::order16(), 0.05, steps / 20);
     compare("LineIntegral::order6()", LineIntegral::order6(), 0.05, steps / 20);
+    println!("\nscene                                  in lanes    law alone     scene     law/lanes  scene/lanes");
+    scenes! {
+        Leapfrog, 3, 9, steps / 10;
+        Leapfrog, 5, 15, steps / 10;
+        Leapfrog, 10, 30, steps / 20;
+        Nystrom::order6(), 3, 9, steps / 20;
+        Nystrom::order6(), 5, 15, steps / 20;
+        Nystrom::order6(), 10, 30, steps / 40;
+        DiscreteGradient, 3, 9, steps / 40;
+        DiscreteGradient, 5, 15, steps / 40;
+        Gauss::order16(), 3, 9, steps / 40;
+        Gauss::order16(), 5, 15, steps / 40;
+    }
 }

@@ -295,7 +295,7 @@ pub mod __private {
     pub mod v1 {
         pub use dmech_core::extend::{
             Between, Conservative, Derivation, Field, Fields, Force, Law, LinearInVelocity, Mask, MassIndependent,
-            PairLaw, Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
+            PairFields, PairLaw, Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
         };
         pub use dmech_core::{rotation, written};
     }

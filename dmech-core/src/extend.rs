@@ -135,7 +135,7 @@ pub use crate::error::{Reach, StoreError};
 pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;
-pub use crate::law::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
+pub use crate::law::{Between, Numbers, PairFields, PairLaw, Reads, Symmetric, radial};
 pub use crate::law::{
     Conservative, Derivation, Field, Fields, Force, Law, LinearInVelocity, MassIndependent, Potential,
     VelocityIndependent,

@@ -19,6 +19,7 @@ mod ensemble;
 mod error;
 mod invariant;
 mod law;
+mod look;
 mod method;
 mod name;
 #[cfg(feature = "serde")]

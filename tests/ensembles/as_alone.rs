@@ -1,10 +1,12 @@
 //! The same bits as alone: schemes × laws.
 
-use dmech::extend::{Fields, Masses, Rides};
+use dmech::extend::{Masses, Rides};
 use dmech::prelude::*;
 use dmech::scheme::Adaptive;
 
-use crate::laws::{Bottle, Contact, Damped, Driven, Many, Orbit, Pair, Plummer, Saddle};
+use crate::laws::{
+    Bottle, Contact, Creatures, Damped, Driven, Each, Ions, Many, Orbit, Pair, Plummer, Rope, Saddle, Stars,
+};
 
 /// More than twice as many as ride side by side, and no multiple of any power of two.
 const MEMBERS: usize = 83;
@@ -16,11 +18,11 @@ fn mass(k: usize) -> f64 {
 /// Members of which each has its own law, mass, start and time of the start, and so its own number of steps.
 fn as_alone<L, S, const D: usize>(scheme: S, name: &str, prepare: impl Fn(Settings) -> Settings)
 where
-    L: Many<D> + Fields<D>,
-    S: Rides<L, D> + Sync,
+    L: Each<D>,
+    S: Rides<L::Law, D> + Sync,
 {
     let Settings { dt, every, end } = prepare(Settings { dt: Some(0.05), every: 3, end: 2.0 });
-    let ensemble = Ensemble::of(MEMBERS).law(L::member).start(L::start).mass(mass).scheme(scheme);
+    let ensemble = Ensemble::of(MEMBERS).law(L::law).start(L::begin).mass(mass).scheme(scheme);
     let ensemble = match dt {
         Some(dt) => ensemble.dt(dt),
         None => ensemble,
@@ -30,7 +32,7 @@ where
     assert_eq!(run.checksum(), few.checksum(), "{name}");
     let mut steps = 0;
     for k in 0..MEMBERS {
-        let alone = Simulation::new(L::member(k), L::start(k)).mass(mass(k)).scheme(scheme).record_every(every);
+        let alone = Simulation::new(L::law(k), L::begin(k)).mass(mass(k)).scheme(scheme).record_every(every);
         let alone = match dt {
             Some(dt) => alone.dt(dt),
             None => alone,
@@ -91,6 +93,18 @@ table! {
     relaxed: Relaxed::order6(), [Orbit];
 }
 
+table! {
+    leapfrog_of_few: Leapfrog, [Stars];
+    nystrom_of_few: Nystrom::order6(), [Stars];
+    force_gradient_of_few: ForceGradient::order4(), [Stars];
+    runge_kutta_nystrom_of_few: RungeKuttaNystrom::order12(), [Stars];
+    explicit_of_few: Explicit, [Creatures, Rope];
+    boris_of_few: Boris, [Ions, Rope];
+    implicit_of_few: Implicit, [Stars, Rope, Creatures, Ions];
+    discrete_gradient_of_few: Composed::order4(DiscreteGradient), [Stars, Rope, Creatures, Ions];
+    gauss_of_few: Gauss::order16(), [Stars, Rope, Creatures, Ions];
+}
+
 /// A look after every step, and none but at the end.
 #[test]
 fn looks_that_are_many_or_few() {
@@ -103,7 +117,7 @@ fn looks_that_are_many_or_few() {
 /// Steps that follow each motion, in rows of equal ones and each another, with a longest and without.
 #[test]
 fn adaptive() {
-    fn follow<L: Many<D> + Fields<D>, S: Rides<L, D> + Sync, const D: usize>(scheme: S, name: &str) {
+    fn follow<L: Each<D>, S: Rides<L::Law, D> + Sync, const D: usize>(scheme: S, name: &str) {
         as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: None, end: 13.0, ..settings });
         as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: Some(0.07), end: 1.5, ..settings });
     }
@@ -120,11 +134,12 @@ fn adaptive() {
     follow::<Orbit, _, 2>(Adaptive::new(Implicit, 1e-4), "implicit");
     follow::<Orbit, _, 2>(Adaptive::new(Gauss::order16(), 1e-10), "Gauss");
     follow::<Damped, _, 1>(Adaptive::new(LineIntegral::order10(), 1e-7), "line integral");
-    as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", |settings| Settings {
-        dt: Some(0.1),
-        end: 3.0,
-        ..settings
-    });
+    follow::<Stars, _, 6>(Adaptive::new(Nystrom::order6(), 1e-7), "stars");
+    follow::<Creatures, _, 6>(Adaptive::new(Gauss::order16(), 1e-9), "creatures");
+    follow::<Ions, _, 6>(Adaptive::new(Boris, 1e-2), "ions");
+    let driven = |settings| Settings { dt: Some(0.1), end: 3.0, ..settings };
+    as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", driven);
+    as_alone::<Rope, _, 4>(Adaptive::new(Composed::order4(DiscreteGradient), 1e-4), "rope", driven);
 }
 
 /// Each coordinate of each member with a mass of its own: two bodies on a plane that pull on each other.

@@ -1,6 +1,9 @@
 //! Laws of every kind that a step tells apart, with the numbers and the start of each member.
 
+use dmech::extend::Fields;
 use dmech::prelude::*;
+
+use dmech_tests::few;
 
 /// A law whose members differ in every number.
 pub(crate) trait Many<const D: usize>: Copy + Sync {
@@ -124,4 +127,47 @@ many! {
             -self.g / ((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) + self.eps.powi(2)).sqrt()
         }
     }
+}
+
+/// A law and a start for each member.
+pub(crate) trait Each<const D: usize> {
+    type Law: Fields<D>;
+    fn law(k: usize) -> Self::Law;
+    fn begin(k: usize) -> State<D>;
+}
+
+impl<L: Many<D> + Fields<D>, const D: usize> Each<D> for L {
+    type Law = L;
+
+    fn law(k: usize) -> L {
+        L::member(k)
+    }
+    fn begin(k: usize) -> State<D> {
+        L::start(k)
+    }
+}
+
+/// Scenes of few bodies.
+macro_rules! few {
+    ($($name:ident, $d:literal: $scene:path;)*) => {$(
+        pub(crate) struct $name;
+
+        impl Each<$d> for $name {
+            type Law = few::$name;
+
+            fn law(k: usize) -> few::$name {
+                $scene(k).as_law()
+            }
+            fn begin(k: usize) -> State<$d> {
+                Self::law(k).start()
+            }
+        }
+    )*};
+}
+
+few! {
+    Stars, 6: few::stars;
+    Rope, 4: few::rope;
+    Creatures, 6: few::creatures;
+    Ions, 6: few::ions;
 }

@@ -5,6 +5,7 @@ mod chains;
 mod closed;
 mod degree;
 mod driven;
+mod few;
 mod memory;
 mod optional;
 mod pair_models;

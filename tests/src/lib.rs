@@ -14,6 +14,7 @@
 #![allow(missing_docs, clippy::new_without_default)]
 
 pub mod erased;
+pub mod few;
 pub mod laws;
 pub mod measured;
 pub mod memory;

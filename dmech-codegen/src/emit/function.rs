@@ -49,9 +49,6 @@ impl Printer<'_> {
             quote!(#name: #scalar)
         });
         let (signature, unpack) = self.unpacked(arrays, &used);
-        // A law that is only run counts as used.
-        let mention = self.declared.iter().filter(|_| matches!(rank, Rank::Scalar));
-        let mention = mention.map(|path| quote!(let _ = #path;));
         let parameters = self.bind_parameters(&used, time.is_some());
         let time = time.map(|t| quote!(, #t: #scalar));
         let Printed { statements, outputs } = body(program, &self.names, scalar);
@@ -60,7 +57,6 @@ impl Printer<'_> {
         quote! {
             #inline
             fn #name(&#receiver, #(#scalars,)* #(#signature: [#scalar; #d]),* #time) -> #result {
-                #(#mention)*
                 #unpack
                 #parameters
                 #statements

@@ -38,7 +38,6 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let where_clause = &model.generics.where_clause;
     let printer = |law: Reached| Printer {
         graph,
-        declared: vec![],
         names: Names::new(graph, variables, None, parameters),
         variables,
         parameters,
@@ -124,7 +123,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let potential_functions = momentary.pointwise(kernels);
     let kept = printer(Reached::Law(quote!(#receiver))).invariants(&model.invariants, invariants);
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
-    let read: Vec<_> = numbers(parameters).collect();
+    let read: Vec<_> = numbers_of_law(parameters).collect();
     let count = Literal::usize_unsuffixed(read.len());
     let (held, law, mass, t) = (hidden_lifetime(model), ident("law"), ident("mass"), ident("t"));
     // A law that is only run counts as used.
@@ -209,7 +208,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
 }
 
 /// What the kernels read of the law, in order.
-fn numbers(parameters: &[Parameter]) -> impl Iterator<Item = &TokenStream> {
+pub(super) fn numbers_of_law(parameters: &[Parameter]) -> impl Iterator<Item = &TokenStream> {
     parameters.iter().filter_map(|parameter| match &parameter.source {
         Source::Law(tokens) => Some(tokens),
         _ => None,

@@ -27,8 +27,6 @@ pub(super) struct Printer<'a> {
     pub(super) between: bool,
     /// What is read of a body, in order.
     pub(super) layout: &'a [Read],
-    /// The user's methods.
-    pub(super) declared: Vec<TokenStream>,
     /// How a method of the implementation reaches what it reads of the law.
     pub(super) law: Reached,
 }

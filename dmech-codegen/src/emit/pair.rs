@@ -9,7 +9,9 @@ use syn::parse_quote;
 
 use super::body::{Printed, body};
 use super::function::Reached;
-use super::implementation::{degree, dimension, generic_name, hidden_lifetime, module, parameters_of, scalar_name};
+use super::implementation::{
+    degree, dimension, generic_name, hidden_lifetime, module, numbers_of_law, parameters_of, scalar_name,
+};
 use super::kernels::Printer;
 use super::names::{Names, ident, receiver, runtime, underscored};
 use super::pair_document::{self, force_texts, potential_texts};
@@ -20,19 +22,17 @@ use crate::model::Model;
 
 /// The traits of a law between two bodies for the user's type.
 ///
-/// What acts between two bodies at one moment is a hidden struct that holds the law and the numbers of both.
+/// What acts between two bodies at one moment is a hidden struct of the numbers that the law reads of itself and of both.
 pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let PairDerivation { model, lowered, pair, kernels } = derivation;
     let LoweredPair { variables: of_two, layout, .. } = pair;
     let names = Generics::of(model);
-    let Generics { scalar, own, all, with_data, author, data: data_type, dimension, .. } = &names;
+    let Generics { scalar, own, foreign, with_data, author, data: data_type, dimension, .. } = &names;
     let (module, runtime, self_ty) = (module(model), runtime(), &model.self_ty);
     let where_clause = &model.generics.where_clause;
     let receiver = receiver();
-    let mention: Vec<_> = model.formulas().map(|f| &f.ident).map(|method| quote!(<#self_ty>::#method)).collect();
     let printer = Printer {
         graph: &lowered.graph,
-        declared: mention,
         names: Names::new(&lowered.graph, &lowered.variables, Some(of_two), &lowered.parameters),
         variables: &lowered.variables,
         parameters: &lowered.parameters,
@@ -41,7 +41,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         dimension: dimension.clone(),
         between: true,
         layout,
-        law: Reached::Law(quote!(#receiver.law)),
+        law: Reached::Numbers,
     };
     let text = pair_document::derivation(derivation);
     let (constants, functions) = potential(&printer, derivation);
@@ -67,10 +67,14 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
     let items = super::author::items(model, &lowered.graph, &lowered.parameters, dimension, Some(data_type));
     let reads = reads(&printer, &names, model, layout);
+    let read: Vec<_> = numbers_of_law(&lowered.parameters).collect();
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
-    let (held, law, count) = (hidden_lifetime(model), ident("Law"), Literal::usize_unsuffixed(layout.len()));
+    let (held, law) = (hidden_lifetime(model), ident("law"));
     let (a, b, t) = (ident("a"), ident("b"), ident("t"));
-    let numbers = quote!([#scalar; #count]);
+    let [of_body, of_law] = [layout.len(), read.len()].map(Literal::usize_unsuffixed);
+    let numbers = quote!([#scalar; #of_body]);
+    // A law that is only run counts as used.
+    let declared = model.formulas().map(|formula| &formula.ident);
     quote! {
         #[allow(clippy::approx_constant)]
         const _: () = {
@@ -93,8 +97,10 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
 
             /// The law between two bodies at one moment.
             #[allow(dead_code)]
-            pub struct #pair<#held, #law, #scalar> {
-                law: &#held #law,
+            #[derive(Clone, Copy)]
+            pub struct #pair<#scalar> {
+                /// What is read of the law.
+                law: [#scalar; #of_law],
                 a: #numbers,
                 b: #numbers,
                 t: #scalar,
@@ -102,25 +108,44 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
 
             #[automatically_derived]
             impl #with_data #runtime::PairLaw<#dimension, #data_type, #scalar> for #self_ty #where_clause {
-                type Between<#held> = #pair<#held, Self, #scalar> where Self: #held;
+                type Between<#held> = #pair<#scalar> where Self: #held;
                 const AUTONOMOUS: bool = #autonomous;
                 #[inline(always)]
-                fn between(&self, #a: #numbers, #b: #numbers, #t: #scalar) -> Self::Between<'_> {
-                    #pair { law: self, a: #a, b: #b, t: #t }
+                fn between(&#receiver, #a: #numbers, #b: #numbers, #t: #scalar) -> #pair<#scalar> {
+                    #(let _ = <#self_ty>::#declared;)*
+                    #pair { law: [#(#scalar::from_f64(#read)),*], #a, #b, #t }
                 }
-                fn written(&self) -> ::core::option::Option<&dyn #runtime::written::WrittenPair<#dimension, #data_type>> {
-                    ::core::option::Option::Some(self)
+                fn written(&#receiver) -> ::core::option::Option<&dyn #runtime::written::WrittenPair<#dimension, #data_type>> {
+                    ::core::option::Option::Some(#receiver)
                 }
             }
 
             #[automatically_derived]
-            impl #all #runtime::Potential<#dimension, #scalar> for #pair<'_, #self_ty, #scalar> #where_clause {
+            impl #author #runtime::PairFields<#dimension, #data_type> for #self_ty #where_clause {
+                type Fields = [::core::primitive::f64; #of_law];
+                type Moment<#scalar: #runtime::Real> = #pair<#scalar>;
+                fn fields(&#receiver) -> [::core::primitive::f64; #of_law] {
+                    [#(#read),*]
+                }
+                #[inline(always)]
+                fn moment<#scalar: #runtime::Real>(
+                    #law: [#scalar; #of_law],
+                    #a: #numbers,
+                    #b: #numbers,
+                    #t: #scalar,
+                ) -> #pair<#scalar> {
+                    #pair { #law, #a, #b, #t }
+                }
+            }
+
+            #[automatically_derived]
+            impl #foreign #runtime::Potential<#dimension, #scalar> for #pair<#scalar> {
                 #constants
                 #functions
             }
 
             #[automatically_derived]
-            impl #all #runtime::Between<#dimension, #scalar> for #pair<'_, #self_ty, #scalar> #where_clause {
+            impl #foreign #runtime::Between<#dimension, #scalar> for #pair<#scalar> {
                 #acts
                 #force
             }
@@ -133,9 +158,7 @@ struct Generics {
     scalar: Ident,
     /// The law's own.
     own: TokenStream,
-    /// With the dimension, where it is any, and the scalar.
-    all: TokenStream,
-    /// Without the law's own.
+    /// The dimension, where it is any, and the scalar, without the law's own.
     foreign: TokenStream,
     /// With the law's own and the data of the bodies, where they are any.
     with_data: TokenStream,
@@ -165,7 +188,6 @@ impl Generics {
         let any_data = any_data.then(|| quote!(#data,));
         Self {
             own: quote!(<#(#parameters),*>),
-            all: quote!(<#(#parameters,)* #any_dimension #scalar: #runtime::Real>),
             foreign: quote!(<#any_dimension #scalar: #runtime::Real>),
             with_data: quote!(<#(#parameters,)* #any_dimension #any_data #scalar: #runtime::Real>),
             author: quote!(<#(#parameters,)* #any_dimension #any_data>),
@@ -237,17 +259,16 @@ impl Printer<'_> {
         let (scalar, d, receiver) = (&self.scalar, &self.dimension, receiver());
         let functions = POINTWISE.map(|(name, rank)| {
             let result = rank.array(scalar, d);
-            let (mention, zero) = match rank {
-                Rank::Scalar => (&self.declared[..], quote!(#scalar::ZERO)),
-                Rank::Vector => (&[][..], quote!([#scalar::ZERO; #d])),
-                Rank::Matrix | Rank::Matrices => (&[][..], quote!([[#scalar::ZERO; #d]; #d])),
+            let zero = match rank {
+                Rank::Scalar => quote!(#scalar::ZERO),
+                Rank::Vector => quote!([#scalar::ZERO; #d]),
+                Rank::Matrix | Rank::Matrices => quote!([[#scalar::ZERO; #d]; #d]),
             };
             let arguments = if name.starts_with("discrete") { &["_a", "_b"][..] } else { &["_d"] };
             let (name, arguments) = (ident(name), arguments.iter().map(|argument| ident(argument)));
             quote! {
                 #[inline(always)]
                 fn #name(&#receiver, #(#arguments: [#scalar; #d]),*) -> #result {
-                    #(let _ = #mention;)*
                     #zero
                 }
             }
@@ -285,7 +306,6 @@ impl Printer<'_> {
         });
         let parameters = self.bind_parameters(&used, false);
         let Printed { statements, outputs } = body(program, &self.names, scalar);
-        let mention = self.declared.iter().filter(|_| is_energy);
         let (name, receiver, result) = (ident(name), receiver(), rank.array(scalar, d));
         let value = match is_energy {
             true => outputs[0].clone(),
@@ -294,7 +314,6 @@ impl Printer<'_> {
         quote! {
             #[inline(always)]
             fn #name(&#receiver, #(#signature),*) -> #result {
-                #(let _ = #mention;)*
                 #(#squares)*
                 #parameters
                 #statements

@@ -240,7 +240,9 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
                 _ => None,
             };
             let seen = match invariant {
-                Invariant::AngularMomentum => Some(system.momentum(invariant, &state, &self.first)),
+                Invariant::LinearMomentum | Invariant::AngularMomentum => {
+                    Some(system.momentum(invariant, &state, &self.first))
+                }
                 _ => seen.map(|energy| (energy, energy - start)),
             };
             if let Some((value, deviation)) = seen {

@@ -18,6 +18,9 @@ const MOST: usize = 1024;
 /// Blocks that are begun before the first that is not taken, for each who works: what is done and waits needs bounded room.
 const AHEAD: usize = 4;
 
+/// Bytes of one register of each coordinate above which members do not ride on the stack of the caller.
+const LARGE: usize = 1 << 10;
+
 /// Who does the work.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hands {
@@ -39,6 +42,8 @@ impl Hands {
 pub(super) struct Blocks {
     members: usize,
     size: usize,
+    /// Many registers of one member are room that the stack of the caller may not have.
+    large: bool,
 }
 
 impl Blocks {
@@ -47,7 +52,12 @@ impl Blocks {
     pub(super) fn of(members: usize, threads: usize) -> Self {
         let few = if threads == 1 { members } else { members / (8 * threads) };
         let size = few.next_multiple_of(Ride::COUNT).clamp(Ride::COUNT, BLOCK);
-        Blocks { members, size }
+        Blocks { members, size, large: false }
+    }
+
+    /// The same of members of so many coordinates.
+    pub(super) fn of_coordinates(self, coordinates: usize) -> Self {
+        Blocks { large: coordinates * size_of::<Ride>() > LARGE, ..self }
     }
 
     fn count(self) -> usize {
@@ -120,7 +130,7 @@ pub(super) fn in_order<A: Aides<D::Job, D::Result>, D: Direct>(
     aides: &mut A,
 ) -> Result<(), Error> {
     let count = blocks.count();
-    if A::PATIENCE.is_none() && (threads == 1 || count <= 1) {
+    if A::PATIENCE.is_none() && (threads == 1 || count <= 1) && !blocks.large {
         return (0..count).try_for_each(|block| {
             let job = director.job(blocks.members(block));
             director.take(blocks.members(block), work(job))

@@ -45,6 +45,8 @@ use store::Stored;
 use crate::error::Error;
 use crate::law::{Fields, MassIndependent, Masses};
 use crate::run::{Follow, Shown, Simulation};
+#[cfg(feature = "scene")]
+use crate::scene::{AmongFew, FewBodies};
 use crate::scheme::{Adaptable, Adaptive, NoScheme};
 use crate::span::Span;
 use crate::state::State;
@@ -194,6 +196,42 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     {
         let Ensemble { law, mass, company, common, members, hands, beside, .. } = self;
         Ensemble { law, start, mass, company, common, members, hands, beside }
+    }
+
+    /// The bodies of each member, by its number, as law and start: small scenes whose number of bodies is known, side by side in lanes.
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::scene::{AmongFew, Scene, Term};
+    /// # fn map<L: Term<2, ()>>(planets: impl Fn(usize) -> Scene<2, (), L> + Clone + Sync) -> Result<(), Error>
+    /// # where L::Ready: AmongFew<2, 3> + dmech_core::scheme::WithoutVelocities {
+    /// // Scenes of three bodies in the plane, six coordinates.
+    /// let run = Ensemble::of(1000)
+    ///     .scene(|k| planets(k).as_law::<3, 6>())
+    ///     .scheme(Nystrom::order6())
+    ///     .dt(0.01)
+    ///     .run_until(100.0)?;
+    /// let place = run.last(7).map(|state| state.bodies::<2>().q[1]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[cfg(feature = "scene")]
+    pub fn scene<F, A, const D: usize, const N: usize, const K: usize>(
+        self,
+        scene: F,
+    ) -> Ensemble<
+        impl Fn(usize) -> FewBodies<A, D, N, K> + Clone + Sync,
+        impl Fn(usize) -> State<K> + Clone + Sync,
+        S,
+        M,
+        C,
+    >
+    where
+        F: Fn(usize) -> FewBodies<A, D, N, K> + Clone + Sync,
+        A: AmongFew<D, N>,
+    {
+        let start = scene.clone();
+        self.law(scene).start(move |k| start(k).start())
     }
 
     /// The mass of each member, by its number (default 1).

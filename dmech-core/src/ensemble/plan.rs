@@ -47,7 +47,7 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
         A: Aides<Rows, Moved<State<D>>>,
     {
         let threads = hands.threads();
-        let blocks = Blocks::of(self.members, threads * aides.processes());
+        let blocks = Blocks::of(self.members, threads * aides.processes()).of_coordinates(D);
         let outcome = in_order(blocks, threads, |rows| self.go(rows), &mut arrival, aides);
         arrival.follow.end(arrival.seen, outcome.is_ok());
         outcome

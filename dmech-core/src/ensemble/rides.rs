@@ -5,6 +5,7 @@ use core::ops::Range;
 use super::lanes::in_lanes;
 use crate::error::Error;
 use crate::law::{Fields, LinearInVelocity, VelocityIndependent};
+use crate::ride::Ride;
 use crate::run::{Attend, Due, Interrupted, Run, Simulation};
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
@@ -84,6 +85,12 @@ pub trait Rides<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
     }
 }
 
+/// A step of all lanes has room on the stack of a thread: its vectors, and the matrices of schemes that solve equations or look at
+/// the time scale. What has no room rides alone, to the same bits.
+const fn fits(numbers: usize, bytes: usize) -> bool {
+    numbers * size_of::<Ride>() <= bytes
+}
+
 /// Schemes, what the forces must be like, and the parameters of the scheme.
 macro_rules! ride {
     ($way:ident: $($scheme:ty, $forces:path, [$($generics:tt)*];)*) => {$(
@@ -92,8 +99,17 @@ macro_rules! ride {
         }
     )*};
     (in_lanes) => {
+        ride!(where fits(D, 1 << 14));
+    };
+    (in_lanes_with_matrices) => {
+        ride!(where fits(D * D, 1 << 17));
+    };
+    (in_lanes_with_stages) => {
+        ride!(where fits(8 * D, 1 << 16));
+    };
+    (where $fits:expr) => {
         fn ride<O: Attend<State<D>>>(block: &Block<'_, L, Self, O, D>) -> Vec<Outcome<State<D>>> {
-            if block.lanes > 1 { in_lanes(block) } else { block.one_by_one() }
+            if block.lanes > 1 && $fits { in_lanes(block) } else { block.one_by_one() }
         }
     };
     (alone) => {};
@@ -106,17 +122,25 @@ ride! {
     Composed<Leapfrog, C, N>, VelocityIndependent, [C: Coefficients<N>, const N: usize];
     Nystrom<C, N>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
     RungeKuttaNystrom, VelocityIndependent, [];
+    Explicit, Sized, [];
+}
+
+ride! {
+    in_lanes_with_stages:
+    Gauss, AtStages<D, f64>, [];
+    LineIntegral<N>, AtStages<D, f64>, [const N: usize];
+}
+
+ride! {
+    in_lanes_with_matrices:
     ForceGradient<C, N>, VelocityIndependent, [C: ForceGradientCoefficients<N>, const N: usize];
     Kanatani, VelocityIndependent, [];
     Boris, LinearInVelocity, [];
     Composed<Boris, C, N>, LinearInVelocity, [C: Coefficients<N>, const N: usize];
-    Explicit, Sized, [];
     Implicit, Sized, [];
     Composed<Implicit, C, N>, Sized, [C: Coefficients<N>, const N: usize];
     DiscreteGradient, Sized, [];
     Composed<DiscreteGradient, C, N>, Sized, [C: Coefficients<N>, const N: usize];
-    Gauss, AtStages<D, f64>, [];
-    LineIntegral<N>, AtStages<D, f64>, [const N: usize];
     Adaptive<Composed<Leapfrog, C, N>>, VelocityIndependent, [C: Coefficients<N>, const N: usize];
     Adaptive<Nystrom<C, N>>, VelocityIndependent, [C: NystromCoefficients<N>, const N: usize];
     Adaptive<RungeKuttaNystrom>, VelocityIndependent, [];

@@ -3,8 +3,12 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::panic::resume_unwind;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread;
+use std::thread::{self, Builder};
 use std::time::Duration;
+
+/// Bytes of the stack of a thread. Members side by side are arrays of registers, of which a build without optimisations keeps every
+/// copy; what is not used takes no memory.
+const STACK: usize = 1 << 25;
 
 /// Jobs, each with the number of its block: those that wait for a thread, and what has come of the others.
 pub(super) struct Board<J, T> {
@@ -37,7 +41,8 @@ pub(super) fn with_hands<J: Send, T: Send, O>(
                 board.put(block, result);
             }
         };
-        let hands: Vec<_> = (0..threads).map(|_| scope.spawn(hand)).collect();
+        let begin = || Builder::new().stack_size(STACK).spawn_scoped(scope, hand);
+        let hands: Vec<_> = (0..threads).map(|_| begin().expect("a thread is begun")).collect();
         let _end = EndsAll(&board);
         let outcome = direct(&board);
         board.look().closed = true;

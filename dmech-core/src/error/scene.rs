@@ -97,6 +97,22 @@ pub enum SceneError {
         /// Those of the scene.
         bodies: usize,
     },
+    /// A scene that is to be a law of another number of bodies.
+    #[error("the scene has {bodies} bodies, and the law was said to be of {declared}: `as_law::<{bodies}, _>()`")]
+    NotSoMany {
+        /// Those of the scene.
+        bodies: usize,
+        /// Those of the law.
+        declared: usize,
+    },
+    /// A body that does not move freely, or acts on no other, where the scene is to be a law.
+    #[error(
+        "body {body} is pinned, driven or a test body: in a law of few bodies each moves freely and acts on all others"
+    )]
+    NotFree {
+        /// The body.
+        body: usize,
+    },
     /// A length of a periodic box that is zero, negative, infinite or NaN.
     #[error("the length of the box along coordinate {component} must be positive and finite, not {}", Number(*length))]
     Length {

@@ -3,6 +3,7 @@
 use dmech_scalar::Real;
 
 use super::{Conservative, Potential, rotation};
+use crate::look::{Course, Frequency, Stiffness};
 use crate::newton::{self, Equation, Increment, NotConverged};
 use crate::vector::{by_component, by_entry, dot};
 
@@ -124,6 +125,16 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
             let mean = delta.map(|x| R::from_f64(0.5) * equation.rate * x);
             self.middle_slope([equation.a, b], mean, equation.t_end - equation.rate.recip())
         })
+    }
+
+    /// ω of the linearised motion along a course that begins at t, of what acts at times from then, and how it grows.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn frequency(from_now: impl Fn(R) -> Self, mass: R, t: R, course: Course<D, R>) -> Frequency<R>
+    where
+        Self: Sized,
+    {
+        Frequency::of(course, |s, q, v| Stiffness::of(&from_now(s), mass, t + s, q, v))
     }
 
     /// ∇Φ − F at the end of a step.

@@ -2,7 +2,7 @@
 
 use dmech_scalar::Real;
 
-use super::{Field, Law, LinearInVelocity, Numbers, VelocityIndependent};
+use super::{Between, Field, Law, LinearInVelocity, Numbers, PairLaw, Reads, VelocityIndependent};
 
 /// A law that can be taken apart into the numbers that it reads of itself, so that those of many may stand side by side in the
 /// lanes of a register, or be numbers of more digits.
@@ -11,7 +11,8 @@ use super::{Field, Law, LinearInVelocity, Numbers, VelocityIndependent};
 #[diagnostic::on_unimplemented(
     message = "the numbers of `{Self}` cannot stand side by side with those of other members",
     label = "not a law of {D} coordinates that `#[dmech::law]` has written",
-    note = "members that are laws written by hand, `Option`s of laws or scenes ride alone: `Ensemble::each(n, |k| Simulation::new(…)…)`"
+    note = "members that are laws written by hand, `Option`s of laws or scenes of many bodies ride alone: `Ensemble::each(n, |k| Simulation::new(…)…)`",
+    note = "a scene of few bodies is a law by `.as_law::<N, K>()`"
 )]
 pub trait Fields<const D: usize>: Law<D> {
     /// `[f64; N]`.
@@ -31,6 +32,32 @@ pub trait Fields<const D: usize>: Law<D> {
     fn masses<R: Real>(_: <Self::Numbers as Numbers>::Of<R>) -> [R; D] {
         [R::ONE; D]
     }
+}
+
+/// A law between two bodies that can be taken apart in the same way.
+///
+/// `#[dmech::law]` writes it.
+#[diagnostic::on_unimplemented(
+    message = "the numbers of `{Self}` cannot stand side by side with those of other members",
+    label = "not a law between bodies in {D} dimensions that `#[dmech::law]` has written",
+    note = "scenes under laws by hand, `Option`s of laws, cut-offs and listed bonds ride alone: `Ensemble::each(n, |k| Simulation::scene(…)…)`"
+)]
+pub trait PairFields<const D: usize, P>: PairLaw<D, P> {
+    /// `[f64; N]`.
+    type Fields: Numbers;
+    /// What acts between two bodies at one moment, by numbers of any scalar.
+    type Moment<R: Real>: Between<D, R>;
+
+    /// What is read of the law.
+    fn fields(&self) -> Self::Fields;
+
+    /// What acts between two bodies at a time, by the numbers of the law and of both.
+    fn moment<R: Real>(
+        law: <Self::Fields as Numbers>::Of<R>,
+        a: <<Self as Reads<P>>::Numbers as Numbers>::Of<R>,
+        b: <<Self as Reads<P>>::Numbers as Numbers>::Of<R>,
+        t: R,
+    ) -> Self::Moment<R>;
 }
 
 /// Laws side by side, one in each lane; or one, in another scalar.
@@ -60,6 +87,9 @@ impl<L: Fields<D>, const D: usize, R: Real> Law<D, R> for Numbered<L, D, R> {
         Self: 'a;
 
     const AUTONOMOUS: bool = <L as Law<D>>::AUTONOMOUS;
+    const BODY: usize = <L as Law<D>>::BODY;
+    const LINEAR_MOMENTUM: bool = <L as Law<D>>::LINEAR_MOMENTUM;
+    const ANGULAR_MOMENTUM: bool = <L as Law<D>>::ANGULAR_MOMENTUM;
 
     #[inline(always)]
     fn field(&self, mass: R, t: R) -> L::Moment<R> {

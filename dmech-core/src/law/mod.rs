@@ -3,6 +3,7 @@
 mod field;
 mod fields;
 mod masses;
+mod numbers;
 mod optional;
 mod pair;
 mod potential;
@@ -14,11 +15,12 @@ mod within;
 pub mod written;
 
 pub use field::Field;
-pub use fields::{Fields, Numbered};
+pub use fields::{Fields, Numbered, PairFields};
 pub use masses::Masses;
+pub use numbers::Numbers;
 #[cfg(feature = "scene")]
 pub use pair::LinkLaw;
-pub use pair::{Between, Numbers, PairLaw, Reads, Symmetric, radial};
+pub use pair::{Between, PairLaw, Reads, Symmetric, radial};
 pub use potential::{Force, Potential};
 #[cfg(feature = "scene")]
 pub use within::Within;
@@ -100,6 +102,13 @@ pub trait Law<const D: usize, R: Real = f64> {
     /// The law does not name the time.
     const AUTONOMOUS: bool = true;
 
+    /// The coordinates are those of bodies with so many each, one body after another; of one body, if nothing is said.
+    const BODY: usize = D;
+    /// Σ m v over the bodies is kept: they act on each other alone, with opposite forces.
+    const LINEAR_MOMENTUM: bool = false;
+    /// Σ m (q v − v q) over the bodies is kept. Of one body this is said by [`Potential::CENTRAL`].
+    const ANGULAR_MOMENTUM: bool = false;
+
     /// The names of the law's own invariants, the first [`MAX_OWN`](crate::extend::MAX_OWN) of which a run watches:
     /// the methods that are marked `#[invariant]`.
     const INVARIANTS: &'static [&'static str] = &[];
@@ -110,6 +119,12 @@ pub trait Law<const D: usize, R: Real = f64> {
     /// The value of the k-th of [`INVARIANTS`](Law::INVARIANTS).
     fn invariant(&self, _k: usize, _q: [R; D], _v: [R; D], _t: R) -> R {
         R::ZERO
+    }
+
+    /// Why it cannot be run, if it cannot.
+    #[doc(hidden)]
+    fn refused(&self) -> Option<crate::error::Error> {
+        None
     }
 
     /// The mass of each coordinate over that of the particle: 1, except in [`Masses`](crate::Masses).

@@ -8,6 +8,7 @@ use super::{
     Between, Field, Law, LinearInVelocity, MassIndependent, Numbers, PairLaw, Potential, Reads, Symmetric,
     VelocityIndependent,
 };
+use crate::error::Error;
 use crate::newton::{self, Equation, Increment, NotConverged};
 
 /// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
@@ -20,6 +21,9 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
         L: 'a;
 
     const AUTONOMOUS: bool = L::AUTONOMOUS;
+    const BODY: usize = L::BODY;
+    const LINEAR_MOMENTUM: bool = L::LINEAR_MOMENTUM;
+    const ANGULAR_MOMENTUM: bool = L::ANGULAR_MOMENTUM;
     const INVARIANTS: &'static [&'static str] = L::INVARIANTS;
 
     fn invariant(&self, k: usize, q: [R; D], v: [R; D], t: R) -> R {
@@ -29,6 +33,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
     #[inline(always)]
     fn field(&self, mass: R, t: R) -> Self::Field<'_> {
         self.as_ref().map(|law| law.field(mass, t))
+    }
+
+    fn refused(&self) -> Option<Error> {
+        self.as_ref()?.refused()
     }
 
     #[inline(always)]

@@ -4,56 +4,8 @@ use core::any::{Any, TypeId};
 
 use dmech_scalar::Real;
 
-use crate::law::Potential;
+use super::{Numbers, Potential};
 use crate::law::written::WrittenPair;
-
-/// A few numbers of one body, stored in columns and gathered into registers: `[f64; K]`, and `[R; K]` in a kernel.
-pub trait Numbers: Copy + core::fmt::Debug + Send + Sync + 'static {
-    /// K.
-    const COUNT: usize;
-    /// `[R; K]`.
-    type Of<R: Real>: Copy + Send + Sync;
-
-    /// The k-th of them.
-    fn at(&self, k: usize) -> f64;
-    /// All of them.
-    fn list(&self) -> Vec<f64> {
-        (0..Self::COUNT).map(|k| self.at(k)).collect()
-    }
-    /// [f(0), …, f(K − 1)].
-    fn gather<R: Real>(f: impl FnMut(usize) -> R) -> Self::Of<R>;
-}
-
-impl<const K: usize> Numbers for [f64; K] {
-    const COUNT: usize = K;
-    type Of<R: Real> = [R; K];
-
-    #[inline(always)]
-    fn at(&self, k: usize) -> f64 {
-        self[k]
-    }
-
-    #[inline(always)]
-    fn gather<R: Real>(f: impl FnMut(usize) -> R) -> [R; K] {
-        core::array::from_fn(f)
-    }
-}
-
-/// Those of a law, and then the masses of its coordinates.
-impl<N: Numbers, const D: usize> Numbers for (N, [f64; D]) {
-    const COUNT: usize = N::COUNT + D;
-    type Of<R: Real> = (N::Of<R>, [R; D]);
-
-    #[inline(always)]
-    fn at(&self, k: usize) -> f64 {
-        if k < N::COUNT { self.0.at(k) } else { self.1[k - N::COUNT] }
-    }
-
-    #[inline(always)]
-    fn gather<R: Real>(mut f: impl FnMut(usize) -> R) -> Self::Of<R> {
-        (N::gather(&mut f), core::array::from_fn(|i| f(N::COUNT + i)))
-    }
-}
 
 /// What a pair law reads of a body with data `P`: its mass, its charge, … as numbers.
 ///

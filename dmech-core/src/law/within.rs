@@ -4,8 +4,8 @@ use core::any::{Any, TypeId};
 
 use dmech_scalar::{Mask, Real};
 
-use super::pair::{Between, Numbers, PairLaw, Reads};
 use super::written::WrittenPair;
+use super::{Between, Numbers, PairLaw, Reads};
 use super::{LinearInVelocity, Potential, VelocityIndependent};
 use crate::vector::{dot, scaled, sum};
 

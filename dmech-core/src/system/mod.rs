@@ -3,15 +3,14 @@
 //! There are two systems: one law ([`Particle`]), whose vectors are arrays in registers, and the bodies of a scene
 //! (`SceneSystem`), whose vectors are columns of numbers. A scheme cannot tell which it has.
 
-mod look;
 mod newton;
 mod particle;
 pub(crate) mod stages;
 
 use core::fmt::Debug;
 
+pub use crate::look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 pub use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
-pub use look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 pub use newton::{Guess, Newton};
 pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]

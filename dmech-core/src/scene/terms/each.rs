@@ -61,6 +61,16 @@ impl<X: 'static> Laws for EachReady<X> {
 }
 
 impl<X> EachReady<X> {
+    /// The law.
+    pub(in crate::scene) fn law(&self) -> &X {
+        &self.law
+    }
+
+    /// The mass of each body.
+    pub(in crate::scene) fn masses(&self) -> &[f64] {
+        &self.masses
+    }
+
     fn fields<const D: usize>(&self, t: f64) -> impl Iterator<Item = (usize, X::Field<'_>)>
     where
         X: Law<D>,
@@ -171,7 +181,9 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
         let moving = self.masses.iter().enumerate().filter(|&(i, _)| at.per_mass[i] != 0.0);
         moving.fold(at.nothing(), |all, (i, &mass)| {
-            all.and(Frequency::of(at.body(i), |s, q, v| Stiffness::of(&self.law, mass, at.t + s, q, v)))
+            all.and(Frequency::of(at.body(i), |s, q, v| {
+                Stiffness::of(&self.law.field(mass, at.t + s), mass, at.t + s, q, v)
+            }))
         })
     }
 

@@ -7,6 +7,7 @@ use super::kernels::{Secant, Slope, Turned};
 use super::links::Links;
 use super::numbers::NumberColumns;
 use super::stencil::Stencil;
+use super::stiffness::{combine, link_stiffness};
 use super::sweep::{self, Kernel, Kicked};
 use super::{Acts, Fault, Laws, Moving, Term};
 use crate::error::{Culprit, Error, SceneError};
@@ -20,8 +21,8 @@ use crate::scene::matrix::block::times;
 use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
-use crate::system::{Course, Frequency, LinearVelocities, Stiffness, WithoutVelocities};
-use crate::vector::{add_scaled, dot, scaled};
+use crate::system::{Course, Frequency, LinearVelocities, WithoutVelocities};
+use crate::vector::scaled;
 
 /// A law that acts along links.
 #[derive(Clone, Debug)]
@@ -78,6 +79,16 @@ impl<X: Reads<P> + 'static, T, P, B> Laws for LinkedReady<X, T, P, B> {
 }
 
 impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
+    /// The law.
+    pub(in crate::scene) fn law(&self) -> &X {
+        &self.law
+    }
+
+    /// The numbers of body i.
+    pub(in crate::scene) fn numbers(&self, i: usize) -> X::Numbers {
+        self.numbers.of_body(i)
+    }
+
     fn slope(&self, t: f64) -> Slope<'_, X, P, B> {
         Slope { law: &self.law, t, space: self.space, data: PhantomData }
     }
@@ -89,41 +100,6 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
         X: PairLaw<D, P>,
     {
         PairLaw::<D, P, f64>::between(&self.law, self.numbers.at(a), self.numbers.at(b), t)
-    }
-
-    /// How fast the relative acceleration of two bodies changes, times the reduced mass μ, at the separation d and s after t.
-    ///
-    /// With the shares σ_a = μ/m_a and σ_b = μ/m_b the force on d is σ_a F_a − σ_b F_b; in the motion of the one about the
-    /// other ∂v_a/∂w = σ_a and ∂v_b/∂w = −σ_b, w = v_a − v_b.
-    #[inline]
-    fn stiffness<const D: usize>(&self, t: f64, s: f64, ends: [(usize, &Course<D>); 2], d: [f64; D]) -> Stiffness<D>
-    where
-        X: PairLaw<D, P>,
-        B: Space<D>,
-    {
-        let [(a, on_a), (b, on_b)] = ends;
-        let d = self.space.image(d);
-        let between = self.between(a, b, t + s);
-        let mut by_position = [[0.0; D]; D];
-        let mut damping = 0.0;
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
-            by_position = between.hessian(d);
-        }
-        if <X as PairLaw<D, P>>::Between::<'_>::FORCED {
-            let per_mass = on_a.per_mass + on_b.per_mass;
-            let [share_a, share_b] = [on_a, on_b].map(|body| body.per_mass / per_mass);
-            let [va, vb] = [on_a, on_b].map(|body| add_scaled(body.v, s, body.fall));
-            let [by_d, by_va, by_vb] = between.force_jacobians(d, va, vb);
-            let (mut by_d, mut by_w) = (by_d, combine(share_a, by_va, -share_b, by_vb));
-            if !<X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
-                let back = self.between(b, a, t + s).force_jacobians(d.map(|x| -x), vb, va);
-                by_d = combine(share_a, by_d, share_b, back[0]);
-                by_w = combine(share_a, by_w, share_b, combine(share_b, back[1], -share_a, back[2]));
-            }
-            by_position = combine(1.0, by_position, -1.0, by_d);
-            damping = per_mass * by_w.iter().map(|row| dot(*row, *row)).sum::<f64>();
-        }
-        Stiffness { by_position, damping }
     }
 
     /// q_a − q_b as the space has it.
@@ -140,11 +116,6 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
 pub(super) fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
     let (a, b) = (q.get(a), q.get(b));
     core::array::from_fn(|k| a[k] - b[k])
-}
-
-/// c X + d Y.
-fn combine<const D: usize>(c: f64, x: [[f64; D]; D], d: f64, y: [[f64; D]; D]) -> [[f64; D]; D] {
-    core::array::from_fn(|k| core::array::from_fn(|l| c.mul_add(x[k][l], d * y[k][l])))
 }
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for LinkedReady<X, T, P, B> {
@@ -327,8 +298,11 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
         self.each([at.q], |a, b| {
             if at.per_mass[a] + at.per_mass[b] != 0.0 {
                 let (on_a, on_b) = (at.body(a), at.body(b));
-                let stiffness = |s, d, _| self.stiffness(at.t, s, [(a, &on_a), (b, &on_b)], d);
-                let link = at.link(&on_a, &on_b);
+                let stiffness = |s, d, _| {
+                    let between = |a, b| self.between(a, b, at.t + s);
+                    link_stiffness([between(a, b), between(b, a)], s, [&on_a, &on_b], self.space.image(d))
+                };
+                let link = on_a.relative_to(&on_b);
                 all = all.and(Frequency::between(Course { q: self.space.image(link.q), ..link }, stiffness));
             }
         });

@@ -136,9 +136,24 @@ pub(super) fn bodies<const D: usize, const S: usize>(q: [&Vectors<D>; S]) -> usi
     q.first().map_or(0, |q| q.bodies())
 }
 
+/// Links that follow from the number of bodies.
+pub trait KnownLinks: Links {
+    /// Visits every link (a, b) in a fixed order.
+    fn visit(bodies: usize, visit: impl FnMut(usize, usize));
+}
+
 /// Consecutive bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Chain;
+
+impl KnownLinks for Chain {
+    #[inline(always)]
+    fn visit(bodies: usize, mut visit: impl FnMut(usize, usize)) {
+        for b in 1..bodies {
+            visit(b - 1, b);
+        }
+    }
+}
 
 impl Links for Chain {
     const CHAIN: bool = true;
@@ -148,11 +163,9 @@ impl Links for Chain {
         &self,
         _: &impl Space<D>,
         q: [&Vectors<D>; S],
-        mut visit: impl FnMut(usize, usize),
+        visit: impl FnMut(usize, usize),
     ) {
-        for b in 1..bodies(q) {
-            visit(b - 1, b);
-        }
+        Self::visit(bodies(q), visit);
     }
 
     fn sweep<const SET: bool, const D: usize, const S: usize, N: Numbers>(

@@ -13,6 +13,7 @@ mod packed;
 mod pairs;
 mod staged;
 pub(super) mod stencil;
+mod stiffness;
 mod sum;
 mod sweep;
 mod way;
@@ -22,12 +23,16 @@ mod tests;
 
 pub use driven::Driven;
 pub use each::Each;
+pub(in crate::scene) use each::EachReady;
 pub use linked::Linked;
+pub(in crate::scene) use linked::LinkedReady;
+pub(in crate::scene) use links::KnownLinks;
 pub use links::{Bonds, Chain};
 pub use moving::Moving;
 pub use near::Near;
 pub use pairs::Pairs;
 pub(in crate::scene) use staged::{ActsAtStages, BodyAtStages, Moments};
+pub(in crate::scene) use stiffness::link_stiffness;
 pub use sweep::Kicked;
 
 use core::any::{Any, TypeId};

@@ -2,7 +2,6 @@
 
 use crate::scene::vectors::Vectors;
 use crate::system::{Course, Frequency};
-use crate::vector::difference;
 
 /// Where bodies are and how they move: what the time scale of a scene depends on.
 #[derive(Clone, Copy, Debug)]
@@ -33,17 +32,5 @@ impl<const D: usize> Moving<'_, D> {
         let per_mass = self.per_mass[i];
         let fall = self.slope.get(i).map(|x| -per_mass * x);
         Course { q: self.q.get(i), v: self.v.get(i), fall, per_mass, least: self.least }
-    }
-
-    /// Two bodies as one of reduced mass, at q_a − q_b; 1/μ = 1/m_a + 1/m_b.
-    #[inline(always)]
-    pub fn link(&self, a: &Course<D>, b: &Course<D>) -> Course<D> {
-        Course {
-            q: difference(a.q, b.q),
-            v: difference(a.v, b.v),
-            fall: difference(a.fall, b.fall),
-            per_mass: a.per_mass + b.per_mass,
-            least: self.least,
-        }
     }
 }

@@ -30,6 +30,11 @@ impl<N: Numbers> NumberColumns<N> {
         &self.flat
     }
 
+    /// Those of body i.
+    pub(super) fn of_body(&self, i: usize) -> N {
+        N::from_list(|k| self.flat[k * self.bodies + i])
+    }
+
     /// The number of bodies.
     pub(super) fn bodies(&self) -> usize {
         self.bodies

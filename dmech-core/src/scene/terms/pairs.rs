@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use super::links::{self, Links};
+use super::links::{self, KnownLinks, Links};
 use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Moments};
 use crate::law::Numbers;
@@ -42,6 +42,17 @@ fn begin(bodies: usize, chunks: usize, c: usize) -> usize {
     (bodies as f64 * (1.0 - (1.0 - c as f64 / chunks as f64).sqrt())).round() as usize
 }
 
+impl KnownLinks for Pairs {
+    #[inline(always)]
+    fn visit(bodies: usize, mut visit: impl FnMut(usize, usize)) {
+        for a in 0..bodies {
+            for b in a + 1..bodies {
+                visit(a, b);
+            }
+        }
+    }
+}
+
 impl Links for Pairs {
     const ONE_SIDED: bool = true;
 
@@ -50,14 +61,9 @@ impl Links for Pairs {
         &self,
         _: &impl Space<D>,
         q: [&Vectors<D>; S],
-        mut visit: impl FnMut(usize, usize),
+        visit: impl FnMut(usize, usize),
     ) {
-        let bodies = links::bodies(q);
-        for a in 0..bodies {
-            for b in a + 1..bodies {
-                visit(a, b);
-            }
-        }
+        Self::visit(links::bodies(q), visit);
     }
 
     /// Rows of those that act: many test bodies among few others take O(N).

@@ -18,10 +18,7 @@ pub use stride::Stride;
 use dmech_scalar::{CompensatedVector, Mask, Real};
 
 use self::range::lost_force;
-use super::{
-    Beginning, Course, Effort, Frequency, Kick, LinearVelocities, Look, Step, Stiffness, System, TimeScale,
-    WithoutVelocities,
-};
+use super::{Beginning, Course, Effort, Kick, LinearVelocities, Look, Step, System, TimeScale, WithoutVelocities};
 use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::written::{Probe, agree};
@@ -86,9 +83,21 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         Ok(())
     }
 
-    /// m (qᵢ vⱼ − qⱼ vᵢ).
-    fn angular_momentum(&self, state: &State<D, R>, i: usize, j: usize) -> R {
-        self.mass * dot([state.q[i], -state.q[j]], [state.v[j], state.v[i]])
+    /// Σ m vᵢ over the bodies.
+    fn linear_momentum(&self, state: &State<D, R>, i: usize) -> R {
+        let weights = self.law.weights();
+        let bodies = (0..D).step_by(L::BODY);
+        self.mass * bodies.fold(R::ZERO, |sum, body| weights[body + i].mul_add(state.v[body + i], sum))
+    }
+
+    /// Σ m (qᵢ vⱼ − qⱼ vᵢ) over the bodies.
+    fn angular_momentum(&self, state: &State<D, R>, [i, j]: [usize; 2]) -> R {
+        let weights = self.law.weights();
+        let of = |body: usize| {
+            let (i, j) = (body + i, body + j);
+            weights[body] * dot([state.q[i], -state.q[j]], [state.v[j], state.v[i]])
+        };
+        self.mass * (L::BODY..D).step_by(L::BODY).fold(of(0), |sum, body| sum + of(body))
     }
 }
 
@@ -384,13 +393,12 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         Attempt { step, t, dt, mass: self.mass, q: *q, v: *v }.unsolved(&self.law, cause)
     }
 
-    /// A particle in a field has no linear momentum to keep.
     fn conserves(&self, invariant: Invariant) -> bool {
         match invariant {
             Invariant::Energy | Invariant::DiscreteEnergy => L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY,
             Invariant::WorkEnergy => true,
-            Invariant::AngularMomentum => L::Field::<'_>::CENTRAL && D > 1,
-            Invariant::LinearMomentum => false,
+            Invariant::LinearMomentum => L::LINEAR_MOMENTUM,
+            Invariant::AngularMomentum => (L::Field::<'_>::CENTRAL || L::ANGULAR_MOMENTUM) && L::BODY > 1,
         }
     }
 
@@ -402,19 +410,25 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         self.law.invariant(k, state.q, state.v, R::from_f64(state.t))
     }
 
-    fn momentum(&self, _: Invariant, state: &State<D, R>, start: &State<D, R>) -> (R, R) {
-        if D == 2 {
-            let [now, first] = [state, start].map(|state| self.angular_momentum(state, 0, 1));
+    fn momentum(&self, invariant: Invariant, state: &State<D, R>, start: &State<D, R>) -> (R, R) {
+        let (body, is_linear) = (L::BODY, invariant == Invariant::LinearMomentum);
+        let linear = |i| [state, start].map(|state| self.linear_momentum(state, i));
+        let angular = |plane| [state, start].map(|state| self.angular_momentum(state, plane));
+        if if is_linear { body == 1 } else { body == 2 } {
+            let [now, first] = if is_linear { linear(0) } else { angular([0, 1]) };
             return (now, now - first);
         }
-        let (mut squares, mut turned) = (R::ZERO, R::ZERO);
-        for (i, j) in (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j))) {
-            let now = self.angular_momentum(state, i, j);
-            let change = now - self.angular_momentum(start, i, j);
+        let (mut squares, mut changes) = (R::ZERO, R::ZERO);
+        let mut add = |[now, first]: [R; 2]| {
             squares += now * now;
-            turned += change * change;
+            changes += (now - first) * (now - first);
+        };
+        if is_linear {
+            (0..body).for_each(|i| add(linear(i)));
+        } else {
+            (0..body).flat_map(|i| (i + 1..body).map(move |j| [i, j])).for_each(|plane| add(angular(plane)));
         }
-        (squares.sqrt(), turned.sqrt())
+        (squares.sqrt(), changes.sqrt())
     }
 }
 
@@ -433,7 +447,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
     pub(crate) fn look_along(&self, t: R, q: [R; D], v: [R; D], least: R) -> Look<R> {
         let per_mass = self.mass.recip();
         let fall = self.field(t).slope(q, v).map(|x| -per_mass * x);
-        let stiffness = |s: R, q: [R; D], v: [R; D]| Stiffness::of(&self.law, self.mass, t + s, q, v);
-        Frequency::of(Course { q, v, fall, per_mass, least }, stiffness).look(least)
+        let course = Course { q, v, fall, per_mass, least };
+        <L::Field<'_> as Field<D, R>>::frequency(|s| self.field(t + s), self.mass, t, course).look(least)
     }
 }

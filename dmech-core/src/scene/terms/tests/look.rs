@@ -40,14 +40,14 @@ fn look<const D: usize, L: Term<D, ()>>(scene: Scene<D, (), L>, least: f64) -> L
 fn of_law<L: Law<D>, const D: usize>(law: &L, mass: f64, [q, v]: [[f64; D]; 2], least: f64) -> Look {
     let fall = law.field(mass, 0.0).slope(q, v).map(|x| -x / mass);
     let course = Course { q, v, fall, per_mass: mass.recip(), least };
-    Frequency::of(course, |s, q, v| Stiffness::of(law, mass, s, q, v)).look(least)
+    Frequency::of(course, |s, q, v| Stiffness::of(&law.field(mass, s), mass, s, q, v)).look(least)
 }
 
 /// The same of a separation.
 fn of_link<L: Law<D>, const D: usize>(law: &L, mass: f64, [q, v]: [[f64; D]; 2], least: f64) -> Look {
     let fall = law.field(mass, 0.0).slope(q, v).map(|x| -x / mass);
     let course = Course { q, v, fall, per_mass: mass.recip(), least };
-    Frequency::between(course, |s, q, v| Stiffness::of(law, mass, s, q, v)).look(least)
+    Frequency::between(course, |s, q, v| Stiffness::of(&law.field(mass, s), mass, s, q, v)).look(least)
 }
 
 fn alike(what: &str, found: Look, expected: Look) {
@@ -221,7 +221,7 @@ fn a_slow_motion_beside_a_fast_one_is_nothing() {
     let [slow, fast] = [1e-140_f64, 1e140].map(|time| Attraction(1.7 * time.powi(2)));
     let at = |law: &Attraction<f64>| {
         let course = Course { q: A[0], v: [0.0; 2], fall: [0.0; 2], per_mass: 1.0, least: 0.0 };
-        Frequency::of(course, |_, q, v| Stiffness::of(law, 1.0, 0.0, q, v))
+        Frequency::of(course, |_, q, v| Stiffness::of(&Law::<2>::field(law, 1.0, 0.0), 1.0, 0.0, q, v))
     };
     let alone = at(&fast).look(0.0);
     assert_eq!(at(&slow).and(at(&fast)).look(0.0), alone);

@@ -4,8 +4,8 @@ use core::array::from_fn;
 
 use dmech_scalar::{FUSED, Mask, Real, two_sum};
 
-use crate::law::{Field, Law, Potential};
-use crate::vector::{add_scaled, dot};
+use crate::law::Field;
+use crate::vector::{add_scaled, difference, dot};
 
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -207,38 +207,51 @@ impl<R: Real> Frequency<R> {
     }
 }
 
-impl Frequency {
+impl<R: Real> Frequency<R> {
     /// Nothing moves faster than `least`.
-    pub fn none(least: f64) -> Frequency {
-        Frequency { power: 0.0, rise: 0.0, passing: 0.0, s: (ANGLE / least).min(1e150) }
+    pub fn none(least: R) -> Frequency<R> {
+        let s = (R::from_f64(ANGLE) / least).min(R::from_f64(1e150));
+        Frequency { power: R::ZERO, rise: R::ZERO, passing: R::ZERO, s }
     }
 
     /// Both motions together: ω¹² = ω₁¹² + ω₂¹², which is smooth where the one becomes faster than the other, and
     /// d ln ω/dt = (ω₁¹² d ln ω₁/dt + ω₂¹² d ln ω₂/dt)/ω¹².
-    pub fn and(self, other: Frequency) -> Frequency {
-        if other.power + other.passing == 0.0 {
+    pub fn and(self, other: Frequency<R>) -> Frequency<R> {
+        let [still, alone] = [self, other].map(|one| (one.power + one.passing).equal(R::ZERO));
+        if alone.all() {
             return self;
-        }
-        if self.power + self.passing == 0.0 {
-            return other;
         }
         // In the unit of the faster one nothing overflows.
         let there = self.over(other.s);
-        let (fast, slow) = if there.power < other.power { (other, there) } else { (self, other.over(self.s)) };
+        let slower = there.power.less(other.power);
+        let unlike = still.or(alone).any();
+        let here = if slower.all() { other } else { other.over(self.s) };
+        let sum = |mine: R, there: R, its: R, here: R| R::either(slower, its + there, mine + here);
+        let both = Frequency {
+            power: sum(self.power, there.power, other.power, here.power),
+            rise: sum(self.rise, there.rise, other.rise, here.rise),
+            passing: sum(self.passing, there.passing, other.passing, here.passing),
+            s: R::either(slower, other.s, self.s),
+        };
+        if unlike { self.where_alone(alone, other.where_alone(still, both)) } else { both }
+    }
+
+    /// This where `alone` holds, `both` elsewhere.
+    fn where_alone(self, alone: R::Mask, both: Frequency<R>) -> Frequency<R> {
         Frequency {
-            power: fast.power + slow.power,
-            rise: fast.rise + slow.rise,
-            passing: fast.passing + slow.passing,
-            s: fast.s,
+            power: R::either(alone, self.power, both.power),
+            rise: R::either(alone, self.rise, both.rise),
+            passing: R::either(alone, self.passing, both.passing),
+            s: R::either(alone, self.s, both.s),
         }
     }
 
     /// The same in another unit of time.
-    fn over(self, s: f64) -> Frequency {
+    fn over(self, s: R) -> Frequency<R> {
         let ratio = s / self.s;
         let fourth = ratio.powi(4);
         // Factor by factor: the twelfth power would leave the range of numbers where the product does not.
-        let scaled = |x: f64| x * fourth * fourth * fourth;
+        let scaled = |x: R| x * fourth * fourth * fourth;
         Frequency { power: scaled(self.power), rise: ratio * scaled(self.rise), passing: scaled(self.passing), s }
     }
 }
@@ -256,6 +269,18 @@ fn rounded_once<R: Real>(x: R, y: R, z: R) -> R {
 }
 
 impl<const D: usize, R: Real> Course<D, R> {
+    /// Two bodies as one of reduced mass, at q_a − q_b; 1/μ = 1/m_a + 1/m_b.
+    #[inline(always)]
+    pub fn relative_to(&self, other: &Self) -> Self {
+        Course {
+            q: difference(self.q, other.q),
+            v: difference(self.v, other.v),
+            fall: difference(self.fall, other.fall),
+            per_mass: self.per_mass + other.per_mass,
+            least: self.least,
+        }
+    }
+
     /// 10¹² ‖K‖ w⁵, in units of s.
     #[inline(always)]
     fn passing(&self, s: R, size: R) -> R {
@@ -281,13 +306,12 @@ impl<const D: usize, R: Real> Course<D, R> {
 }
 
 impl<const D: usize, R: Real> Stiffness<D, R> {
-    /// Of a law of one body.
+    /// Of what acts on one body at a time.
     #[inline(always)]
-    pub fn of<L: Law<D, R>>(law: &L, mass: R, t: R, q: [R; D], v: [R; D]) -> Self {
-        let field = law.field(mass, t);
+    pub fn of<F: Field<D, R>>(field: &F, mass: R, t: R, q: [R; D], v: [R; D]) -> Self {
         let mut by_position = field.hessian(q);
         let mut damping = R::ZERO;
-        if <L::Field<'_> as Field<D, R>>::FORCED {
+        if F::FORCED {
             let (by_q, by_v) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
             by_position = from_fn(|i| from_fn(|j| by_position[i][j] - by_q[i][j]));
             damping = by_v.iter().fold(R::ZERO, |sum, row| sum + dot(*row, *row)) / mass;

@@ -1,0 +1,156 @@
+//! What acts among few bodies, in any scalar.
+
+use dmech_scalar::Real;
+
+use crate::law::Numbers;
+use crate::look::{Course, Frequency};
+use crate::scene::terms::Acts;
+
+/// A vector of each of N bodies.
+pub type Places<const D: usize, const N: usize, R> = [[R; D]; N];
+
+/// Terms of a scene that can act among N bodies as one law.
+#[diagnostic::on_unimplemented(
+    message = "this scene cannot be one law of {N} bodies",
+    note = "that takes laws of `#[dmech::law]` on each body, `.pairs(law)` and `.chain(law)`, without `.cutoff(r)` and `.bonds(…)`"
+)]
+pub trait AmongFew<const D: usize, const N: usize>: Acts<D> {
+    /// What is read of the laws and of the bodies.
+    type Numbers: Numbers;
+    /// What acts at one moment, by numbers of any scalar.
+    type Moment<R: Real>: Among<D, N, R>;
+
+    /// What is read of the laws and of the bodies; there are N of these.
+    fn numbers(&self) -> Self::Numbers;
+    /// What acts at a time, by these numbers.
+    fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, t: R) -> Self::Moment<R>;
+}
+
+/// What acts among N bodies at one moment: the functions of [`Acts`], each of which adds to what it is given.
+pub trait Among<const D: usize, const N: usize, R: Real> {
+    /// Φ(q).
+    fn potential(&self, q: &Places<D, N, R>) -> R;
+    /// ∇Φ(q).
+    fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>);
+    /// ∂²Φ/∂q∂q.
+    fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]);
+    /// ∇̄Φ(a, b).
+    fn add_discrete_gradient(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut Places<D, N, R>);
+    /// ∂∇̄Φ(a, b)/∂b.
+    fn add_discrete_jacobian<const K: usize>(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut [[R; K]; K]);
+    /// F(q, v), at a time of its own.
+    fn add_force(&self, _q: &Places<D, N, R>, _v: &Places<D, N, R>, _t: R, _out: &mut Places<D, N, R>) {}
+    /// ∂F/∂q and ∂F/∂v.
+    fn add_force_jacobians<const K: usize>(
+        &self,
+        _q: &Places<D, N, R>,
+        _v: &Places<D, N, R>,
+        _t: R,
+        _out: [&mut [[R; K]; K]; 2],
+    ) {
+    }
+    /// [`Acts::frequency`], of what acts at times from now; now is t.
+    fn frequency(from_now: &impl Fn(R) -> Self, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R>
+    where
+        Self: Sized;
+}
+
+/// Adds a block to the rows of body a and the columns of body b.
+#[inline(always)]
+pub(super) fn add_block<const D: usize, const K: usize, R: Real>(
+    out: &mut [[R; K]; K],
+    [a, b]: [usize; 2],
+    block: &[[R; D]; D],
+) {
+    for i in 0..D {
+        for j in 0..D {
+            out[D * a + i][D * b + j] += block[i][j];
+        }
+    }
+}
+
+/// Nothing acts.
+impl<const D: usize, const N: usize> AmongFew<D, N> for () {
+    type Numbers = [f64; 0];
+    type Moment<R: Real> = ();
+
+    fn numbers(&self) -> [f64; 0] {
+        []
+    }
+    fn moment<R: Real>(_: [R; 0], _: R) {}
+}
+
+impl<const D: usize, const N: usize, R: Real> Among<D, N, R> for () {
+    #[inline(always)]
+    fn potential(&self, _: &Places<D, N, R>) -> R {
+        R::ZERO
+    }
+    fn add_gradient(&self, _: &Places<D, N, R>, _: &mut Places<D, N, R>) {}
+    fn add_hessian<const K: usize>(&self, _: &Places<D, N, R>, _: &mut [[R; K]; K]) {}
+    fn add_discrete_gradient(&self, _: &Places<D, N, R>, _: &Places<D, N, R>, _: &mut Places<D, N, R>) {}
+    fn add_discrete_jacobian<const K: usize>(&self, _: &Places<D, N, R>, _: &Places<D, N, R>, _: &mut [[R; K]; K]) {}
+    fn frequency(_: &impl Fn(R), _: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+        Frequency::none(bodies[0].least)
+    }
+}
+
+/// Two terms, or a list of them and one more.
+impl<const D: usize, const N: usize, A: AmongFew<D, N>, B: AmongFew<D, N>> AmongFew<D, N> for (A, B) {
+    type Numbers = (A::Numbers, B::Numbers);
+    type Moment<R: Real> = (A::Moment<R>, B::Moment<R>);
+
+    fn numbers(&self) -> Self::Numbers {
+        (self.0.numbers(), self.1.numbers())
+    }
+    #[inline(always)]
+    fn moment<R: Real>((a, b): <Self::Numbers as Numbers>::Of<R>, t: R) -> Self::Moment<R> {
+        (A::moment(a, t), B::moment(b, t))
+    }
+}
+
+impl<const D: usize, const N: usize, R: Real, A: Among<D, N, R>, B: Among<D, N, R>> Among<D, N, R> for (A, B) {
+    #[inline(always)]
+    fn potential(&self, q: &Places<D, N, R>) -> R {
+        self.0.potential(q) + self.1.potential(q)
+    }
+    #[inline(always)]
+    fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
+        self.0.add_gradient(q, out);
+        self.1.add_gradient(q, out);
+    }
+    #[inline(always)]
+    fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
+        self.0.add_hessian(q, out);
+        self.1.add_hessian(q, out);
+    }
+    #[inline(always)]
+    fn add_discrete_gradient(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut Places<D, N, R>) {
+        self.0.add_discrete_gradient(a, b, out);
+        self.1.add_discrete_gradient(a, b, out);
+    }
+    #[inline(always)]
+    fn add_discrete_jacobian<const K: usize>(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut [[R; K]; K]) {
+        self.0.add_discrete_jacobian(a, b, out);
+        self.1.add_discrete_jacobian(a, b, out);
+    }
+    #[inline(always)]
+    fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
+        self.0.add_force(q, v, t, out);
+        self.1.add_force(q, v, t, out);
+    }
+    #[inline(always)]
+    fn add_force_jacobians<const K: usize>(
+        &self,
+        q: &Places<D, N, R>,
+        v: &Places<D, N, R>,
+        t: R,
+        [by_q, by_v]: [&mut [[R; K]; K]; 2],
+    ) {
+        self.0.add_force_jacobians(q, v, t, [by_q, by_v]);
+        self.1.add_force_jacobians(q, v, t, [by_q, by_v]);
+    }
+    fn frequency(from_now: &impl Fn(R) -> Self, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+        let first = A::frequency(&|s| from_now(s).0, t, bodies);
+        first.and(B::frequency(&|s| from_now(s).1, t, bodies))
+    }
+}

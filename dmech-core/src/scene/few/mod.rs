@@ -1,0 +1,159 @@
+//! A scene whose number of bodies is known when it is compiled, as one law.
+
+mod among;
+mod terms;
+mod whole;
+
+pub use among::{Among, AmongFew, Places};
+pub use whole::Whole;
+
+use core::array::from_fn;
+
+use dmech_scalar::Real;
+
+use super::builder::Scene;
+use super::state::SceneState;
+use super::terms::Term;
+use crate::error::{Error, SceneError};
+use crate::law::{Fields, Law, LinearInVelocity, Numbers, VelocityIndependent};
+use crate::state::State;
+use crate::system::{LinearVelocities, WithoutVelocities};
+
+/// N bodies in D dimensions under the terms `A` of a scene, as one law of K = N D coordinates, body after body: [`Scene::as_law`].
+///
+/// ```text
+/// Φ = Σ φ(q_a − q_b) + Σ φ(q_a),   m_a q_a″ = −∂Φ/∂q_a + F_a
+/// ```
+///
+/// The loops of a [`Scene`] are over as many bodies as there are; here their number is in the type, and a step is code made for it. It
+/// is stepped as other laws are: in any scalar, and side by side with others in the lanes of an [ensemble](crate::Ensemble::scene).
+/// Masses are those of the bodies, with a [`mass`](crate::Simulation::mass) that stays 1; momenta are sums over the bodies. It is the
+/// same motion as that of the scene, in other roundings.
+pub struct FewBodies<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> {
+    numbers: A::Numbers,
+    masses: [f64; N],
+    start: State<K>,
+    refused: Option<Error>,
+}
+
+impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodies<A, D, N, K> {
+    /// Where the bodies of the scene are.
+    pub fn start(&self) -> State<K> {
+        self.start
+    }
+
+    fn of<P, L: Term<D, P, Ready = A>>(scene: Scene<D, P, L>) -> Result<Self, Error> {
+        let Scene { bodies, laws, space } = scene;
+        bodies.check()?;
+        let acts = laws.prepare(&bodies, space)?;
+        let (t, given) = (bodies.t, bodies.masses.len());
+        let masses = <[f64; N]>::try_from(bodies.masses);
+        let masses = masses.map_err(|_| SceneError::NotSoMany { bodies: given, declared: N })?;
+        if let Some(&body) = bodies.pins.iter().chain(&bodies.tests).min() {
+            return Err(SceneError::NotFree { body }.into());
+        }
+        let [q, v] = [bodies.q, bodies.v].map(|list| from_fn(|i| list[i / D][i % D]));
+        Ok(FewBodies { numbers: acts.numbers(), masses, start: State { t, q, v }, refused: None })
+    }
+}
+
+impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Copy for FewBodies<A, D, N, K> {}
+impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Clone for FewBodies<A, D, N, K> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> core::fmt::Debug for FewBodies<A, D, N, K> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("FewBodies").field("masses", &self.masses).field("start", &self.start).finish_non_exhaustive()
+    }
+}
+
+impl<const D: usize, P, L: Term<D, P>> Scene<D, P, L> {
+    /// The scene of N bodies as one law of K = N D coordinates, for few bodies, two to some twenty: [`FewBodies`].
+    ///
+    /// Laws are those that `#[dmech::law]` writes, on each body, on all pairs and along the chain; what is looked up while bodies
+    /// move, as a cut-off, a box or a list of bonds, remains with the scene. What a simulation of the scene would refuse is refused
+    /// when the law is run, and so are another number of bodies ([`SceneError::NotSoMany`]) and bodies that are pinned, driven or test
+    /// bodies ([`SceneError::NotFree`]).
+    pub fn as_law<const N: usize, const K: usize>(self) -> FewBodies<L::Ready, D, N, K>
+    where
+        L::Ready: AmongFew<D, N>,
+    {
+        const { assert!(K == N * D, "a scene of N bodies in D dimensions is a law of K = N D coordinates") };
+        FewBodies::of(self).unwrap_or_else(|cause| FewBodies {
+            numbers: Numbers::from_list(|_| f64::NAN),
+            masses: [f64::NAN; N],
+            start: State { t: f64::NAN, q: [f64::NAN; K], v: [f64::NAN; K] },
+            refused: Some(cause),
+        })
+    }
+}
+
+impl<const K: usize> State<K> {
+    /// The state of the bodies whose coordinates these are, D of each, body after body: [`Scene::as_law`].
+    pub fn bodies<const D: usize>(&self) -> SceneState<D> {
+        let [q, v] = [&self.q, &self.v].map(|x| x.as_chunks().0.to_vec());
+        SceneState { t: self.t, q, v }
+    }
+}
+
+impl<A: AmongFew<D, N> + WithoutVelocities, const D: usize, const N: usize, const K: usize> VelocityIndependent
+    for FewBodies<A, D, N, K>
+{
+}
+
+impl<A: AmongFew<D, N> + LinearVelocities, const D: usize, const N: usize, const K: usize> LinearInVelocity
+    for FewBodies<A, D, N, K>
+{
+}
+
+impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real> Law<K, R> for FewBodies<A, D, N, K> {
+    type Field<'a>
+        = Whole<A, D, N, K, R>
+    where
+        Self: 'a;
+
+    const AUTONOMOUS: bool = A::AUTONOMOUS;
+    const BODY: usize = D;
+    const LINEAR_MOMENTUM: bool = A::LINEAR_MOMENTUM;
+    const ANGULAR_MOMENTUM: bool = A::ANGULAR_MOMENTUM;
+
+    #[inline(always)]
+    fn field(&self, _: R, t: R) -> Whole<A, D, N, K, R> {
+        let numbers = A::Numbers::gather(|k| R::from_f64(self.numbers.at(k)));
+        Whole { acts: A::moment(numbers, t), masses: self.masses.map(R::from_f64), t }
+    }
+
+    fn refused(&self) -> Option<Error> {
+        self.refused
+    }
+
+    fn mass_ratios(&self) -> [f64; K] {
+        from_fn(|i| self.masses[i / D])
+    }
+}
+
+impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K> for FewBodies<A, D, N, K> {
+    type Numbers = (A::Numbers, [f64; N]);
+    type Moment<R: Real> = Whole<A, D, N, K, R>;
+
+    fn numbers(&self) -> Self::Numbers {
+        (self.numbers, self.masses)
+    }
+
+    #[inline(always)]
+    fn moment<R: Real>(
+        (numbers, masses): (<A::Numbers as Numbers>::Of<R>, [R; N]),
+        _: R,
+        t: R,
+    ) -> Whole<A, D, N, K, R> {
+        Whole { acts: A::moment(numbers, t), masses, t }
+    }
+
+    #[inline(always)]
+    fn masses<R: Real>((_, masses): (<A::Numbers as Numbers>::Of<R>, [R; N])) -> [R; K] {
+        from_fn(|i| masses[i / D])
+    }
+}

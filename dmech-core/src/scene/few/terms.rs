@@ -1,0 +1,257 @@
+//! A law on each of few bodies, and one between them.
+
+use core::array::from_fn;
+use core::marker::PhantomData;
+
+use dmech_scalar::Real;
+
+use super::among::{Among, AmongFew, Places, add_block};
+use crate::law::{Between, Field, Fields, Numbers, PairFields, Potential, Reads};
+use crate::look::{Course, Frequency, Stiffness};
+use crate::scene::space::Open;
+use crate::scene::terms::{EachReady, KnownLinks, LinkedReady, link_stiffness};
+use crate::vector::{difference, scaled};
+
+type Of<N, R> = <N as Numbers>::Of<R>;
+
+impl<const D: usize, const N: usize, X: Fields<D>> AmongFew<D, N> for EachReady<X> {
+    type Numbers = (X::Numbers, [f64; N]);
+    type Moment<R: Real> = OnEachOfFew<X, D, N, R>;
+
+    fn numbers(&self) -> Self::Numbers {
+        (self.law().numbers(), from_fn(|i| self.masses()[i]))
+    }
+    #[inline(always)]
+    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), t: R) -> OnEachOfFew<X, D, N, R> {
+        OnEachOfFew { law, masses, t }
+    }
+}
+
+/// A law on each body at one moment.
+pub struct OnEachOfFew<X: Fields<D>, const D: usize, const N: usize, R: Real> {
+    law: Of<X::Numbers, R>,
+    masses: [R; N],
+    t: R,
+}
+
+impl<X: Fields<D>, const D: usize, const N: usize, R: Real> OnEachOfFew<X, D, N, R> {
+    #[inline(always)]
+    fn on(&self, i: usize) -> X::Moment<R> {
+        X::moment(self.law, self.masses[i], self.t)
+    }
+}
+
+impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for OnEachOfFew<X, D, N, R> {
+    #[inline(always)]
+    fn potential(&self, q: &Places<D, N, R>) -> R {
+        (0..N).fold(R::ZERO, |sum, i| sum + self.on(i).potential(q[i]))
+    }
+    #[inline(always)]
+    fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
+        for i in 0..N {
+            add(&mut out[i], self.on(i).gradient(q[i]));
+        }
+    }
+    #[inline(always)]
+    fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
+        for i in 0..N {
+            add_block(out, [i, i], &self.on(i).hessian(q[i]));
+        }
+    }
+    #[inline(always)]
+    fn add_discrete_gradient(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut Places<D, N, R>) {
+        for i in 0..N {
+            add(&mut out[i], self.on(i).discrete_gradient(a[i], b[i]));
+        }
+    }
+    #[inline(always)]
+    fn add_discrete_jacobian<const K: usize>(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut [[R; K]; K]) {
+        for i in 0..N {
+            add_block(out, [i, i], &self.on(i).discrete_gradient_jacobian(a[i], b[i]));
+        }
+    }
+    #[inline(always)]
+    fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
+        if X::Moment::<R>::FORCED {
+            for i in 0..N {
+                add(&mut out[i], self.on(i).force(q[i], v[i], t));
+            }
+        }
+    }
+    #[inline(always)]
+    fn add_force_jacobians<const K: usize>(
+        &self,
+        q: &Places<D, N, R>,
+        v: &Places<D, N, R>,
+        t: R,
+        [by_q, by_v]: [&mut [[R; K]; K]; 2],
+    ) {
+        if X::Moment::<R>::FORCED {
+            for i in 0..N {
+                add_block(by_q, [i, i], &self.on(i).force_dq(q[i], v[i], t));
+                add_block(by_v, [i, i], &self.on(i).force_dv(q[i], v[i], t));
+            }
+        }
+    }
+    fn frequency(from_now: &impl Fn(R) -> Self, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+        (0..N).fold(Frequency::none(bodies[0].least), |all, i| {
+            let mass = from_now(R::ZERO).masses[i];
+            all.and(Frequency::of(bodies[i], |s, q, v| Stiffness::of(&from_now(s).on(i), mass, t + s, q, v)))
+        })
+    }
+}
+
+impl<const D: usize, const N: usize, P, X: PairFields<D, P>, T: KnownLinks> AmongFew<D, N>
+    for LinkedReady<X, T, P, Open>
+where
+    Self: crate::scene::terms::Acts<D>,
+{
+    type Numbers = (X::Fields, [<X as Reads<P>>::Numbers; N]);
+    type Moment<R: Real> = BetweenFew<X, T, P, D, N, R>;
+
+    fn numbers(&self) -> Self::Numbers {
+        (self.law().fields(), from_fn(|i| self.numbers(i)))
+    }
+    #[inline(always)]
+    fn moment<R: Real>((law, bodies): Of<Self::Numbers, R>, t: R) -> BetweenFew<X, T, P, D, N, R> {
+        BetweenFew { law, bodies, t, links: PhantomData }
+    }
+}
+
+/// A law along links at one moment.
+pub struct BetweenFew<X: PairFields<D, P>, T, P, const D: usize, const N: usize, R: Real> {
+    law: Of<X::Fields, R>,
+    bodies: [Of<<X as Reads<P>>::Numbers, R>; N],
+    t: R,
+    links: PhantomData<fn() -> (T, P)>,
+}
+
+impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: Real> BetweenFew<X, T, P, D, N, R> {
+    #[inline(always)]
+    fn between(&self, a: usize, b: usize, t: R) -> X::Moment<R> {
+        X::moment(self.law, self.bodies[a], self.bodies[b], t)
+    }
+}
+
+impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: Real> Among<D, N, R>
+    for BetweenFew<X, T, P, D, N, R>
+{
+    #[inline(always)]
+    fn potential(&self, q: &Places<D, N, R>) -> R {
+        let mut sum = R::ZERO;
+        T::visit(N, |a, b| sum += self.between(a, b, self.t).potential(difference(q[a], q[b])));
+        sum
+    }
+    #[inline(always)]
+    fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
+        if X::Moment::<R>::POTENTIAL {
+            T::visit(N, |a, b| {
+                opposite(out, [a, b], self.between(a, b, self.t).gradient(difference(q[a], q[b])));
+            });
+        }
+    }
+    #[inline(always)]
+    fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
+        if X::Moment::<R>::POTENTIAL {
+            T::visit(N, |a, b| {
+                add_link(out, [a, b], self.between(a, b, self.t).hessian(difference(q[a], q[b])));
+            });
+        }
+    }
+    #[inline(always)]
+    fn add_discrete_gradient(&self, from: &Places<D, N, R>, to: &Places<D, N, R>, out: &mut Places<D, N, R>) {
+        if X::Moment::<R>::POTENTIAL {
+            T::visit(N, |a, b| {
+                let [from, to] = [from, to].map(|q| difference(q[a], q[b]));
+                opposite(out, [a, b], self.between(a, b, self.t).discrete_gradient(from, to));
+            });
+        }
+    }
+    #[inline(always)]
+    fn add_discrete_jacobian<const K: usize>(
+        &self,
+        from: &Places<D, N, R>,
+        to: &Places<D, N, R>,
+        out: &mut [[R; K]; K],
+    ) {
+        if X::Moment::<R>::POTENTIAL {
+            T::visit(N, |a, b| {
+                let [from, to] = [from, to].map(|q| difference(q[a], q[b]));
+                add_link(out, [a, b], self.between(a, b, self.t).discrete_gradient_jacobian(from, to));
+            });
+        }
+    }
+    #[inline(always)]
+    fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
+        if X::Moment::<R>::FORCED {
+            T::visit(N, |a, b| {
+                let force = |a: usize, b: usize| self.between(a, b, t).force(difference(q[a], q[b]), v[a], v[b]);
+                let on_a = force(a, b);
+                if X::Moment::<R>::RECIPROCAL {
+                    opposite(out, [a, b], on_a);
+                } else {
+                    add(&mut out[a], on_a);
+                    add(&mut out[b], force(b, a));
+                }
+            });
+        }
+    }
+    #[inline(always)]
+    fn add_force_jacobians<const K: usize>(
+        &self,
+        q: &Places<D, N, R>,
+        v: &Places<D, N, R>,
+        t: R,
+        [by_q, by_v]: [&mut [[R; K]; K]; 2],
+    ) {
+        if X::Moment::<R>::FORCED {
+            T::visit(N, |a, b| {
+                for [a, b] in [[a, b], [b, a]] {
+                    let d = difference(q[a], q[b]);
+                    let [by_d, by_va, by_vb] = self.between(a, b, t).force_jacobians(d, v[a], v[b]);
+                    add_block(by_q, [a, a], &by_d);
+                    add_block(by_q, [a, b], &by_d.map(|row| row.map(|x| -x)));
+                    add_block(by_v, [a, a], &by_va);
+                    add_block(by_v, [a, b], &by_vb);
+                }
+            });
+        }
+    }
+    fn frequency(from_now: &impl Fn(R) -> Self, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+        let mut all = Frequency::none(bodies[0].least);
+        T::visit(N, |a, b| {
+            let (on_a, on_b) = (&bodies[a], &bodies[b]);
+            let stiffness = |s, d, _| {
+                let now = from_now(s);
+                let between = [now.between(a, b, t + s), now.between(b, a, t + s)];
+                link_stiffness(between, s, [on_a, on_b], d)
+            };
+            all = all.and(Frequency::between(on_a.relative_to(on_b), stiffness));
+        });
+        all
+    }
+}
+
+#[inline(always)]
+fn add<const D: usize, R: Real>(to: &mut [R; D], x: [R; D]) {
+    for k in 0..D {
+        to[k] += x[k];
+    }
+}
+
+/// To body a, and its opposite to body b.
+#[inline(always)]
+fn opposite<const D: usize, const N: usize, R: Real>(out: &mut Places<D, N, R>, [a, b]: [usize; 2], x: [R; D]) {
+    add(&mut out[a], x);
+    add(&mut out[b], scaled(-R::ONE, x));
+}
+
+/// The derivative of what is on a along d = q_a − q_b, and of its opposite on b.
+#[inline(always)]
+fn add_link<const D: usize, const K: usize, R: Real>(out: &mut [[R; K]; K], [a, b]: [usize; 2], by_d: [[R; D]; D]) {
+    let back = by_d.map(|row| scaled(-R::ONE, row));
+    add_block(out, [a, a], &by_d);
+    add_block(out, [b, b], &by_d);
+    add_block(out, [a, b], &back);
+    add_block(out, [b, a], &back);
+}

@@ -1,0 +1,161 @@
+//! A scene of few bodies as one law: the same motion, in other roundings.
+
+use dmech::SceneError;
+use dmech::extend::{Field, Law, Potential};
+use dmech::models::pairs::Gravity;
+use dmech::prelude::*;
+use dmech::scene::{AmongFew, FewBodies};
+
+use dmech_tests::few::{creatures, ions, rope, stars};
+
+/// Runs both, and compares where they end, what they must keep, and how well they keep it.
+macro_rules! alike {
+    ($($name:literal: $scene:expr, $n:literal, $k:literal, [$($scheme:expr),*], $dt:expr, within $bound:expr;)*) => {$($(
+        let scene = $scene;
+        let law = scene.clone().as_law::<$n, $k>();
+        let start = law.start();
+        let scene = Simulation::scene(scene).scheme($scheme).dt($dt).run_until(start.t + 3.0).unwrap();
+        let law = Simulation::new(law, start).scheme($scheme).dt($dt).run_until(start.t + 3.0).unwrap();
+        let (end, of_scene) = (law.last().bodies::<{ $k / $n }>(), scene.last());
+        let scheme = scene.report().scheme();
+        let pairs = end.q.as_flattened().iter().zip(of_scene.q.as_flattened());
+        let apart = pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        println!("{}, {scheme}: {apart:.1e} apart", $name);
+        assert!(apart < $bound && scene.steps() == law.steps(), "{}, {scheme}: {apart:e}", $name);
+        for invariant in Invariant::ALL {
+            let [of_scene, of_law] = [scene.report(), law.report()].map(|report| report.kept(invariant));
+            assert_eq!(of_scene, of_law, "{}, {scheme}: {invariant}", $name);
+            let (Some(of_scene), Some(of_law)) = (scene.drift(invariant), law.drift(invariant)) else { continue };
+            let bound = 1e-12 + 2.0 * of_scene.max_abs();
+            assert!(of_law.max_abs() < bound, "{}, {scheme}, {invariant}: {of_scene:?} and {of_law:?}", $name);
+            assert!((of_law.start() - of_scene.start()).abs() < 1e-14 * (1.0 + of_scene.start().abs()), "{invariant}");
+        }
+    )*)*};
+}
+
+#[test]
+fn the_same_motion_as_that_of_the_scene() {
+    alike! {
+        "stars": stars(1), 3, 6, [
+            Leapfrog, CompensatedLeapfrog, Composed::order6(Leapfrog), Nystrom::order6(), ForceGradient::order4(),
+            RungeKuttaNystrom::order12(), Relaxed::order6(), Kanatani, Implicit, DiscreteGradient,
+            Composed::order6(DiscreteGradient), Gauss::order16(), LineIntegral::order6(), Explicit
+        ], 0.02, within 2e-13;
+        "rope": rope(2), 4, 4, [Boris, Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.01, within 1e-12;
+        "creatures": creatures(3), 3, 6, [Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.02, within 1e-12;
+        "ions": ions(4), 3, 6, [Boris, Composed::order4(Boris), Implicit, DiscreteGradient, Gauss::order16()], 0.02, within 1e-12;
+    }
+}
+
+/// Energy, momentum and angular momentum of three bodies in space, by an energy-exact scheme and by a symplectic one.
+#[test]
+fn sums_over_the_bodies_are_kept() {
+    let scene = Scene::new()
+        .body(1.3, [0.4, 0.1, -0.2], [0.1, 0.5, 0.2])
+        .body(0.07, [1.4, 0.3, 0.1], [-0.2, 1.4, 0.3])
+        .body(0.02, [0.2, -2.1, 0.4], [0.9, 0.6, 0.1])
+        .pairs(Gravity { g: 1.1 });
+    let law = scene.as_law::<3, 9>();
+    let simulation = Simulation::new(law, law.start()).dt(0.002).record_every(10);
+    let exact = simulation.clone().scheme(DiscreteGradient).run(5000).unwrap();
+    let bounded = simulation.scheme(Nystrom::order6()).run(5000).unwrap();
+    for (run, energy) in [(&exact, 1e-13), (&bounded, 1e-9)] {
+        for (invariant, bound) in
+            [(Invariant::Energy, energy), (Invariant::LinearMomentum, 1e-13), (Invariant::AngularMomentum, 1e-13)]
+        {
+            let drift = run.drift(invariant).unwrap();
+            assert!(drift.start() != 0.0 && drift.max_abs() < bound, "{invariant}: {drift:?}");
+        }
+    }
+}
+
+/// The derivatives of a law against differences in twice as many digits, and the secant identity.
+fn derivatives<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize>(
+    law: &FewBodies<A, D, N, K>,
+) -> usize {
+    type Many = DoubleDouble;
+    let (State { t, q, v }, t_other) = (law.start(), 0.83);
+    let other: [f64; K] = core::array::from_fn(|i| q[i] + 0.1 + 0.07 * (i as f64).sin());
+    let field = |t: f64| Law::<K, f64>::field(law, 1.0, t);
+    let many = |t: f64| Law::<K, Many>::field(law, Many::from(1.0), Many::from(t));
+    let wide = |x: [f64; K]| x.map(Many::from);
+    let mut compared = 0;
+    let mut compare = |name: &str, jacobian: [[f64; K]; K], at: [f64; K], f: &dyn Fn([Many; K]) -> [Many; K]| {
+        for j in 0..K {
+            let h = 1e-9;
+            let moved = |h: f64| {
+                let mut x = wide(at);
+                x[j] += Many::from(h);
+                f(x)
+            };
+            let (up, down) = (moved(h), moved(-h));
+            for i in 0..K {
+                let slope = ((up[i] - down[i]) / Many::from(2.0 * h)).to_f64();
+                assert!((jacobian[i][j] - slope).abs() < 1e-12 * (1.0 + slope.abs()), "{name} {i} {j}: {slope}");
+                compared += usize::from(slope != 0.0);
+            }
+        }
+    };
+    compare("hessian", field(t).hessian(q), q, &|q| many(t).gradient(q));
+    compare("secant", field(t).discrete_gradient_jacobian(q, other), other, &|b| many(t).discrete_gradient(wide(q), b));
+    compare("force by q", field(t).force_dq(other, v, t_other), other, &|q| many(t).force(q, wide(v), t_other.into()));
+    compare("force by v", field(t).force_dv(other, v, t_other), v, &|v| many(t).force(wide(other), v, t_other.into()));
+    let masses = Law::<K, f64>::mass_ratios(law);
+    let secant = many(t).discrete_gradient(wide(q), wide(other));
+    let along = (0..K).map(|i| Many::from(masses[i]) * secant[i] * (Many::from(other[i]) - Many::from(q[i])));
+    let rise = many(t).potential(wide(other)) - many(t).potential(wide(q));
+    let missed = (along.fold(Many::from(0.0), |sum, x| sum + x) - rise).to_f64();
+    assert!(missed.abs() < 1e-29, "{missed:e}");
+    compared
+}
+
+#[test]
+fn derivatives_are_those_of_the_sums() {
+    let compared = [
+        derivatives(&stars(1).as_law::<3, 6>()),
+        derivatives(&rope(2).as_law::<4, 4>()),
+        derivatives(&creatures(3).as_law::<3, 6>()),
+        derivatives(&ions(4).as_law::<3, 6>()),
+    ];
+    println!("{compared:?} derivatives that are not 0");
+    assert_eq!(compared, [72, 24, 108, 78]);
+}
+
+/// Twice as many digits, which a scene has not.
+#[test]
+fn few_bodies_in_double_double() {
+    let law = stars(1).as_law::<3, 6>();
+    let State { t, q, v } = law.start();
+    let start = State::of(q.map(DoubleDouble::from), v.map(DoubleDouble::from)).at_time(t);
+    let run = Simulation::new(law, start).scheme(Gauss::order16()).dt(0.005).record_every(50).run(400).unwrap();
+    let drift = run.drift(Invariant::Energy).unwrap();
+    assert!(drift.max_abs() < 1e-27, "{drift:?}");
+}
+
+#[test]
+fn what_cannot_be_a_law_says_why() {
+    let bodies = |n: usize| (0..n).fold(Scene::new(), |scene, i| scene.body(1.0, [i as f64, 0.2], [0.0, 0.1]));
+    let cause = |scene: Scene<2, (), ((), dmech::scene::OnPairs<Gravity>)>| {
+        let law = scene.as_law::<3, 6>();
+        let refused = Simulation::new(law, law.start()).scheme(Leapfrog).dt(0.01).run(10).unwrap_err();
+        let member = Ensemble::of(2).scene(move |_| law).scheme(Leapfrog).dt(0.01).run(10).unwrap();
+        assert_eq!(member.last(1).unwrap_err(), refused.cause());
+        refused.cause()
+    };
+    let pairs = Gravity { g: 1.0 };
+    assert_eq!(cause(bodies(4).pairs(pairs)), SceneError::NotSoMany { bodies: 4, declared: 3 }.into());
+    assert_eq!(cause(bodies(2).pairs(pairs)), SceneError::NotSoMany { bodies: 2, declared: 3 }.into());
+    assert_eq!(cause(Scene::new().pairs(pairs)), SceneError::Empty.into());
+    let still = bodies(2).body(1.0, [3.0, 3.0], [0.0; 2]);
+    assert_eq!(cause(still.clone().pin(2).pairs(pairs)), SceneError::NotFree { body: 2 }.into());
+    assert_eq!(cause(still.drive(2, |t| ([t, 0.0], [1.0, 0.0])).pairs(pairs)), SceneError::NotFree { body: 2 }.into());
+    assert_eq!(
+        cause(bodies(2).test_body(1.0, [3.0; 2], [0.0; 2]).pairs(pairs)),
+        SceneError::NotFree { body: 2 }.into()
+    );
+    assert_eq!(
+        cause(bodies(2).body(-1.0, [3.0; 2], [0.0; 2]).pairs(pairs)),
+        SceneError::Mass { body: 2, mass: -1.0 }.into()
+    );
+    println!("{}", cause(bodies(4).pairs(pairs)));
+}

@@ -1,0 +1,177 @@
+//! Few bodies, as a scene and as one law: laws of every kind that a scene tells apart.
+
+use dmech::scene::{FewBodies, OnChain, OnEach, OnPairs, Scene, Term};
+
+/// What the terms `L` make of N bodies in D dimensions, which carry `P`.
+pub type Few<L, P, const D: usize, const N: usize, const K: usize> = FewBodies<<L as Term<D, P>>::Ready, D, N, K>;
+
+/// A number that differs from member to member, in [0, 1).
+fn part(k: usize, of: f64) -> f64 {
+    (0.37 + of * k as f64).fract()
+}
+
+/// Gravity, softened.
+#[derive(Clone, Copy, Debug)]
+pub struct Pull {
+    pub g: f64,
+    pub eps: f64,
+}
+
+#[dmech::law]
+impl Pull {
+    #[pair]
+    fn energy(&self, r: f64, ma: f64, mb: f64) -> f64 {
+        -self.g * ma * mb / (r * r + self.eps * self.eps).sqrt()
+    }
+}
+
+pub type Stars = Few<((), OnPairs<Pull>), (), 2, 3, 6>;
+
+/// Three stars in the plane.
+pub fn stars(k: usize) -> Scene<2, (), ((), OnPairs<Pull>)> {
+    let (a, b) = (part(k, 0.17), part(k, 0.29));
+    Scene::new()
+        .body(1.3 + a, [0.7 + 0.4 * a, 0.1], [-0.05, 0.4 + 0.2 * b])
+        .body(0.8, [-0.5, 0.2 * b], [0.1, -0.6])
+        .body(0.4 + 0.1 * b, [0.1, 1.4], [0.5, 0.1 * a])
+        .pairs(Pull { g: 0.9 + 0.2 * b, eps: 0.2 + 0.1 * a })
+        .at_time(0.25 * part(k, 0.71))
+}
+
+/// A spring that stiffens, of another strength to either side, whose length is driven.
+#[derive(Clone, Copy, Debug)]
+pub struct Link {
+    pub k: f64,
+    pub omega: f64,
+}
+
+#[dmech::law]
+impl Link {
+    #[pair]
+    fn energy(&self, d: [f64; 1], ma: f64, t: f64) -> f64 {
+        let x = d[0] + 1.0 + 0.05 * (self.omega * t).cos();
+        0.5 * self.k * x * x + 0.1 * ma * x.powi(3) + 0.25 * x.powi(4)
+    }
+}
+
+/// A contact with a floor, and a drag.
+#[derive(Clone, Copy, Debug)]
+pub struct Floor {
+    pub k: f64,
+    pub c: f64,
+}
+
+#[dmech::law]
+impl Floor {
+    #[potential]
+    fn energy(&self, q: f64, m: f64) -> f64 {
+        let contact = if q < 0.0 { 0.5 * self.k * q * q } else { 0.0 };
+        contact + 0.3 * m * q
+    }
+    #[force]
+    fn drag(&self, v: f64) -> f64 {
+        -self.c * v
+    }
+}
+
+pub type Rope = Few<(((), OnChain<Link>), OnEach<Floor>), (), 1, 4, 4>;
+
+/// Four bodies on a line, that fall.
+pub fn rope(k: usize) -> Scene<1, (), (((), OnChain<Link>), OnEach<Floor>)> {
+    let a = part(k, 0.41);
+    let bodies = (0..4).fold(Scene::new(), |scene, i| {
+        let x = f64::from(i);
+        scene.body(0.6 + 0.2 * x, [0.2 + x + 0.1 * (x * x).sin()], [-0.4 + 0.1 * a * x])
+    });
+    bodies.chain(Link { k: 5.0 + a, omega: 1.1 }).field(Floor { k: 40.0 + 10.0 * a, c: 0.1 + 0.1 * part(k, 0.53) })
+}
+
+/// Whom a body runs from and whom it runs after.
+#[derive(Clone, Copy, Debug)]
+pub struct Creature {
+    pub fear: f64,
+    pub hunger: f64,
+}
+
+/// A force that is not reciprocal, beside a potential.
+#[derive(Clone, Copy, Debug)]
+pub struct Chase {
+    pub k: f64,
+    pub c: f64,
+}
+
+#[dmech::law]
+impl Chase {
+    #[pair]
+    fn energy(&self, d: [f64; 2], a: &Creature, b: &Creature) -> f64 {
+        self.k * (1.0 + a.fear * b.fear) / (0.3 + d[0] * d[0] + d[1] * d[1])
+    }
+    #[pair_force]
+    fn force(&self, d: [f64; 2], va: [f64; 2], vb: [f64; 2], ma: f64, a: &Creature, b: &Creature) -> [f64; 2] {
+        let c = self.c * ma * (a.fear - a.hunger) * b.hunger;
+        [c * d[0] - 0.1 * b.fear * (va[0] - vb[0]), c * d[1] - 0.1 * b.fear * (va[1] - vb[1])]
+    }
+}
+
+pub type Creatures = Few<((), OnPairs<Chase>), Creature, 2, 3, 6>;
+
+/// Three that run after each other.
+pub fn creatures(k: usize) -> Scene<2, Creature, ((), OnPairs<Chase>)> {
+    let a = part(k, 0.61);
+    Scene::new()
+        .body_with(1.0, [0.0, 0.1], [0.1, 0.2 * a], Creature { fear: 0.3, hunger: 1.1 })
+        .body_with(1.9, [1.0 + 0.3 * a, 0.0], [-0.2, 0.0], Creature { fear: 1.7, hunger: 0.2 })
+        .body_with(0.7, [0.2, 1.3], [0.0, -0.3], Creature { fear: 0.4, hunger: 0.9 + 0.2 * a })
+        .pairs(Chase { k: 0.4 + 0.1 * a, c: 0.5 })
+}
+
+/// A charge that bodies carry.
+#[derive(Clone, Copy, Debug)]
+pub struct Ion {
+    pub charge: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct Repel {
+    pub k: f64,
+}
+
+#[dmech::law]
+impl Repel {
+    #[pair]
+    fn energy(&self, r: f64, a: &Ion, b: &Ion) -> f64 {
+        self.k * a.charge * b.charge / r
+    }
+}
+
+/// A well, and a field B.
+#[derive(Clone, Copy, Debug)]
+pub struct Trap {
+    pub k: f64,
+    pub b: f64,
+}
+
+#[dmech::law]
+impl Trap {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        0.5 * self.k * (q[0] * q[0] + q[1] * q[1])
+    }
+    #[force]
+    fn lorentz(&self, v: [f64; 2]) -> [f64; 2] {
+        [self.b * v[1], -self.b * v[0]]
+    }
+}
+
+pub type Ions = Few<(((), OnEach<Trap>), OnPairs<Repel>), Ion, 2, 3, 6>;
+
+/// Three ions in a trap.
+pub fn ions(k: usize) -> Scene<2, Ion, (((), OnEach<Trap>), OnPairs<Repel>)> {
+    let a = part(k, 0.23);
+    Scene::new()
+        .body_with(1.0, [0.9, 0.0], [0.0, 0.3 * a], Ion { charge: 1.0 })
+        .body_with(1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], Ion { charge: 0.7 })
+        .body_with(0.8, [-0.5, -0.9], [0.0, -0.2], Ion { charge: 1.2 + 0.1 * a })
+        .field(Trap { k: 1.1 + 0.2 * a, b: 0.9 })
+        .pairs(Repel { k: 0.8 })
+}

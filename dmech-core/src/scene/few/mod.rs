@@ -99,11 +99,13 @@ impl<const K: usize> State<K> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<A: AmongFew<D, N> + WithoutVelocities, const D: usize, const N: usize, const K: usize> VelocityIndependent
     for FewBodies<A, D, N, K>
 {
 }
 
+#[diagnostic::do_not_recommend]
 impl<A: AmongFew<D, N> + LinearVelocities, const D: usize, const N: usize, const K: usize> LinearInVelocity
     for FewBodies<A, D, N, K>
 {

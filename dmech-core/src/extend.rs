@@ -122,8 +122,8 @@ pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
 pub use crate::ensemble::{
-    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, Members, NoCompany, NoLaw, NoStart, Outcome, Ride,
-    Rides, Starts, Together, With,
+    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, LANES, Members, NoCompany, NoLaw, NoStart,
+    Outcome, Rides, Starts, Together, With,
 };
 #[cfg(feature = "ranks")]
 pub use crate::ensemble::{Ranked, Ranks};

@@ -1,16 +1,19 @@
-//! Numbers of members that ride side by side.
+//! Registers in which members ride side by side.
 
 use dmech_scalar::Rows;
 
-/// A number of each member that rides. Registers stand side by side so that none waits for the root and the quotient of another, as many
-/// as the target has room for.
-#[cfg(target_feature = "avx512f")]
-pub type Ride = Rows<4>;
-/// A number of each member that rides. Registers stand side by side so that none waits for the root and the quotient of another, as many
-/// as the target has room for.
-#[cfg(all(target_feature = "avx2", not(target_feature = "avx512f")))]
-pub type Ride = Rows<2>;
-/// A number of each member that rides. Registers stand side by side so that none waits for the root and the quotient of another, as many
-/// as the target has room for.
-#[cfg(not(any(target_feature = "avx2", target_feature = "avx512f")))]
-pub type Ride = Rows<1>;
+/// Rows of eight lanes for motions of few coordinates. They stand side by side so that none waits for the root and the quotient of
+/// another, as many as the target has room for.
+pub(crate) const WIDE: usize = if cfg!(target_feature = "avx512f") {
+    4
+} else if cfg!(target_feature = "avx2") {
+    2
+} else {
+    1
+};
+
+/// The most members that ride side by side.
+pub const LANES: usize = Rows::<WIDE>::COUNT;
+
+/// Coordinates from which one row is faster, as the numbers of a member fill the registers by themselves.
+pub(crate) const MANY: usize = 6;

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use dmech::extend::{Fields, Real, Ride};
+use dmech::extend::{Fields, LANES, Real};
 use dmech::models::Kepler;
 use dmech::prelude::*;
 
@@ -89,7 +89,7 @@ fn lanes_stay_full() {
     let ((alone, own), (together, same)) = (ensemble(1), ensemble(usize::MAX));
     assert_eq!(own, same);
     assert!(own.iter().max() > own.iter().min().map(|least| 2 * least).as_ref());
-    let ratio = together as f64 * Ride::COUNT as f64 / alone as f64;
-    assert!(ratio < 1.15, "{together} forces in {} lanes for {alone} alone: {ratio}", Ride::COUNT);
-    println!("{ratio:.3} of the work of each alone, in {} lanes", Ride::COUNT);
+    let ratio = together as f64 * LANES as f64 / alone as f64;
+    assert!(ratio < 1.15, "{together} forces in {} lanes for {alone} alone: {ratio}", LANES);
+    println!("{ratio:.3} of the work of each alone, in {} lanes", LANES);
 }

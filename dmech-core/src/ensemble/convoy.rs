@@ -5,14 +5,14 @@ use core::cell::LazyCell;
 use core::mem::{replace, take};
 use core::ops::Range;
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{Mask, Real, Rows};
 
 use super::lanes::Together;
 use super::member::Member;
 use super::steps::{Cost, InLanes};
 use crate::invariant::{Drift, Drifts, Invariant};
 use crate::law::{Fields, Numbered, Numbers};
-use crate::ride::Ride;
+use crate::ride::LANES;
 use crate::run::Attend;
 use crate::scheme::ByLane;
 use crate::state::State;
@@ -22,37 +22,37 @@ use crate::system::{Particle, System};
 const ROW: u64 = 64;
 
 /// Members side by side, one in each lane; in lanes without one the first is moved once more.
-pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D>, const D: usize> {
+pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> {
     scheme: S,
     /// The numbers of each law, and each mass.
     numbers: Vec<(L::Numbers, f64)>,
-    system: Together<L, D>,
+    system: Together<L, D, W>,
     all: S::All,
-    first: State<D, Ride>,
+    first: State<D, Rows<W>>,
     /// Where each is, as far as events ask for it.
-    now: States<D>,
-    drifts: [Option<Drift<Ride>>; Invariant::ALL.len()],
+    now: States<D, W>,
+    drifts: [Option<Drift<Rows<W>>>; Invariant::ALL.len()],
     /// Steps until each has ended.
-    pub(super) left: [u64; Ride::COUNT],
+    pub(super) left: [u64; LANES],
     /// Steps until its invariants are to be looked at, and how many there are from one look to the next.
-    until_look: [u64; Ride::COUNT],
-    every: [u64; Ride::COUNT],
+    until_look: [u64; LANES],
+    every: [u64; LANES],
     /// Steps that were made since each was seated or landed, and how many there were at the last look.
-    made: [u64; Ride::COUNT],
-    looked_at: [Option<u64>; Ride::COUNT],
-    cost: Cost,
+    made: [u64; LANES],
+    looked_at: [Option<u64>; LANES],
+    cost: Cost<W>,
     /// Corrections that others had made when each was seated or landed.
-    iterations: [u64; Ride::COUNT],
+    iterations: [u64; LANES],
 }
 
 /// What acts on each, by lanes.
-fn together<L: Fields<D>, const D: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D> {
+fn together<L: Fields<D>, const D: usize, const W: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D, W> {
     let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
-    let law = Numbered::new(|n| Ride::from_fn(|lane| of(lane).0.at(n)));
-    Particle::with_mass(law, Ride::from_fn(|lane| of(lane).1))
+    let law = Numbered::new(|n| Rows::<W>::from_fn(|lane| of(lane).0.at(n)));
+    Particle::with_mass(law, Rows::<W>::from_fn(|lane| of(lane).1))
 }
 
-impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
+impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L, S, D, W> {
     pub(super) fn of<O: Attend<State<D>>>(seats: &[Member<L, S, O, D>]) -> Self {
         let stepper = |lane: usize| &seats.get(lane).unwrap_or(&seats[0]).stepper;
         let numbers: Vec<_> = seats.iter().map(Member::numbers).collect();
@@ -67,9 +67,9 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
             Some(ByLane::of(&of))
         });
         let now = States::default();
-        let none = [u64::MAX; Ride::COUNT];
+        let none = [u64::MAX; LANES];
         let (left, until_look, every) = (none, none, none);
-        let (made, looked_at, iterations, cost) = ([0; Ride::COUNT], [None; Ride::COUNT], [0; Ride::COUNT], Cost::NONE);
+        let (made, looked_at, iterations, cost) = ([0; LANES], [None; LANES], [0; LANES], Cost::NONE);
         let mut convoy = Convoy {
             scheme,
             numbers,
@@ -163,7 +163,7 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
     /// Gives each what is in its lane.
     pub(super) fn land_all<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
         seats.iter_mut().enumerate().for_each(|(lane, member)| self.land(lane, member));
-        self.cost.evaluations = Ride::ZERO;
+        self.cost.evaluations = Rows::<W>::ZERO;
     }
 
     /// Gives one what is in its lane.
@@ -217,14 +217,14 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
         }
     }
 
-    fn states(&self) -> States<D> {
+    fn states(&self) -> States<D, W> {
         let (t, [q, v]) = self.scheme.state(&self.system, &self.all);
         States { t, q, v }
     }
 
     /// Looks at the invariants of those for whom it is time.
     fn look<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
-        let due = Ride::from_fn(|lane| self.until_look[lane].min(1) as f64).equal(Ride::ZERO);
+        let due = Rows::<W>::from_fn(|lane| self.until_look[lane].min(1) as f64).equal(Rows::<W>::ZERO);
         if !due.any() {
             return;
         }
@@ -266,19 +266,19 @@ impl<L: Fields<D>, S: InLanes<L, D>, const D: usize> Convoy<L, S, D> {
 }
 
 /// Where members are.
-struct States<const D: usize> {
-    t: Ride,
-    q: [Ride; D],
-    v: [Ride; D],
+struct States<const D: usize, const W: usize> {
+    t: Rows<W>,
+    q: [Rows<W>; D],
+    v: [Rows<W>; D],
 }
 
-impl<const D: usize> Default for States<D> {
+impl<const D: usize, const W: usize> Default for States<D, W> {
     fn default() -> Self {
-        States { t: Ride::ZERO, q: [Ride::ZERO; D], v: [Ride::ZERO; D] }
+        States { t: Rows::<W>::ZERO, q: [Rows::<W>::ZERO; D], v: [Rows::<W>::ZERO; D] }
     }
 }
 
-impl<const D: usize> States<D> {
+impl<const D: usize, const W: usize> States<D, W> {
     fn set(&mut self, lane: usize, State { t, q, v }: &State<D>) {
         self.t[lane] = *t;
         self.q.set(lane, q);

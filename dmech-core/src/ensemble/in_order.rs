@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::share::{Board, with_hands};
 use crate::error::Error;
-use crate::ride::Ride;
+use crate::ride::LANES;
 
 /// The most members in a block.
 pub(super) const BLOCK: usize = 512;
@@ -29,7 +29,7 @@ pub(super) struct Hands {
 }
 
 impl Hands {
-    pub(super) const ALL: Hands = Hands { threads: None, lanes: Ride::COUNT };
+    pub(super) const ALL: Hands = Hands { threads: None, lanes: LANES };
 
     /// The threads of this process.
     pub(super) fn threads(self) -> usize {
@@ -51,13 +51,13 @@ impl Blocks {
     /// the end of each.
     pub(super) fn of(members: usize, threads: usize) -> Self {
         let few = if threads == 1 { members } else { members / (8 * threads) };
-        let size = few.next_multiple_of(Ride::COUNT).clamp(Ride::COUNT, BLOCK);
+        let size = few.next_multiple_of(LANES).clamp(LANES, BLOCK);
         Blocks { members, size, large: false }
     }
 
     /// The same of members of so many coordinates.
     pub(super) fn of_coordinates(self, coordinates: usize) -> Self {
-        Blocks { large: coordinates * size_of::<Ride>() > LARGE, ..self }
+        Blocks { large: coordinates * (LANES * size_of::<f64>()) > LARGE, ..self }
     }
 
     fn count(self) -> usize {

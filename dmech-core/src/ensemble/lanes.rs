@@ -7,28 +7,29 @@ use super::convoy::Convoy;
 use super::member::Member;
 use super::rides::{Block, Outcome};
 use super::steps::InLanes;
+use dmech_scalar::Rows;
+
 use crate::law::{Fields, Numbered};
-use crate::ride::Ride;
 use crate::run::Attend;
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::system::Particle;
 
 /// Particles side by side, under laws of one kind.
-pub type Together<L, const D: usize> = Particle<Numbered<L, D, Ride>, D, Ride>;
+pub type Together<L, const D: usize, const W: usize> = Particle<Numbered<L, D, Rows<W>>, D, Rows<W>>;
 
 /// Moves the members of a block, so many at a time; a lane that is free takes the next member.
-pub(super) fn in_lanes<L, S, O, const D: usize>(block: &Block<'_, L, S, O, D>) -> Vec<Outcome<State<D>>>
+pub(super) fn in_lanes<L, S, O, const D: usize, const W: usize>(block: &Block<'_, L, S, O, D>) -> Vec<Outcome<State<D>>>
 where
     L: Fields<D>,
-    S: InLanes<L, D>,
+    S: InLanes<L, D, W>,
     O: Attend<State<D>>,
 {
     let mut queue = Queue { block, waiting: block.members.clone(), outcomes: Vec::new() };
     queue.outcomes.resize_with(block.members.len(), || None);
-    let mut seats: Vec<Member<L, S, O, D>> = Vec::with_capacity(Ride::COUNT);
+    let mut seats: Vec<Member<L, S, O, D>> = Vec::with_capacity(Rows::<W>::COUNT);
     loop {
-        while seats.len() < block.lanes
+        while seats.len() < block.lanes.min(Rows::<W>::COUNT)
             && let Some(member) = queue.next()
         {
             seats.push(member);
@@ -36,7 +37,7 @@ where
         if seats.is_empty() {
             return queue.outcomes.into_iter().flatten().collect();
         }
-        let mut convoy = Convoy::of(&seats);
+        let mut convoy = Convoy::<L, S, D, W>::of(&seats);
         while go_on(&mut convoy, &mut seats) && relieve(&mut convoy, &mut seats, &mut queue) {}
         seats.extract_if(.., |member| member.has_ended()).for_each(|member| queue.end(member));
     }
@@ -69,10 +70,13 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 }
 
 /// Until somebody has ended. Not so, where somebody has to be looked at by itself: then all have their states.
-fn go_on<L, S, O, const D: usize>(convoy: &mut Convoy<L, S, D>, seats: &mut [Member<L, S, O, D>]) -> bool
+fn go_on<L, S, O, const D: usize, const W: usize>(
+    convoy: &mut Convoy<L, S, D, W>,
+    seats: &mut [Member<L, S, O, D>],
+) -> bool
 where
     L: Fields<D>,
-    S: InLanes<L, D>,
+    S: InLanes<L, D, W>,
     O: Attend<State<D>>,
 {
     let by_time = seats.iter().any(|member| member.every.is_none());
@@ -107,14 +111,14 @@ where
 
 /// Gives the lanes of those who have ended to the next, and where there is none to the last of those who are on their way.
 /// Whether somebody is.
-fn relieve<L, S, O, const D: usize>(
-    convoy: &mut Convoy<L, S, D>,
+fn relieve<L, S, O, const D: usize, const W: usize>(
+    convoy: &mut Convoy<L, S, D, W>,
     seats: &mut Vec<Member<L, S, O, D>>,
     queue: &mut Queue<'_, '_, L, S, O, D>,
 ) -> bool
 where
     L: Fields<D>,
-    S: InLanes<L, D>,
+    S: InLanes<L, D, W>,
     O: Attend<State<D>>,
 {
     let (taken, mut lane, mut first) = (seats.len(), 0, false);
@@ -142,6 +146,6 @@ where
     }
     let Some(seat) = seats.first() else { return false };
     // Lanes without a member move as the first, and must not move past its end.
-    convoy.vacate(seats.len()..if first { Ride::COUNT } else { taken }, seat);
+    convoy.vacate(seats.len()..if first { Rows::<W>::COUNT } else { taken }, seat);
     true
 }

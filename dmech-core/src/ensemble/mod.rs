@@ -24,7 +24,7 @@ mod store;
 use std::path::PathBuf;
 use std::time::Instant;
 
-pub use crate::ride::Ride;
+pub use crate::ride::LANES;
 pub use company::{Companies, Company, Joined, NoCompany, Starts, With};
 pub use each::Each;
 pub use export::End;
@@ -38,7 +38,7 @@ pub use steps::InLanes;
 
 use in_order::{Aides, Hands, Nobody};
 use members::{Bare, Moving, PlanOf};
-use plan::{Arrival, Moved, Nowhere, Plan, Rows};
+use plan::{Arrival, Moved, Nowhere, Plan, Ranges};
 #[cfg(feature = "store")]
 use store::Stored;
 
@@ -58,8 +58,8 @@ use crate::state::State;
 /// is told, and costs the others nothing.
 ///
 /// All schemes ride in lanes, with equal and with adaptive steps, but [`Relaxed`](crate::Relaxed), which moves each member alone. The
-/// law is one that `#[dmech::law]` has written, which can be taken apart into its numbers. [`Ensemble::each`] takes simulations of any
-/// kind, each moved alone:
+/// law is one that `#[dmech::law]` has written, which can be taken apart into its numbers; a scene of few bodies is one too
+/// ([`Ensemble::scene`]). [`Ensemble::each`] takes simulations of any kind, each moved alone:
 ///
 /// ```
 /// use dmech_core::prelude::*;
@@ -305,9 +305,10 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Ensemble { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
     }
 
-    /// With so many members side by side at most; if nothing is said 8, with AVX2 16, with AVX-512 32. The results are the same.
+    /// With so many members side by side at most. If nothing is said, 8; of laws of five coordinates at most 16 with AVX2 and 32 with AVX-512,
+    /// but under `Gauss` and `LineIntegral`. The results are the same.
     pub fn lanes(self, lanes: usize) -> Self {
-        Ensemble { hands: Hands { lanes: lanes.clamp(1, Ride::COUNT), ..self.hands }, ..self }
+        Ensemble { hands: Hands { lanes: lanes.clamp(1, LANES), ..self.hands }, ..self }
     }
 
     /// Makes a number of steps with each member.
@@ -383,7 +384,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         &self,
         plan: &PlanOf<'_, Self, Y, D>,
         see: &mut dyn FnMut(usize, Outcome<State<D>>),
-        mut aides: impl Aides<Rows, Moved<State<D>>>,
+        mut aides: impl Aides<Ranges, Moved<State<D>>>,
     ) -> Result<(), Error>
     where
         Self: Members<Y, D>,
@@ -397,7 +398,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         &self,
         plan: &PlanOf<'_, Self, Y, D>,
         see: &mut dyn FnMut(usize, Outcome<State<D>>),
-        aides: &mut impl Aides<Rows, Moved<State<D>>>,
+        aides: &mut impl Aides<Ranges, Moved<State<D>>>,
     ) -> Result<(), Error>
     where
         Self: Members<Y, D>,

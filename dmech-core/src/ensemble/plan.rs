@@ -26,7 +26,7 @@ pub(super) struct Plan<'a, L, S, O, const D: usize> {
 }
 
 /// Members in rows.
-pub(super) type Rows = Vec<Range<usize>>;
+pub(super) type Ranges = Vec<Range<usize>>;
 
 /// Members that were moved, each with its number, in order.
 pub(super) type Moved<X> = Vec<(usize, Outcome<X>)>;
@@ -37,14 +37,14 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
     }
 
     /// Moves some.
-    pub(super) fn go(&self, rows: Rows) -> Moved<State<D>> {
+    pub(super) fn go(&self, rows: Ranges) -> Moved<State<D>> {
         rows.into_iter().flat_map(|row| row.clone().zip(S::ride(&self.block(row)))).collect()
     }
 
     /// Moves all members, and hands them over as they arrive.
     pub(super) fn run<A>(&self, hands: Hands, mut arrival: Arrival<'_, State<D>>, aides: &mut A) -> Result<(), Error>
     where
-        A: Aides<Rows, Moved<State<D>>>,
+        A: Aides<Ranges, Moved<State<D>>>,
     {
         let threads = hands.threads();
         let blocks = Blocks::of(self.members, threads * aides.processes()).of_coordinates(D);
@@ -70,7 +70,7 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
 /// Where members are kept before they are seen.
 pub(super) trait Keep<X> {
     /// Those that are not there.
-    fn missing(&self, members: Range<usize>) -> Rows;
+    fn missing(&self, members: Range<usize>) -> Ranges;
 
     /// Keeps those that were moved, and puts what was there between them.
     fn keep(&mut self, members: Range<usize>, moved: Moved<X>) -> Result<Vec<Outcome<X>>, Error>;
@@ -80,7 +80,7 @@ pub(super) trait Keep<X> {
 pub(super) struct Nowhere;
 
 impl<X> Keep<X> for Nowhere {
-    fn missing(&self, members: Range<usize>) -> Rows {
+    fn missing(&self, members: Range<usize>) -> Ranges {
         vec![members]
     }
 
@@ -99,10 +99,10 @@ pub(super) struct Arrival<'a, X> {
 }
 
 impl<X: Send> Direct for Arrival<'_, X> {
-    type Job = Rows;
+    type Job = Ranges;
     type Result = Moved<X>;
 
-    fn job(&mut self, members: Range<usize>) -> Rows {
+    fn job(&mut self, members: Range<usize>) -> Ranges {
         self.keep.missing(members)
     }
 

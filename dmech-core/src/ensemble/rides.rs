@@ -2,10 +2,13 @@
 
 use core::ops::Range;
 
+use dmech_scalar::Rows;
+
 use super::lanes::in_lanes;
+use super::steps::InLanes;
 use crate::error::Error;
 use crate::law::{Fields, LinearInVelocity, VelocityIndependent};
-use crate::ride::Ride;
+use crate::ride::{MANY, WIDE};
 use crate::run::{Attend, Due, Interrupted, Run, Simulation};
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
@@ -85,10 +88,19 @@ pub trait Rides<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
     }
 }
 
-/// A step of all lanes has room on the stack of a thread: its vectors, and the matrices of schemes that solve equations or look at
-/// the time scale. What has no room rides alone, to the same bits.
-const fn fits(numbers: usize, bytes: usize) -> bool {
-    numbers * size_of::<Ride>() <= bytes
+/// Side by side in W rows of eight lanes, if a step of all has room on the stack of a thread for so many numbers of each. To the
+/// same bits alone, if it has not.
+fn together<L, S, O, const D: usize, const W: usize>(
+    block: &Block<'_, L, S, O, D>,
+    numbers: usize,
+) -> Vec<Outcome<State<D>>>
+where
+    L: Fields<D>,
+    S: InLanes<L, D, W> + Rides<L, D>,
+    O: Attend<State<D>>,
+{
+    const BYTES: usize = 1 << 17;
+    if block.lanes == 1 || numbers * size_of::<Rows<W>>() > BYTES { block.one_by_one() } else { in_lanes(block) }
 }
 
 /// Schemes, what the forces must be like, and the parameters of the scheme.
@@ -99,17 +111,24 @@ macro_rules! ride {
         }
     )*};
     (in_lanes) => {
-        ride!(where fits(D, 1 << 14));
+        ride!(by_rows 8 * D);
     };
     (in_lanes_with_matrices) => {
-        ride!(where fits(D * D, 1 << 17));
+        ride!(by_rows D * D);
     };
+    // Eight stages stand side by side already.
     (in_lanes_with_stages) => {
-        ride!(where fits(8 * D, 1 << 16));
-    };
-    (where $fits:expr) => {
         fn ride<O: Attend<State<D>>>(block: &Block<'_, L, Self, O, D>) -> Vec<Outcome<State<D>>> {
-            if block.lanes > 1 && $fits { in_lanes(block) } else { block.one_by_one() }
+            together::<_, _, _, D, 1>(block, D * D)
+        }
+    };
+    (by_rows $numbers:expr) => {
+        fn ride<O: Attend<State<D>>>(block: &Block<'_, L, Self, O, D>) -> Vec<Outcome<State<D>>> {
+            if const { D < MANY } {
+                together::<_, _, _, D, WIDE>(block, $numbers)
+            } else {
+                together::<_, _, _, D, 1>(block, $numbers)
+            }
         }
     };
     (alone) => {};
@@ -129,6 +148,8 @@ ride! {
     in_lanes_with_stages:
     Gauss, AtStages<D, f64>, [];
     LineIntegral<N>, AtStages<D, f64>, [const N: usize];
+    Adaptive<Gauss>, AtStages<D, f64>, [];
+    Adaptive<LineIntegral<N>>, AtStages<D, f64>, [const N: usize];
 }
 
 ride! {
@@ -151,8 +172,6 @@ ride! {
     Adaptive<Composed<Implicit, C, N>>, Sized, [C: Coefficients<N>, const N: usize];
     Adaptive<DiscreteGradient>, Sized, [];
     Adaptive<Composed<DiscreteGradient, C, N>>, Sized, [C: Coefficients<N>, const N: usize];
-    Adaptive<Gauss>, AtStages<D, f64>, [];
-    Adaptive<LineIntegral<N>>, AtStages<D, f64>, [const N: usize];
 }
 
 // The correction of the energy is one of each motion.

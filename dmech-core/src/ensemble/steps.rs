@@ -1,10 +1,9 @@
 //! The steps of members side by side: of one length for each, or each as long as its motion allows.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{Mask, Real, Rows};
 
 use super::lanes::Together;
 use crate::law::Fields;
-use crate::ride::Ride;
 use crate::scheme::{Adaptable, Adaptive, ByLane, Pacing, Scheme};
 use crate::stepper::Stepper;
 use crate::system::{EVALUATIONS, Particle, System};
@@ -14,20 +13,20 @@ pub(super) type Alone<L, S, const D: usize> = Stepper<Particle<L, D>, S>;
 
 /// What members have cost: evaluations of the force by each, and corrections, which are those of the slowest.
 #[derive(Clone, Copy, Debug)]
-pub struct Cost {
-    pub(super) evaluations: Ride,
+pub struct Cost<const W: usize> {
+    pub(super) evaluations: Rows<W>,
     pub(super) iterations: u64,
 }
 
-impl Cost {
-    pub(super) const NONE: Cost = Cost { evaluations: Ride::ZERO, iterations: 0 };
+impl<const W: usize> Cost<W> {
+    pub(super) const NONE: Cost<W> = Cost { evaluations: Rows::<W>::ZERO, iterations: 0 };
 
     /// The evaluations of one, which are counted from here on.
     pub(super) fn take_evaluations(&mut self, lane: usize) -> u64 {
         core::mem::take(&mut self.evaluations[lane]) as u64
     }
 
-    fn add(&mut self, evaluations: Ride, iterations: u32) {
+    fn add(&mut self, evaluations: Rows<W>, iterations: u32) {
         self.evaluations += evaluations;
         self.iterations += u64::from(iterations);
     }
@@ -35,112 +34,118 @@ impl Cost {
 
 /// A scheme whose steps can be made side by side: every operation of a step is one of each lane, to the bit, and equations are solved
 /// for each lane with its own last correction.
-pub trait InLanes<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
+pub trait InLanes<L: Fields<D>, const D: usize, const W: usize>: Scheme<Particle<L, D>> {
     /// What all carry.
     type All;
 
     /// Takes up what each carries, lane by lane.
-    fn gather<'a>(&self, system: &Together<L, D>, alone: &impl Fn(usize) -> &'a Alone<L, Self, D>) -> Self::All
+    fn gather<'a>(&self, system: &Together<L, D, W>, alone: &impl Fn(usize) -> &'a Alone<L, Self, D>) -> Self::All
     where
         L: 'a,
         Self: 'a;
 
     /// Takes up what one carries in its lane.
-    fn seat(&self, system: &Together<L, D>, all: &mut Self::All, lane: usize, alone: &Alone<L, Self, D>);
+    fn seat(&self, system: &Together<L, D, W>, all: &mut Self::All, lane: usize, alone: &Alone<L, Self, D>);
 
     /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together.
-    fn advance(&self, system: &Together<L, D>, all: &mut Self::All, steps: u64, cost: &mut Cost) -> Option<u64>;
+    fn advance(&self, system: &Together<L, D, W>, all: &mut Self::All, steps: u64, cost: &mut Cost<W>) -> Option<u64>;
 
     /// What one carries.
     fn lane(&self, all: &Self::All, lane: usize) -> Self::Memory;
 
     /// Time, position, velocity.
-    fn state(&self, system: &Together<L, D>, all: &Self::All) -> (Ride, [[Ride; D]; 2]);
+    fn state(&self, system: &Together<L, D, W>, all: &Self::All) -> (Rows<W>, [[Rows<W>; D]; 2]);
 
     /// The scheme's own energy, if it has one.
-    fn own_energy(&self, _system: &Together<L, D>, _all: &Self::All) -> Option<Ride> {
+    fn own_energy(&self, _system: &Together<L, D, W>, _all: &Self::All) -> Option<Rows<W>> {
         None
     }
 
     /// 1 for those who have come to the end that they were given, if there are any.
-    fn at_the_end(&self, _all: &Self::All) -> Option<Ride> {
+    fn at_the_end(&self, _all: &Self::All) -> Option<Rows<W>> {
         None
     }
 }
 
 /// A scheme for a law alone and for many side by side.
-pub trait BySide<L: Fields<D>, const D: usize>:
-    Scheme<Particle<L, D>> + Scheme<Together<L, D>, Memory: ByLane<<Self as Scheme<Particle<L, D>>>::Memory>>
+pub trait BySide<L: Fields<D>, const D: usize, const W: usize>:
+    Scheme<Particle<L, D>> + Scheme<Together<L, D, W>, Memory: ByLane<<Self as Scheme<Particle<L, D>>>::Memory, W>>
 {
 }
 
-impl<L: Fields<D>, const D: usize, S> BySide<L, D> for S where
-    S: Scheme<Particle<L, D>> + Scheme<Together<L, D>, Memory: ByLane<<S as Scheme<Particle<L, D>>>::Memory>>
+impl<L: Fields<D>, const D: usize, const W: usize, S> BySide<L, D, W> for S where
+    S: Scheme<Particle<L, D>> + Scheme<Together<L, D, W>, Memory: ByLane<<S as Scheme<Particle<L, D>>>::Memory, W>>
 {
 }
 
-type Memory<L, S, const D: usize> = <S as Scheme<Together<L, D>>>::Memory;
-type Workspace<L, S, const D: usize> = <S as Scheme<Together<L, D>>>::Workspace;
-type Stride<L, const D: usize> = <Together<L, D> as System>::Stride;
+type Memory<L, S, const D: usize, const W: usize> = <S as Scheme<Together<L, D, W>>>::Memory;
+type Workspace<L, S, const D: usize, const W: usize> = <S as Scheme<Together<L, D, W>>>::Workspace;
+type Stride<L, const D: usize, const W: usize> = <Together<L, D, W> as System>::Stride;
 
 /// Members with steps of one length each.
-pub struct Even<L: Fields<D>, S: BySide<L, D>, const D: usize> {
-    stride: Stride<L, D>,
-    memory: Memory<L, S, D>,
-    workspace: Workspace<L, S, D>,
-    start: Ride,
-    dt: Ride,
-    made: Ride,
+pub struct Even<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> {
+    stride: Stride<L, D, W>,
+    memory: Memory<L, S, D, W>,
+    workspace: Workspace<L, S, D, W>,
+    start: Rows<W>,
+    dt: Rows<W>,
+    made: Rows<W>,
 }
 
-impl<L: Fields<D>, S: BySide<L, D>, const D: usize> Even<L, S, D> {
-    fn t(&self) -> Ride {
+impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> Even<L, S, D, W> {
+    fn t(&self) -> Rows<W> {
         self.start + self.made * self.dt
     }
 }
 
-impl<L: Fields<D>, S: BySide<L, D>, const D: usize> InLanes<L, D> for S {
-    type All = Even<L, S, D>;
+impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L, D, W> for S {
+    type All = Even<L, S, D, W>;
 
-    fn gather<'a>(&self, system: &Together<L, D>, alone: &impl Fn(usize) -> &'a Alone<L, S, D>) -> Even<L, S, D>
+    fn gather<'a>(&self, system: &Together<L, D, W>, alone: &impl Fn(usize) -> &'a Alone<L, S, D>) -> Even<L, S, D, W>
     where
         L: 'a,
         S: 'a,
     {
-        let dt = Ride::from_fn(|lane| alone(lane).dt);
-        let stride = system.stride(dt, <S as Scheme<Together<L, D>>>::SHARE);
+        let dt = Rows::<W>::from_fn(|lane| alone(lane).dt);
+        let stride = system.stride(dt, <S as Scheme<Together<L, D, W>>>::SHARE);
         let mut workspace = self.workspace(system, &stride);
-        <S as Scheme<Together<L, D>>>::watch(self, <S as Scheme<Together<L, D>>>::SEES_ROUGH, &mut workspace);
+        <S as Scheme<Together<L, D, W>>>::watch(self, <S as Scheme<Together<L, D, W>>>::SEES_ROUGH, &mut workspace);
         Even {
             stride,
             memory: ByLane::of(&|lane| &alone(lane).memory),
             workspace,
-            start: Ride::from_fn(|lane| alone(lane).start.t),
+            start: Rows::<W>::from_fn(|lane| alone(lane).start.t),
             dt,
-            made: Ride::from_fn(|lane| alone(lane).steps as f64),
+            made: Rows::<W>::from_fn(|lane| alone(lane).steps as f64),
         }
     }
 
-    fn seat(&self, system: &Together<L, D>, all: &mut Even<L, S, D>, lane: usize, alone: &Alone<L, S, D>) {
+    fn seat(&self, system: &Together<L, D, W>, all: &mut Even<L, S, D, W>, lane: usize, alone: &Alone<L, S, D>) {
         all.start[lane] = alone.start.t;
         all.dt[lane] = alone.dt;
         all.made[lane] = alone.steps as f64;
         all.memory.set(lane, &alone.memory);
-        all.stride = system.stride(all.dt, <S as Scheme<Together<L, D>>>::SHARE);
-        <S as Scheme<Together<L, D>>>::pace(self, system, &all.stride, &mut all.workspace);
+        all.stride = system.stride(all.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
+        <S as Scheme<Together<L, D, W>>>::pace(self, system, &all.stride, &mut all.workspace);
     }
 
-    fn advance(&self, system: &Together<L, D>, all: &mut Even<L, S, D>, steps: u64, cost: &mut Cost) -> Option<u64> {
+    fn advance(
+        &self,
+        system: &Together<L, D, W>,
+        all: &mut Even<L, S, D, W>,
+        steps: u64,
+        cost: &mut Cost<W>,
+    ) -> Option<u64> {
         let Even { stride, workspace, start, dt, .. } = all;
         let (mut made, mut memory) = (all.made, all.memory.clone());
-        let (mut evaluations, mut iterations) = (Ride::ZERO, 0);
+        let (mut evaluations, mut iterations) = (Rows::<W>::ZERO, 0);
         for _ in 0..steps {
             let effort = self.step(system, stride, *start + made * *dt, &mut memory, workspace).ok()?;
-            evaluations += <S as Scheme<Together<L, D>>>::evaluations(self, &effort, workspace);
+            evaluations += <S as Scheme<Together<L, D, W>>>::evaluations(self, &effort, workspace);
             iterations += effort.iterations;
-            made += Ride::ONE;
+            made += Rows::<W>::ONE;
         }
-        if !<S as Scheme<Together<L, D>>>::finite(self, &memory) {
+        if !<S as Scheme<Together<L, D, W>>>::finite(self, &memory) {
             return None;
         }
         (all.memory, all.made) = (memory, made);
@@ -148,57 +153,67 @@ impl<L: Fields<D>, S: BySide<L, D>, const D: usize> InLanes<L, D> for S {
         Some(steps)
     }
 
-    fn lane(&self, all: &Even<L, S, D>, lane: usize) -> <S as Scheme<Particle<L, D>>>::Memory {
+    fn lane(&self, all: &Even<L, S, D, W>, lane: usize) -> <S as Scheme<Particle<L, D>>>::Memory {
         all.memory.lane(lane)
     }
 
-    fn state(&self, system: &Together<L, D>, all: &Even<L, S, D>) -> (Ride, [[Ride; D]; 2]) {
+    fn state(&self, system: &Together<L, D, W>, all: &Even<L, S, D, W>) -> (Rows<W>, [[Rows<W>; D]; 2]) {
         let (t, Even { stride, memory, .. }) = (all.t(), all);
-        let q = *<S as Scheme<Together<L, D>>>::position(self, memory);
+        let q = *<S as Scheme<Together<L, D, W>>>::position(self, memory);
         (t, [q, self.velocity(system, stride, t, memory)])
     }
 
-    fn own_energy(&self, system: &Together<L, D>, all: &Even<L, S, D>) -> Option<Ride> {
+    fn own_energy(&self, system: &Together<L, D, W>, all: &Even<L, S, D, W>) -> Option<Rows<W>> {
         self.discrete_energy(system, all.t(), &all.memory)
     }
 }
 
 /// Members with steps that follow the motion of each.
-pub struct Paced<L: Fields<D>, S: BySide<L, D>, const D: usize> {
-    stride: Stride<L, D>,
-    memory: Memory<L, S, D>,
-    workspace: Workspace<L, S, D>,
-    pacing: Pacing<Ride>,
-    longest: Ride,
+pub struct Paced<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> {
+    stride: Stride<L, D, W>,
+    memory: Memory<L, S, D, W>,
+    workspace: Workspace<L, S, D, W>,
+    pacing: Pacing<Rows<W>>,
+    longest: Rows<W>,
 }
 
-impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> for Adaptive<S> {
-    type All = Paced<L, S, D>;
+impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usize> InLanes<L, D, W> for Adaptive<S> {
+    type All = Paced<L, S, D, W>;
 
-    fn gather<'a>(&self, system: &Together<L, D>, alone: &impl Fn(usize) -> &'a Alone<L, Self, D>) -> Paced<L, S, D>
+    fn gather<'a>(
+        &self,
+        system: &Together<L, D, W>,
+        alone: &impl Fn(usize) -> &'a Alone<L, Self, D>,
+    ) -> Paced<L, S, D, W>
     where
         L: 'a,
         S: 'a,
     {
-        let pacing: Pacing<Ride> = ByLane::of(&|lane| &alone(lane).memory.pacing);
-        let stride = system.stride(pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
+        let pacing: Pacing<Rows<W>> = ByLane::of(&|lane| &alone(lane).memory.pacing);
+        let stride = system.stride(pacing.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
         let scheme = self.inner();
         let mut workspace = scheme.workspace(system, &stride);
-        <S as Scheme<Together<L, D>>>::watch(&scheme, <S as Scheme<Together<L, D>>>::SEES_ROUGH, &mut workspace);
+        <S as Scheme<Together<L, D, W>>>::watch(&scheme, <S as Scheme<Together<L, D, W>>>::SEES_ROUGH, &mut workspace);
         let memory = ByLane::of(&|lane| &alone(lane).memory.inner);
-        Paced { stride, memory, workspace, pacing, longest: Ride::from_fn(|lane| alone(lane).dt) }
+        Paced { stride, memory, workspace, pacing, longest: Rows::<W>::from_fn(|lane| alone(lane).dt) }
     }
 
-    fn seat(&self, system: &Together<L, D>, all: &mut Paced<L, S, D>, lane: usize, alone: &Alone<L, Self, D>) {
+    fn seat(&self, system: &Together<L, D, W>, all: &mut Paced<L, S, D, W>, lane: usize, alone: &Alone<L, Self, D>) {
         let (scheme, memory) = (self.inner(), &alone.memory);
         all.pacing.set(lane, &memory.pacing);
         all.memory.set(lane, &memory.inner);
         all.longest[lane] = alone.dt;
-        all.stride = system.stride(all.pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
+        all.stride = system.stride(all.pacing.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
         scheme.pace(system, &all.stride, &mut all.workspace);
     }
 
-    fn advance(&self, system: &Together<L, D>, all: &mut Paced<L, S, D>, steps: u64, cost: &mut Cost) -> Option<u64> {
+    fn advance(
+        &self,
+        system: &Together<L, D, W>,
+        all: &mut Paced<L, S, D, W>,
+        steps: u64,
+        cost: &mut Cost<W>,
+    ) -> Option<u64> {
         let (scheme, mut spent) = (self.inner(), *cost);
         let (mut memory, mut pacing) = (all.memory.clone(), all.pacing);
         let Paced { stride, workspace, longest, .. } = all;
@@ -208,55 +223,55 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D>, const D: usize> InLanes<L, D> fo
                 return None;
             }
             let t = pacing.time.value();
-            if !Together::<L, D>::dt(stride).equal(pacing.dt).all() {
-                system.set_stride(stride, pacing.dt, <S as Scheme<Together<L, D>>>::SHARE);
+            if !Together::<L, D, W>::dt(stride).equal(pacing.dt).all() {
+                system.set_stride(stride, pacing.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
                 scheme.pace(system, stride, workspace);
             }
             let ratio = pacing.ratio();
-            let same = ratio.equal(Ride::ONE);
-            if <S as Scheme<Together<L, D>>>::STRETCHES && !same.all() {
+            let same = ratio.equal(Rows::<W>::ONE);
+            if <S as Scheme<Together<L, D, W>>>::STRETCHES && !same.all() {
                 let before = same.any().then(|| memory.clone());
                 let stretched = scheme.stretch(system, stride, t, ratio, &mut memory, workspace);
                 if let Some(before) = before {
                     memory.put(same, &before);
                 }
-                spent.evaluations += Ride::either(same, Ride::ZERO, Ride::from_f64(stretched.into()));
+                spent.evaluations += Rows::<W>::either(same, Rows::<W>::ZERO, Rows::<W>::from_f64(stretched.into()));
             }
             let effort = scheme.step(system, stride, t, &mut memory, workspace).ok()?;
-            let evaluations = <S as Scheme<Together<L, D>>>::evaluations(&scheme, &effort, workspace);
+            let evaluations = <S as Scheme<Together<L, D, W>>>::evaluations(&scheme, &effort, workspace);
             spent.add(evaluations, effort.iterations);
             let due = self.made(&mut pacing);
             if due.any() {
                 let end = pacing.time.value();
-                let q = <S as Scheme<Together<L, D>>>::position(&scheme, &memory);
+                let q = <S as Scheme<Together<L, D, W>>>::position(&scheme, &memory);
                 let v = scheme.velocity(system, stride, end, &memory);
                 let look = system.look_along(end, *q, v, self.least(*longest));
-                spent.evaluations += Ride::either(due, Ride::from_f64(EVALUATIONS.into()), Ride::ZERO);
+                spent.evaluations += Rows::<W>::either(due, Rows::<W>::from_f64(EVALUATIONS.into()), Rows::<W>::ZERO);
                 self.looked(&look, due, &mut pacing);
             }
             self.plan(*longest, &mut pacing);
             made += 1;
         }
-        if !<S as Scheme<Together<L, D>>>::finite(&scheme, &memory) {
+        if !<S as Scheme<Together<L, D, W>>>::finite(&scheme, &memory) {
             return None;
         }
         (all.memory, all.pacing, *cost) = (memory, pacing, spent);
         Some(made)
     }
 
-    fn lane(&self, all: &Paced<L, S, D>, lane: usize) -> <Self as Scheme<Particle<L, D>>>::Memory {
+    fn lane(&self, all: &Paced<L, S, D, W>, lane: usize) -> <Self as Scheme<Particle<L, D>>>::Memory {
         crate::scheme::AdaptiveMemory { inner: all.memory.lane(lane), pacing: all.pacing.lane(lane) }
     }
 
-    fn state(&self, system: &Together<L, D>, all: &Paced<L, S, D>) -> (Ride, [[Ride; D]; 2]) {
+    fn state(&self, system: &Together<L, D, W>, all: &Paced<L, S, D, W>) -> (Rows<W>, [[Rows<W>; D]; 2]) {
         let (scheme, Paced { stride, memory, pacing, .. }) = (self.inner(), all);
         let t = pacing.time.value();
-        let q = *<S as Scheme<Together<L, D>>>::position(&scheme, memory);
+        let q = *<S as Scheme<Together<L, D, W>>>::position(&scheme, memory);
         (t, [q, scheme.velocity(system, stride, t, memory)])
     }
 
-    fn at_the_end(&self, all: &Paced<L, S, D>) -> Option<Ride> {
+    fn at_the_end(&self, all: &Paced<L, S, D, W>) -> Option<Rows<W>> {
         let arrived = self.has_arrived(&all.pacing);
-        arrived.any().then(|| Ride::either(arrived, Ride::ONE, Ride::ZERO))
+        arrived.any().then(|| Rows::<W>::either(arrived, Rows::<W>::ONE, Rows::<W>::ZERO))
     }
 }

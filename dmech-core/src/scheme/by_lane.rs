@@ -1,12 +1,11 @@
 //! What members carry side by side, one in each lane.
 
-use dmech_scalar::{CompensatedVector, Lanes, Real};
+use dmech_scalar::{CompensatedVector, Lanes, Real, Rows, RowsMask};
 
 use crate::invariant::Drift;
-use crate::ride::Ride;
 
-/// Values of a kind, one in each lane.
-pub trait ByLane<T> {
+/// Values of a kind, one in each lane of W rows.
+pub trait ByLane<T, const W: usize> {
     /// Of one by one.
     fn of<'a>(one: &impl Fn(usize) -> &'a T) -> Self
     where
@@ -16,13 +15,13 @@ pub trait ByLane<T> {
     /// Another in a lane.
     fn set(&mut self, lane: usize, one: &T);
     /// Those of another where the mask holds.
-    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self);
+    fn put(&mut self, which: RowsMask<W>, other: &Self);
 }
 
-impl ByLane<f64> for Ride {
+impl<const W: usize> ByLane<f64, W> for Rows<W> {
     #[inline(always)]
     fn of<'a>(one: &impl Fn(usize) -> &'a f64) -> Self {
-        Ride::from_fn(|lane| *one(lane))
+        Rows::<W>::from_fn(|lane| *one(lane))
     }
     #[inline(always)]
     fn lane(&self, lane: usize) -> f64 {
@@ -33,15 +32,15 @@ impl ByLane<f64> for Ride {
         self[lane] = *one;
     }
     #[inline(always)]
-    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
-        *self = Ride::either(which, *other, *self);
+    fn put(&mut self, which: RowsMask<W>, other: &Self) {
+        *self = Rows::<W>::either(which, *other, *self);
     }
 }
 
 /// The stages of one stand in lanes, those of several one after another.
-impl ByLane<Lanes> for [Ride; Lanes::COUNT] {
+impl<const W: usize> ByLane<Lanes, W> for [Rows<W>; Lanes::COUNT] {
     fn of<'a>(one: &impl Fn(usize) -> &'a Lanes) -> Self {
-        core::array::from_fn(|stage| Ride::from_fn(|lane| one(lane)[stage]))
+        core::array::from_fn(|stage| Rows::<W>::from_fn(|lane| one(lane)[stage]))
     }
     fn lane(&self, lane: usize) -> Lanes {
         Lanes::from_fn(|stage| self[stage][lane])
@@ -49,12 +48,12 @@ impl ByLane<Lanes> for [Ride; Lanes::COUNT] {
     fn set(&mut self, lane: usize, one: &Lanes) {
         self.iter_mut().enumerate().for_each(|(stage, own)| own[lane] = one[stage]);
     }
-    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
-        self.iter_mut().zip(other).for_each(|(own, other)| ByLane::<f64>::put(own, which, other));
+    fn put(&mut self, which: RowsMask<W>, other: &Self) {
+        self.iter_mut().zip(other).for_each(|(own, other)| ByLane::<f64, W>::put(own, which, other));
     }
 }
 
-impl<A: ByLane<T>, T, const N: usize> ByLane<[T; N]> for [A; N] {
+impl<A: ByLane<T, W>, T, const N: usize, const W: usize> ByLane<[T; N], W> for [A; N] {
     fn of<'a>(one: &impl Fn(usize) -> &'a [T; N]) -> Self
     where
         T: 'a,
@@ -68,12 +67,12 @@ impl<A: ByLane<T>, T, const N: usize> ByLane<[T; N]> for [A; N] {
         self.iter_mut().zip(one).for_each(|(own, one)| own.set(lane, one));
     }
     #[inline(always)]
-    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+    fn put(&mut self, which: RowsMask<W>, other: &Self) {
         self.iter_mut().zip(other).for_each(|(own, other)| own.put(which, other));
     }
 }
 
-impl<const D: usize> ByLane<CompensatedVector<D, f64>> for CompensatedVector<D, Ride> {
+impl<const D: usize, const W: usize> ByLane<CompensatedVector<D, f64>, W> for CompensatedVector<D, Rows<W>> {
     fn of<'a>(one: &impl Fn(usize) -> &'a CompensatedVector<D, f64>) -> Self {
         CompensatedVector { hi: ByLane::of(&|lane| &one(lane).hi), lo: ByLane::of(&|lane| &one(lane).lo) }
     }
@@ -85,15 +84,15 @@ impl<const D: usize> ByLane<CompensatedVector<D, f64>> for CompensatedVector<D, 
         self.lo.set(lane, &one.lo);
     }
     #[inline(always)]
-    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+    fn put(&mut self, which: RowsMask<W>, other: &Self) {
         self.hi.put(which, &other.hi);
         self.lo.put(which, &other.lo);
     }
 }
 
-impl ByLane<Drift> for Drift<Ride> {
+impl<const W: usize> ByLane<Drift, W> for Drift<Rows<W>> {
     fn of<'a>(one: &impl Fn(usize) -> &'a Drift) -> Self {
-        Drift::by_field(|field| Ride::from_fn(|lane| one(lane).fields()[field]))
+        Drift::by_field(|field| Rows::<W>::from_fn(|lane| one(lane).fields()[field]))
     }
     fn lane(&self, lane: usize) -> Drift {
         let all = self.each_field();
@@ -102,9 +101,9 @@ impl ByLane<Drift> for Drift<Ride> {
     fn set(&mut self, lane: usize, one: &Drift) {
         self.each_field_mut().into_iter().zip(one.fields()).for_each(|(all, own)| all[lane] = own);
     }
-    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
+    fn put(&mut self, which: RowsMask<W>, other: &Self) {
         let (own, other) = (self.fields(), other.fields());
-        *self = Drift::by_field(|field| Ride::either(which, other[field], own[field]));
+        *self = Drift::by_field(|field| Rows::<W>::either(which, other[field], own[field]));
     }
 }
 
@@ -113,14 +112,14 @@ impl ByLane<Drift> for Drift<Ride> {
 macro_rules! by_lane {
     ($($name:ident $(<const $n:ident>)? $(of $system:ident with $more:ident)? { $($field:ident),* } $(all { $($same:ident),* })?
         $(afresh { $($new:ident),* })?;)*) => {$(
-        impl<A, B, $(const $n: usize)?> crate::scheme::by_lane::ByLane<$name<B $(, $n)?>> for $name<A $(, $n)?>
+        impl<A, B, $(const $n: usize,)? const W: usize> crate::scheme::by_lane::ByLane<$name<B $(, $n)?>, W> for $name<A $(, $n)?>
         where
             A: crate::system::System<
-                Scalar: crate::scheme::by_lane::ByLane<B::Scalar>,
-                Vector: crate::scheme::by_lane::ByLane<B::Vector>,
-                Sum: crate::scheme::by_lane::ByLane<B::Sum>,
-                Work: crate::scheme::by_lane::ByLane<B::Work>,
-            > $(+ crate::system::$system<$more: crate::scheme::by_lane::ByLane<B::$more>>)?,
+                Scalar: crate::scheme::by_lane::ByLane<B::Scalar, W>,
+                Vector: crate::scheme::by_lane::ByLane<B::Vector, W>,
+                Sum: crate::scheme::by_lane::ByLane<B::Sum, W>,
+                Work: crate::scheme::by_lane::ByLane<B::Work, W>,
+            > $(+ crate::system::$system<$more: crate::scheme::by_lane::ByLane<B::$more, W>>)?,
             B: crate::system::System $(+ crate::system::$system)?,
         {
             fn of<'a>(one: &impl Fn(usize) -> &'a $name<B $(, $n)?>) -> Self
@@ -144,7 +143,7 @@ macro_rules! by_lane {
                 $(crate::scheme::by_lane::ByLane::set(&mut self.$field, lane, &one.$field);)*
             }
             #[inline(always)]
-            fn put(&mut self, which: <crate::ride::Ride as dmech_scalar::Real>::Mask, other: &Self) {
+            fn put(&mut self, which: dmech_scalar::RowsMask<W>, other: &Self) {
                 $(crate::scheme::by_lane::ByLane::put(&mut self.$field, which, &other.$field);)*
             }
         }

@@ -5,7 +5,7 @@ use std::thread::sleep;
 use super::message::{Arrived, Order, Report, SetUp, read, write};
 use super::{PATIENCE, Ranks};
 use crate::ensemble::Rides;
-use crate::ensemble::plan::{Moved, Plan, Rows};
+use crate::ensemble::plan::{Moved, Plan, Ranges};
 use crate::ensemble::share::{Board, with_hands};
 use crate::error::Error;
 use crate::law::Fields;
@@ -38,7 +38,7 @@ where
 /// Whether the first rank has all.
 fn obey<R: Ranks + ?Sized, const D: usize>(
     ranks: &R,
-    board: &Board<Rows, Moved<State<D>>>,
+    board: &Board<Ranges, Moved<State<D>>>,
     tell: &impl Fn(&Report<D>),
 ) -> Result<bool, Error> {
     loop {

@@ -3,7 +3,7 @@
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::ensemble::plan::{Moved, Plan, Rows};
+use crate::ensemble::plan::{Moved, Plan, Ranges};
 use crate::ensemble::{Checksum, Outcome, Rides};
 use crate::error::Error;
 use crate::law::{Fields, Numbers};
@@ -42,7 +42,7 @@ pub(super) struct Lengths {
 }
 
 impl Lengths {
-    pub(super) fn of(rows: &Rows) -> Self {
+    pub(super) fn of(rows: &Ranges) -> Self {
         let first = rows.first().map_or(0, |row| row.start);
         let ends = rows.iter().flat_map(|row| [row.start, row.end]).skip(1);
         // A block has 512 members at most.
@@ -50,12 +50,12 @@ impl Lengths {
         Lengths { first, lengths }
     }
 
-    pub(super) fn rows(self) -> Rows {
+    pub(super) fn rows(self) -> Ranges {
         let mut ends = self.lengths.iter().scan(self.first, |last, &length| {
             *last += usize::from(length);
             Some(*last)
         });
-        let (mut rows, mut start) = (Rows::new(), self.first);
+        let (mut rows, mut start) = (Ranges::new(), self.first);
         while let Some(end) = ends.next() {
             rows.push(start..end);
             start = ends.next().unwrap_or(end);

@@ -7,7 +7,7 @@ use super::message::{Lengths, Order, Report, SetUp, home, read, write};
 use super::{PATIENCE, Ranks};
 use crate::ensemble::Rides;
 use crate::ensemble::in_order::Aides;
-use crate::ensemble::plan::{Moved, Plan, Rows};
+use crate::ensemble::plan::{Moved, Plan, Ranges};
 use crate::ensemble::share::Board;
 use crate::error::Error;
 use crate::law::Fields;
@@ -56,7 +56,7 @@ where
     }
 }
 
-impl<R, L, S, O, const D: usize> Aides<Rows, Moved<State<D>>> for Relay<'_, R, L, S, O, D>
+impl<R, L, S, O, const D: usize> Aides<Ranges, Moved<State<D>>> for Relay<'_, R, L, S, O, D>
 where
     R: Ranks + ?Sized,
     L: Fields<D>,
@@ -73,7 +73,7 @@ where
         self.hands
     }
 
-    fn attend(&mut self, board: &Board<Rows, Moved<State<D>>>) -> Result<(), Error> {
+    fn attend(&mut self, board: &Board<Ranges, Moved<State<D>>>) -> Result<(), Error> {
         while let Some((rank, report)) = self.next()? {
             match report {
                 Report::Here { set_up, hands } => self.greet(rank, set_up, hands)?,

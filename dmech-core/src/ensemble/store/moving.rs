@@ -4,7 +4,7 @@ use core::ops::Range;
 use std::path::Path;
 
 use super::kept::Store;
-use crate::ensemble::plan::{Keep, Moved, Plan, Rows};
+use crate::ensemble::plan::{Keep, Moved, Plan, Ranges};
 use crate::ensemble::{Checksum, Outcome, Rides};
 use crate::error::Error;
 use crate::law::Fields;
@@ -39,8 +39,8 @@ where
     S: Rides<L, D> + Sync,
     O: Attend<State<D>>,
 {
-    fn missing(&self, members: Range<usize>) -> Rows {
-        let mut rows = Rows::new();
+    fn missing(&self, members: Range<usize>) -> Ranges {
+        let mut rows = Ranges::new();
         for k in members.filter(|&k| !self.done[k]) {
             match rows.last_mut() {
                 Some(row) if row.end == k => row.end = k + 1,

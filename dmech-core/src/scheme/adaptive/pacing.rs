@@ -1,9 +1,8 @@
 //! Where steps that follow the motion are, for one motion or for several side by side.
 
-use dmech_scalar::{Compensated, Mask, Real};
+use dmech_scalar::{Compensated, Mask, Real, Rows, RowsMask};
 
 use super::Adaptive;
-use crate::ride::Ride;
 use crate::scheme::{Adaptable, ByLane};
 use crate::system::Look;
 
@@ -94,15 +93,15 @@ impl<S: Adaptable> Adaptive<S> {
     }
 }
 
-impl ByLane<Pacing> for Pacing<Ride> {
+impl<const W: usize> ByLane<Pacing, W> for Pacing<Rows<W>> {
     fn of<'a>(one: &impl Fn(usize) -> &'a Pacing) -> Self {
-        let of = |field: fn(&Pacing) -> f64| Ride::from_fn(|lane| field(one(lane)));
+        let of = |field: fn(&Pacing) -> f64| Rows::<W>::from_fn(|lane| field(one(lane)));
         Pacing {
             density: of(|pacing| pacing.density),
             last: of(|pacing| pacing.last),
             dt: of(|pacing| pacing.dt),
             left: of(|pacing| pacing.left),
-            landing: of(|pacing| f64::from(pacing.landing)).equal(Ride::ONE),
+            landing: of(|pacing| f64::from(pacing.landing)).equal(Rows::<W>::ONE),
             time: Compensated { hi: of(|pacing| pacing.time.hi), lo: of(|pacing| pacing.time.lo) },
             range: [of(|pacing| pacing.range[0]), of(|pacing| pacing.range[1])],
         }
@@ -115,15 +114,15 @@ impl ByLane<Pacing> for Pacing<Ride> {
             last: last[lane],
             dt: dt[lane],
             left: left[lane],
-            landing: Ride::either(landing, Ride::ONE, Ride::ZERO)[lane] > 0.0,
+            landing: Rows::<W>::either(landing, Rows::<W>::ONE, Rows::<W>::ZERO)[lane] > 0.0,
             time: Compensated { hi: hi[lane], lo: lo[lane] },
             range: range.map(|step| step[lane]),
         }
     }
     fn set(&mut self, lane: usize, one: &Pacing) {
-        let mut landing = Ride::either(self.landing, Ride::ONE, Ride::ZERO);
+        let mut landing = Rows::<W>::either(self.landing, Rows::<W>::ONE, Rows::<W>::ZERO);
         landing[lane] = f64::from(one.landing);
-        self.landing = landing.equal(Ride::ONE);
+        self.landing = landing.equal(Rows::<W>::ONE);
         self.density[lane] = one.density;
         self.last[lane] = one.last;
         self.dt[lane] = one.dt;
@@ -132,9 +131,11 @@ impl ByLane<Pacing> for Pacing<Ride> {
         self.range.set(lane, &one.range);
     }
 
-    fn put(&mut self, which: <Ride as Real>::Mask, other: &Self) {
-        (0..Ride::COUNT).filter(|&lane| Ride::either(which, Ride::ONE, Ride::ZERO)[lane] > 0.0).for_each(|lane| {
-            self.set(lane, &other.lane(lane));
-        });
+    fn put(&mut self, which: RowsMask<W>, other: &Self) {
+        (0..Rows::<W>::COUNT)
+            .filter(|&lane| Rows::<W>::either(which, Rows::<W>::ONE, Rows::<W>::ZERO)[lane] > 0.0)
+            .for_each(|lane| {
+                self.set(lane, &other.lane(lane));
+            });
     }
 }

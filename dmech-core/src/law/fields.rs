@@ -38,9 +38,9 @@ pub trait Fields<const D: usize>: Law<D> {
 ///
 /// `#[dmech::law]` writes it.
 #[diagnostic::on_unimplemented(
-    message = "the numbers of `{Self}` cannot stand side by side with those of other members",
+    message = "a scene under `{Self}` cannot be one law",
     label = "not a law between bodies in {D} dimensions that `#[dmech::law]` has written",
-    note = "scenes under laws by hand, `Option`s of laws, cut-offs and listed bonds ride alone: `Ensemble::each(n, |k| Simulation::scene(…)…)`"
+    note = "laws by hand, `Option`s of laws and cut-offs remain with the scene: `Simulation::scene(…)`, and for many scenes `Ensemble::each(n, |k| …)`"
 )]
 pub trait PairFields<const D: usize, P>: PairLaw<D, P> {
     /// `[f64; N]`.

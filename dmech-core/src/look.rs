@@ -306,6 +306,9 @@ impl<const D: usize, R: Real> Course<D, R> {
 }
 
 impl<const D: usize, R: Real> Stiffness<D, R> {
+    /// Nothing acts.
+    pub const NONE: Self = Stiffness { by_position: [[R::ZERO; D]; D], damping: R::ZERO };
+
     /// Of what acts on one body at a time.
     #[inline(always)]
     pub fn of<F: Field<D, R>>(field: &F, mass: R, t: R, q: [R; D], v: [R; D]) -> Self {

@@ -46,9 +46,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> Setup<L> for State<D, R> {
     }
 
     fn system(self, law: L, mass: f64, dt: f64) -> Result<Particle<L, D, R>, Error> {
-        if let Some(cause) = law.refused() {
-            return Err(cause);
-        }
         let particle = Particle::new(law, mass);
         particle.check_masses(mass)?;
         particle.check(&self)?;

@@ -2,7 +2,7 @@
 
 use dmech::SceneError;
 use dmech::extend::{Field, Law, Potential};
-use dmech::models::pairs::Gravity;
+use dmech::models::pairs::{Gravity, Spring};
 use dmech::prelude::*;
 use dmech::scene::{AmongFew, FewBodies};
 
@@ -130,6 +130,43 @@ fn few_bodies_in_double_double() {
     let run = Simulation::new(law, start).scheme(Gauss::order16()).dt(0.005).record_every(50).run(400).unwrap();
     let drift = run.drift(Invariant::Energy).unwrap();
     assert!(drift.max_abs() < 1e-27, "{drift:?}");
+}
+
+/// A mass beside those of the bodies is that of bodies as much heavier, in the time scale too.
+#[test]
+fn a_mass_multiplies_those_of_the_bodies() {
+    let chain = |m: f64| {
+        let bodies = Scene::new().body(1.3 * m, [0.0], [0.0]).body(0.7 * m, [1.1], [0.2]).body(2.1 * m, [1.9], [0.0]);
+        bodies.chain(Spring { k: 4.0, length: 1.0 }).as_law::<3, 3>()
+    };
+    for m in [1e-4, 0.37, 1e4] {
+        let run = |law: FewBodies<_, 1, 3, 3>, mass: f64| {
+            let simulation = Simulation::new(law, law.start()).mass(mass).scheme(Nystrom::order6());
+            simulation.adaptive(1e-8).record_every(1000).run_until(1.0).unwrap()
+        };
+        let [beside, within] = [run(chain(1.0), m), run(chain(m), 1.0)];
+        assert_eq!(beside.steps(), within.steps(), "{m}");
+        let apart = (0..3).map(|i| (beside.last().q[i] - within.last().q[i]).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-10, "{m}: {apart:e}");
+    }
+}
+
+/// A law that may be there is stepped as it is, past encounters too; one that cannot be run says so on the way.
+#[test]
+fn one_that_may_be_there() {
+    let scene = |bodies: usize| {
+        let scene = Scene::new().body(1.0, [0.0, 0.0], [0.0, 0.0]).body(0.01, [-3.0, 1e-3], [2.0, 0.0]);
+        (2..bodies).fold(scene, |scene, _| scene.body(1e-3, [5.0, 5.0], [0.1, 0.0])).pairs(Gravity { g: 1.0 })
+    };
+    let law = scene(3).as_law::<3, 6>();
+    let alone = Simulation::new(law, law.start()).scheme(Gauss::order16()).adaptive(1e-4).run_until(3.0).unwrap();
+    let perhaps = Simulation::new(Some(law), law.start()).scheme(Gauss::order16()).adaptive(1e-4);
+    let perhaps = perhaps.run_until(3.0).unwrap();
+    assert_eq!((alone.last(), alone.steps()), (perhaps.last(), perhaps.steps()));
+    let mut stepper = Simulation::new(law, law.start()).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    stepper.advance(3).unwrap();
+    *stepper.law_mut() = scene(2).as_law::<3, 6>();
+    assert_eq!(stepper.advance(1).unwrap_err(), SceneError::NotSoMany { bodies: 2, declared: 3 }.into());
 }
 
 #[test]

@@ -127,14 +127,16 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         })
     }
 
-    /// ω of the linearised motion along a course that begins at t, of what acts at times from then, and how it grows.
+    /// ω of the linearised motion along a course that begins at t, of what acts at times from then, if anything does, and how it
+    /// grows.
     #[doc(hidden)]
     #[inline(always)]
-    fn frequency(from_now: impl Fn(R) -> Self, mass: R, t: R, course: Course<D, R>) -> Frequency<R>
+    fn frequency(from_now: impl Fn(R) -> Option<Self>, mass: R, t: R, course: Course<D, R>) -> Frequency<R>
     where
         Self: Sized,
     {
-        Frequency::of(course, |s, q, v| Stiffness::of(&from_now(s), mass, t + s, q, v))
+        let of = |s, q, v| from_now(s).map_or(Stiffness::NONE, |field| Stiffness::of(&field, mass, t + s, q, v));
+        Frequency::of(course, of)
     }
 
     /// ∇Φ − F at the end of a step.

@@ -9,6 +9,7 @@ use super::{
     VelocityIndependent,
 };
 use crate::error::Error;
+use crate::look::{Course, Frequency};
 use crate::newton::{self, Equation, Increment, NotConverged};
 
 /// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
@@ -138,6 +139,9 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Option<F> {
     }
     fn workless_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         self.as_ref().map_or_else(|| free(equation), |field| field.workless_increment(equation))
+    }
+    fn frequency(from_now: impl Fn(R) -> Option<Self>, mass: R, t: R, course: Course<D, R>) -> Frequency<R> {
+        F::frequency(|s| from_now(s).flatten(), mass, t, course)
     }
     fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
         self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.end_slope(b, v, t))

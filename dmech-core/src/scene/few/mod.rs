@@ -27,19 +27,19 @@ use crate::system::{LinearVelocities, WithoutVelocities};
 ///
 /// The loops of a [`Scene`] are over as many bodies as there are; here their number is in the type, and a step is code made for it. It
 /// is stepped as other laws are: in any scalar, and side by side with others in the lanes of an [ensemble](crate::Ensemble::scene).
-/// Masses are those of the bodies, with a [`mass`](crate::Simulation::mass) that stays 1; momenta are sums over the bodies. It is the
-/// same motion as that of the scene, in other roundings.
+/// Masses are those of the bodies; a [`mass`](crate::Simulation::mass) beside them multiplies their inertia, and not what laws read of
+/// them. Momenta are sums over the bodies. It is the same motion as that of the scene, in other roundings.
 pub struct FewBodies<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> {
     numbers: A::Numbers,
     masses: [f64; N],
-    start: State<K>,
+    first: State<K>,
     refused: Option<Error>,
 }
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodies<A, D, N, K> {
     /// Where the bodies of the scene are.
     pub fn start(&self) -> State<K> {
-        self.start
+        self.first
     }
 
     fn of<P, L: Term<D, P, Ready = A>>(scene: Scene<D, P, L>) -> Result<Self, Error> {
@@ -53,7 +53,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodie
             return Err(SceneError::NotFree { body }.into());
         }
         let [q, v] = [bodies.q, bodies.v].map(|list| from_fn(|i| list[i / D][i % D]));
-        Ok(FewBodies { numbers: acts.numbers(), masses, start: State { t, q, v }, refused: None })
+        Ok(FewBodies { numbers: acts.numbers(), masses, first: State { t, q, v }, refused: None })
     }
 }
 
@@ -66,7 +66,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Clone fo
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> core::fmt::Debug for FewBodies<A, D, N, K> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("FewBodies").field("masses", &self.masses).field("start", &self.start).finish_non_exhaustive()
+        f.debug_struct("FewBodies").field("masses", &self.masses).field("start", &self.first).finish_non_exhaustive()
     }
 }
 
@@ -85,7 +85,7 @@ impl<const D: usize, P, L: Term<D, P>> Scene<D, P, L> {
         FewBodies::of(self).unwrap_or_else(|cause| FewBodies {
             numbers: Numbers::from_list(|_| f64::NAN),
             masses: [f64::NAN; N],
-            start: State { t: f64::NAN, q: [f64::NAN; K], v: [f64::NAN; K] },
+            first: State { t: f64::NAN, q: [f64::NAN; K], v: [f64::NAN; K] },
             refused: Some(cause),
         })
     }
@@ -94,6 +94,7 @@ impl<const D: usize, P, L: Term<D, P>> Scene<D, P, L> {
 impl<const K: usize> State<K> {
     /// The state of the bodies whose coordinates these are, D of each, body after body: [`Scene::as_law`].
     pub fn bodies<const D: usize>(&self) -> SceneState<D> {
+        const { assert!(K.is_multiple_of(D), "the coordinates are those of whole bodies") };
         let [q, v] = [&self.q, &self.v].map(|x| x.as_chunks().0.to_vec());
         SceneState { t: self.t, q, v }
     }

@@ -93,10 +93,11 @@ impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for O
             }
         }
     }
-    fn frequency(from_now: &impl Fn(R) -> Self, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+    fn frequency(from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         (0..N).fold(Frequency::none(bodies[0].least), |all, i| {
-            let mass = from_now(R::ZERO).masses[i];
-            all.and(Frequency::of(bodies[i], |s, q, v| Stiffness::of(&from_now(s).on(i), mass, t + s, q, v)))
+            let mass = bodies[i].per_mass.recip();
+            let of = |s, q, v| from_now(s).map_or(Stiffness::NONE, |now| Stiffness::of(&now.on(i), mass, t + s, q, v));
+            all.and(Frequency::of(bodies[i], of))
         })
     }
 }
@@ -217,12 +218,12 @@ impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: R
             });
         }
     }
-    fn frequency(from_now: &impl Fn(R) -> Self, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+    fn frequency(from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         let mut all = Frequency::none(bodies[0].least);
         T::visit(N, |a, b| {
             let (on_a, on_b) = (&bodies[a], &bodies[b]);
             let stiffness = |s, d, _| {
-                let now = from_now(s);
+                let Some(now) = from_now(s) else { return Stiffness::NONE };
                 let between = [now.between(a, b, t + s), now.between(b, a, t + s)];
                 link_stiffness(between, s, [on_a, on_b], d)
             };

@@ -131,12 +131,17 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     }
 
     /// As a scene has it, of each link and each body by itself.
-    fn frequency(from_now: impl Fn(R) -> Self, _: R, t: R, course: Course<K, R>) -> Frequency<R> {
+    fn frequency(from_now: impl Fn(R) -> Option<Self>, mass: R, t: R, course: Course<K, R>) -> Frequency<R> {
         let Course { q, v, fall, least, .. } = course;
         let (q, v, fall): (Places<D, N, R>, Places<D, N, R>, Places<D, N, R>) = (bodies(q), bodies(v), bodies(fall));
-        let masses = from_now(R::ZERO).masses;
-        let bodies =
-            core::array::from_fn(|i| Course { q: q[i], v: v[i], fall: fall[i], per_mass: masses[i].recip(), least });
-        A::Moment::<R>::frequency(&|s| from_now(s).acts, t, &bodies)
+        let Some(Whole { masses, .. }) = from_now(R::ZERO) else { return Frequency::none(least) };
+        let bodies = core::array::from_fn(|i| Course {
+            q: q[i],
+            v: v[i],
+            fall: fall[i],
+            per_mass: (mass * masses[i]).recip(),
+            least,
+        });
+        A::Moment::<R>::frequency(&|s| Some(from_now(s)?.acts), t, &bodies)
     }
 }

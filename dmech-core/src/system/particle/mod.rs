@@ -66,8 +66,14 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         &mut self.law
     }
 
+    /// Refuses a law that cannot be run.
+    fn check_law(&self) -> Result<(), Error> {
+        self.law.refused().map_or(Ok(()), Err)
+    }
+
     /// Refuses masses that are not numbers.
     pub(crate) fn check_masses(&self, mass: f64) -> Result<(), Error> {
+        self.check_law()?;
         let positive = |x: f64| x > 0.0 && x.is_finite();
         if !positive(mass) || !positive(self.mass.to_f64()) {
             return Err(Error::Mass { mass });
@@ -368,6 +374,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
 
     fn prepare(&self, start: &State<D, R>, slope: &mut [R; D]) -> Result<(), Error> {
+        self.check_law()?;
         let field = self.field(R::from_f64(start.t));
         let potential = field.potential(start.q);
         if !potential.finite().all() {
@@ -448,6 +455,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         let per_mass = self.mass.recip();
         let fall = self.field(t).slope(q, v).map(|x| -per_mass * x);
         let course = Course { q, v, fall, per_mass, least };
-        <L::Field<'_> as Field<D, R>>::frequency(|s| self.field(t + s), self.mass, t, course).look(least)
+        <L::Field<'_> as Field<D, R>>::frequency(|s| Some(self.field(t + s)), self.mass, t, course).look(least)
     }
 }

@@ -74,10 +74,12 @@ impl Floor {
     }
 }
 
-pub type Rope = Few<(((), OnChain<Link>), OnEach<Floor>), (), 1, 4, 4>;
+type OfRope = (((), OnChain<Link>), OnEach<Floor>);
+
+pub type Rope = Few<OfRope, (), 1, 4, 4>;
 
 /// Four bodies on a line, that fall.
-pub fn rope(k: usize) -> Scene<1, (), (((), OnChain<Link>), OnEach<Floor>)> {
+pub fn rope(k: usize) -> Scene<1, (), OfRope> {
     let a = part(k, 0.41);
     let bodies = (0..4).fold(Scene::new(), |scene, i| {
         let x = f64::from(i);
@@ -163,10 +165,12 @@ impl Trap {
     }
 }
 
-pub type Ions = Few<(((), OnEach<Trap>), OnPairs<Repel>), Ion, 2, 3, 6>;
+type OfIons = (((), OnEach<Trap>), OnPairs<Repel>);
+
+pub type Ions = Few<OfIons, Ion, 2, 3, 6>;
 
 /// Three ions in a trap.
-pub fn ions(k: usize) -> Scene<2, Ion, (((), OnEach<Trap>), OnPairs<Repel>)> {
+pub fn ions(k: usize) -> Scene<2, Ion, OfIons> {
     let a = part(k, 0.23);
     Scene::new()
         .body_with(1.0, [0.9, 0.0], [0.0, 0.3 * a], Ion { charge: 1.0 })

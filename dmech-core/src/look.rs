@@ -205,9 +205,7 @@ impl<R: Real> Frequency<R> {
         let growth = rise / (R::from_f64(12.0) * power * s);
         Look { power: power + passing, passing, s, growth: R::either(growth.finite(), growth, R::ZERO) }
     }
-}
 
-impl<R: Real> Frequency<R> {
     /// Nothing moves faster than `least`.
     pub fn none(least: R) -> Frequency<R> {
         let s = (R::from_f64(ANGLE) / least).min(R::from_f64(1e150));

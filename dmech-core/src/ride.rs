@@ -15,5 +15,8 @@ pub(crate) const WIDE: usize = if cfg!(target_feature = "avx512f") {
 /// The most members that ride side by side.
 pub const LANES: usize = Rows::<WIDE>::COUNT;
 
-/// Coordinates from which one row is faster, as the numbers of a member fill the registers by themselves.
-pub(crate) const MANY: usize = 6;
+/// The rows in which motions of so many coordinates ride: from six on one is faster, as the numbers of a member fill the registers by
+/// themselves.
+pub(crate) const fn rows(coordinates: usize) -> usize {
+    if coordinates < 6 { WIDE } else { 1 }
+}

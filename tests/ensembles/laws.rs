@@ -3,17 +3,12 @@
 use dmech::extend::Fields;
 use dmech::prelude::*;
 
-use dmech_tests::few;
+use dmech_tests::few::{self, part};
 
 /// A law whose members differ in every number.
 pub(crate) trait Many<const D: usize>: Copy + Sync {
     fn member(k: usize) -> Self;
     fn start(k: usize) -> State<D>;
-}
-
-/// A number that differs from member to member, in [0, 1).
-fn part(k: usize, of: f64) -> f64 {
-    (0.37 + of * k as f64).fract()
 }
 
 macro_rules! many {

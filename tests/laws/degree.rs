@@ -6,6 +6,7 @@ use dmech::models::*;
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
 
+use dmech_tests::few::Trap;
 use dmech_tests::{for_each_law, laws};
 
 /// What the system of one particle says, and with it all that hold or borrow the law.
@@ -126,25 +127,6 @@ impl Tide {
     fn energy(&self, q: [f64; 2], m: f64, t: f64) -> f64 {
         let s = q[0] * q[0] - q[1] * q[1];
         if self.k > 0.0 { m * self.k * (self.w * t).sin() } else { m }.sqrt() * s * s / (self.w + t)
-    }
-}
-
-/// v × B in a bowl: the energy is kept, and the potential is a parabola.
-#[derive(Clone, Copy, Debug)]
-struct Trap {
-    k: f64,
-    b: f64,
-}
-
-#[dmech::law]
-impl Trap {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        0.5 * self.k * (q[0] * q[0] + q[1] * q[1])
-    }
-    #[force]
-    fn magnetic(&self, v: [f64; 2]) -> [f64; 2] {
-        [self.b * v[1], -self.b * v[0]]
     }
 }
 

@@ -1,12 +1,13 @@
 //! Few bodies, as a scene and as one law: laws of every kind that a scene tells apart.
 
+use dmech::models::pairs::{Charge, Coulomb};
 use dmech::scene::{FewBodies, OnChain, OnEach, OnPairs, Scene, Term};
 
 /// What the terms `L` make of N bodies in D dimensions, which carry `P`.
 pub type Few<L, P, const D: usize, const N: usize, const K: usize> = FewBodies<<L as Term<D, P>>::Ready, D, N, K>;
 
 /// A number that differs from member to member, in [0, 1).
-fn part(k: usize, of: f64) -> f64 {
+pub fn part(k: usize, of: f64) -> f64 {
     (0.37 + of * k as f64).fract()
 }
 
@@ -127,25 +128,6 @@ pub fn creatures(k: usize) -> Scene<2, Creature, ((), OnPairs<Chase>)> {
         .pairs(Chase { k: 0.4 + 0.1 * a, c: 0.5 })
 }
 
-/// A charge that bodies carry.
-#[derive(Clone, Copy, Debug)]
-pub struct Ion {
-    pub charge: f64,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub struct Repel {
-    pub k: f64,
-}
-
-#[dmech::law]
-impl Repel {
-    #[pair]
-    fn energy(&self, r: f64, a: &Ion, b: &Ion) -> f64 {
-        self.k * a.charge * b.charge / r
-    }
-}
-
 /// A well, and a field B.
 #[derive(Clone, Copy, Debug)]
 pub struct Trap {
@@ -165,17 +147,17 @@ impl Trap {
     }
 }
 
-type OfIons = (((), OnEach<Trap>), OnPairs<Repel>);
+type OfIons = (((), OnEach<Trap>), OnPairs<Coulomb>);
 
-pub type Ions = Few<OfIons, Ion, 2, 3, 6>;
+pub type Ions = Few<OfIons, Charge, 2, 3, 6>;
 
 /// Three ions in a trap.
-pub fn ions(k: usize) -> Scene<2, Ion, OfIons> {
+pub fn ions(k: usize) -> Scene<2, Charge, OfIons> {
     let a = part(k, 0.23);
     Scene::new()
-        .body_with(1.0, [0.9, 0.0], [0.0, 0.3 * a], Ion { charge: 1.0 })
-        .body_with(1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], Ion { charge: 0.7 })
-        .body_with(0.8, [-0.5, -0.9], [0.0, -0.2], Ion { charge: 1.2 + 0.1 * a })
+        .body_with(1.0, [0.9, 0.0], [0.0, 0.3 * a], Charge { q: 1.0 })
+        .body_with(1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], Charge { q: 0.7 })
+        .body_with(0.8, [-0.5, -0.9], [0.0, -0.2], Charge { q: 1.2 + 0.1 * a })
         .field(Trap { k: 1.1 + 0.2 * a, b: 0.9 })
-        .pairs(Repel { k: 0.8 })
+        .pairs(Coulomb { k: 0.8 })
 }

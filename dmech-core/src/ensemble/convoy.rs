@@ -48,8 +48,8 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
 /// What acts on each, by lanes.
 fn together<L: Fields<D>, const D: usize, const W: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D, W> {
     let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
-    let law = Numbered::new(|n| Rows::<W>::from_fn(|lane| of(lane).0.at(n)));
-    Particle::with_mass(law, Rows::<W>::from_fn(|lane| of(lane).1))
+    let law = Numbered::new(|n| Rows::from_fn(|lane| of(lane).0.at(n)));
+    Particle::with_mass(law, Rows::from_fn(|lane| of(lane).1))
 }
 
 impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L, S, D, W> {
@@ -163,7 +163,7 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
     /// Gives each what is in its lane.
     pub(super) fn land_all<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
         seats.iter_mut().enumerate().for_each(|(lane, member)| self.land(lane, member));
-        self.cost.evaluations = Rows::<W>::ZERO;
+        self.cost.evaluations = Rows::ZERO;
     }
 
     /// Gives one what is in its lane.
@@ -224,7 +224,7 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
 
     /// Looks at the invariants of those for whom it is time.
     fn look<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
-        let due = Rows::<W>::from_fn(|lane| self.until_look[lane].min(1) as f64).equal(Rows::<W>::ZERO);
+        let due = Rows::from_fn(|lane| self.until_look[lane].min(1) as f64).equal(Rows::ZERO);
         if !due.any() {
             return;
         }
@@ -274,7 +274,7 @@ struct States<const D: usize, const W: usize> {
 
 impl<const D: usize, const W: usize> Default for States<D, W> {
     fn default() -> Self {
-        States { t: Rows::<W>::ZERO, q: [Rows::<W>::ZERO; D], v: [Rows::<W>::ZERO; D] }
+        States { t: Rows::ZERO, q: [Rows::ZERO; D], v: [Rows::ZERO; D] }
     }
 }
 

@@ -5,9 +5,11 @@ use core::ops::Range;
 use std::thread::available_parallelism;
 use std::time::Duration;
 
+use dmech_scalar::Lanes;
+
 use super::share::{Board, with_hands};
 use crate::error::Error;
-use crate::ride::LANES;
+use crate::ride::{LANES, rows};
 
 /// The most members in a block.
 pub(super) const BLOCK: usize = 512;
@@ -18,7 +20,7 @@ const MOST: usize = 1024;
 /// Blocks that are begun before the first that is not taken, for each who works: what is done and waits needs bounded room.
 const AHEAD: usize = 4;
 
-/// Bytes of one register of each coordinate above which members do not ride on the stack of the caller.
+/// Bytes of one number of each coordinate above which members do not ride on the stack of the caller.
 const LARGE: usize = 1 << 10;
 
 /// Who does the work.
@@ -42,7 +44,7 @@ impl Hands {
 pub(super) struct Blocks {
     members: usize,
     size: usize,
-    /// Many registers of one member are room that the stack of the caller may not have.
+    /// A step takes room that the stack of the caller may not have.
     large: bool,
 }
 
@@ -57,7 +59,7 @@ impl Blocks {
 
     /// The same of members of so many coordinates.
     pub(super) fn of_coordinates(self, coordinates: usize) -> Self {
-        Blocks { large: coordinates * (LANES * size_of::<f64>()) > LARGE, ..self }
+        Blocks { large: coordinates * rows(coordinates) * size_of::<Lanes>() > LARGE, ..self }
     }
 
     fn count(self) -> usize {

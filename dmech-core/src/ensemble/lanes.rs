@@ -3,12 +3,12 @@
 use core::mem::replace;
 use core::ops::Range;
 
+use dmech_scalar::Rows;
+
 use super::convoy::Convoy;
 use super::member::Member;
 use super::rides::{Block, Outcome};
 use super::steps::InLanes;
-use dmech_scalar::Rows;
-
 use crate::law::{Fields, Numbered};
 use crate::run::Attend;
 use crate::scheme::Scheme;

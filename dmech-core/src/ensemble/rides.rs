@@ -8,7 +8,7 @@ use super::lanes::in_lanes;
 use super::steps::InLanes;
 use crate::error::Error;
 use crate::law::{Fields, LinearInVelocity, VelocityIndependent};
-use crate::ride::{MANY, WIDE};
+use crate::ride::{WIDE, rows};
 use crate::run::{Attend, Due, Interrupted, Run, Simulation};
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
@@ -90,7 +90,7 @@ pub trait Rides<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
 
 /// Side by side in W rows of eight lanes, if a step of all has room on the stack of a thread for so many numbers of each. To the
 /// same bits alone, if it has not.
-fn together<L, S, O, const D: usize, const W: usize>(
+fn side_by_side<L, S, O, const D: usize, const W: usize>(
     block: &Block<'_, L, S, O, D>,
     numbers: usize,
 ) -> Vec<Outcome<State<D>>>
@@ -119,15 +119,15 @@ macro_rules! ride {
     // Eight stages stand side by side already.
     (in_lanes_with_stages) => {
         fn ride<O: Attend<State<D>>>(block: &Block<'_, L, Self, O, D>) -> Vec<Outcome<State<D>>> {
-            together::<_, _, _, D, 1>(block, D * D)
+            side_by_side::<_, _, _, D, 1>(block, D * D)
         }
     };
     (by_rows $numbers:expr) => {
         fn ride<O: Attend<State<D>>>(block: &Block<'_, L, Self, O, D>) -> Vec<Outcome<State<D>>> {
-            if const { D < MANY } {
-                together::<_, _, _, D, WIDE>(block, $numbers)
+            if const { rows(D) == 1 } {
+                side_by_side::<_, _, _, D, 1>(block, $numbers)
             } else {
-                together::<_, _, _, D, 1>(block, $numbers)
+                side_by_side::<_, _, _, D, WIDE>(block, $numbers)
             }
         }
     };

@@ -19,7 +19,7 @@ pub struct Cost<const W: usize> {
 }
 
 impl<const W: usize> Cost<W> {
-    pub(super) const NONE: Cost<W> = Cost { evaluations: Rows::<W>::ZERO, iterations: 0 };
+    pub(super) const NONE: Cost<W> = Cost { evaluations: Rows::ZERO, iterations: 0 };
 
     /// The evaluations of one, which are counted from here on.
     pub(super) fn take_evaluations(&mut self, lane: usize) -> u64 {
@@ -106,7 +106,7 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
         L: 'a,
         S: 'a,
     {
-        let dt = Rows::<W>::from_fn(|lane| alone(lane).dt);
+        let dt = Rows::from_fn(|lane| alone(lane).dt);
         let stride = system.stride(dt, <S as Scheme<Together<L, D, W>>>::SHARE);
         let mut workspace = self.workspace(system, &stride);
         <S as Scheme<Together<L, D, W>>>::watch(self, <S as Scheme<Together<L, D, W>>>::SEES_ROUGH, &mut workspace);
@@ -114,9 +114,9 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
             stride,
             memory: ByLane::of(&|lane| &alone(lane).memory),
             workspace,
-            start: Rows::<W>::from_fn(|lane| alone(lane).start.t),
+            start: Rows::from_fn(|lane| alone(lane).start.t),
             dt,
-            made: Rows::<W>::from_fn(|lane| alone(lane).steps as f64),
+            made: Rows::from_fn(|lane| alone(lane).steps as f64),
         }
     }
 
@@ -138,12 +138,12 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
     ) -> Option<u64> {
         let Even { stride, workspace, start, dt, .. } = all;
         let (mut made, mut memory) = (all.made, all.memory.clone());
-        let (mut evaluations, mut iterations) = (Rows::<W>::ZERO, 0);
+        let (mut evaluations, mut iterations) = (Rows::ZERO, 0);
         for _ in 0..steps {
             let effort = self.step(system, stride, *start + made * *dt, &mut memory, workspace).ok()?;
             evaluations += <S as Scheme<Together<L, D, W>>>::evaluations(self, &effort, workspace);
             iterations += effort.iterations;
-            made += Rows::<W>::ONE;
+            made += Rows::ONE;
         }
         if !<S as Scheme<Together<L, D, W>>>::finite(self, &memory) {
             return None;
@@ -195,7 +195,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         let mut workspace = scheme.workspace(system, &stride);
         <S as Scheme<Together<L, D, W>>>::watch(&scheme, <S as Scheme<Together<L, D, W>>>::SEES_ROUGH, &mut workspace);
         let memory = ByLane::of(&|lane| &alone(lane).memory.inner);
-        Paced { stride, memory, workspace, pacing, longest: Rows::<W>::from_fn(|lane| alone(lane).dt) }
+        Paced { stride, memory, workspace, pacing, longest: Rows::from_fn(|lane| alone(lane).dt) }
     }
 
     fn seat(&self, system: &Together<L, D, W>, all: &mut Paced<L, S, D, W>, lane: usize, alone: &Alone<L, Self, D>) {
@@ -228,14 +228,14 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
                 scheme.pace(system, stride, workspace);
             }
             let ratio = pacing.ratio();
-            let same = ratio.equal(Rows::<W>::ONE);
+            let same = ratio.equal(Rows::ONE);
             if <S as Scheme<Together<L, D, W>>>::STRETCHES && !same.all() {
                 let before = same.any().then(|| memory.clone());
                 let stretched = scheme.stretch(system, stride, t, ratio, &mut memory, workspace);
                 if let Some(before) = before {
                     memory.put(same, &before);
                 }
-                spent.evaluations += Rows::<W>::either(same, Rows::<W>::ZERO, Rows::<W>::from_f64(stretched.into()));
+                spent.evaluations += Rows::either(same, Rows::ZERO, Rows::from_f64(stretched.into()));
             }
             let effort = scheme.step(system, stride, t, &mut memory, workspace).ok()?;
             let evaluations = <S as Scheme<Together<L, D, W>>>::evaluations(&scheme, &effort, workspace);
@@ -246,7 +246,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
                 let q = <S as Scheme<Together<L, D, W>>>::position(&scheme, &memory);
                 let v = scheme.velocity(system, stride, end, &memory);
                 let look = system.look_along(end, *q, v, self.least(*longest));
-                spent.evaluations += Rows::<W>::either(due, Rows::<W>::from_f64(EVALUATIONS.into()), Rows::<W>::ZERO);
+                spent.evaluations += Rows::either(due, Rows::from_f64(EVALUATIONS.into()), Rows::ZERO);
                 self.looked(&look, due, &mut pacing);
             }
             self.plan(*longest, &mut pacing);
@@ -272,6 +272,6 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
 
     fn at_the_end(&self, all: &Paced<L, S, D, W>) -> Option<Rows<W>> {
         let arrived = self.has_arrived(&all.pacing);
-        arrived.any().then(|| Rows::<W>::either(arrived, Rows::<W>::ONE, Rows::<W>::ZERO))
+        arrived.any().then(|| Rows::either(arrived, Rows::ONE, Rows::ZERO))
     }
 }

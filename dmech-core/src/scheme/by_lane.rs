@@ -21,7 +21,7 @@ pub trait ByLane<T, const W: usize> {
 impl<const W: usize> ByLane<f64, W> for Rows<W> {
     #[inline(always)]
     fn of<'a>(one: &impl Fn(usize) -> &'a f64) -> Self {
-        Rows::<W>::from_fn(|lane| *one(lane))
+        Rows::from_fn(|lane| *one(lane))
     }
     #[inline(always)]
     fn lane(&self, lane: usize) -> f64 {
@@ -33,14 +33,14 @@ impl<const W: usize> ByLane<f64, W> for Rows<W> {
     }
     #[inline(always)]
     fn put(&mut self, which: RowsMask<W>, other: &Self) {
-        *self = Rows::<W>::either(which, *other, *self);
+        *self = Rows::either(which, *other, *self);
     }
 }
 
 /// The stages of one stand in lanes, those of several one after another.
 impl<const W: usize> ByLane<Lanes, W> for [Rows<W>; Lanes::COUNT] {
     fn of<'a>(one: &impl Fn(usize) -> &'a Lanes) -> Self {
-        core::array::from_fn(|stage| Rows::<W>::from_fn(|lane| one(lane)[stage]))
+        core::array::from_fn(|stage| Rows::from_fn(|lane| one(lane)[stage]))
     }
     fn lane(&self, lane: usize) -> Lanes {
         Lanes::from_fn(|stage| self[stage][lane])
@@ -92,7 +92,7 @@ impl<const D: usize, const W: usize> ByLane<CompensatedVector<D, f64>, W> for Co
 
 impl<const W: usize> ByLane<Drift, W> for Drift<Rows<W>> {
     fn of<'a>(one: &impl Fn(usize) -> &'a Drift) -> Self {
-        Drift::by_field(|field| Rows::<W>::from_fn(|lane| one(lane).fields()[field]))
+        Drift::by_field(|field| Rows::from_fn(|lane| one(lane).fields()[field]))
     }
     fn lane(&self, lane: usize) -> Drift {
         let all = self.each_field();
@@ -103,7 +103,7 @@ impl<const W: usize> ByLane<Drift, W> for Drift<Rows<W>> {
     }
     fn put(&mut self, which: RowsMask<W>, other: &Self) {
         let (own, other) = (self.fields(), other.fields());
-        *self = Drift::by_field(|field| Rows::<W>::either(which, other[field], own[field]));
+        *self = Drift::by_field(|field| Rows::either(which, other[field], own[field]));
     }
 }
 

@@ -84,8 +84,8 @@ impl<const D: usize, P, L: Term<D, P>> Scene<D, P, L> {
         const { assert!(K == N * D, "a scene of N bodies in D dimensions is a law of K = N D coordinates") };
         FewBodies::of(self).unwrap_or_else(|cause| FewBodies {
             numbers: Numbers::from_list(|_| f64::NAN),
-            masses: [f64::NAN; N],
-            first: State { t: f64::NAN, q: [f64::NAN; K], v: [f64::NAN; K] },
+            masses: [1.0; N],
+            first: State::new([0.0; K], [0.0; K]),
             refused: Some(cause),
         })
     }
@@ -126,7 +126,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     #[inline(always)]
     fn field(&self, _: R, t: R) -> Whole<A, D, N, K, R> {
         let numbers = A::Numbers::gather(|k| R::from_f64(self.numbers.at(k)));
-        Whole { acts: A::moment(numbers, t), masses: self.masses.map(R::from_f64), t }
+        Self::moment((numbers, self.masses.map(R::from_f64)), R::ONE, t)
     }
 
     fn refused(&self) -> Option<Error> {

@@ -9,8 +9,8 @@ use super::among::{Among, AmongFew, Places, add_block};
 use crate::law::{Between, Field, Fields, Numbers, PairFields, Potential, Reads};
 use crate::look::{Course, Frequency, Stiffness};
 use crate::scene::space::Open;
-use crate::scene::terms::{EachReady, KnownLinks, LinkedReady, link_stiffness};
-use crate::vector::{difference, scaled};
+use crate::scene::terms::{Acts, EachReady, KnownLinks, LinkedReady, link_stiffness};
+use crate::vector::{difference, scaled, sum};
 
 type Of<N, R> = <N as Numbers>::Of<R>;
 
@@ -19,7 +19,7 @@ impl<const D: usize, const N: usize, X: Fields<D>> AmongFew<D, N> for EachReady<
     type Moment<R: Real> = OnEachOfFew<X, D, N, R>;
 
     fn numbers(&self) -> Self::Numbers {
-        (self.law().numbers(), from_fn(|i| self.masses()[i]))
+        (self.law.numbers(), from_fn(|i| self.masses[i]))
     }
     #[inline(always)]
     fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), t: R) -> OnEachOfFew<X, D, N, R> {
@@ -105,13 +105,13 @@ impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for O
 impl<const D: usize, const N: usize, P, X: PairFields<D, P>, T: KnownLinks> AmongFew<D, N>
     for LinkedReady<X, T, P, Open>
 where
-    Self: crate::scene::terms::Acts<D>,
+    Self: Acts<D>,
 {
     type Numbers = (X::Fields, [<X as Reads<P>>::Numbers; N]);
     type Moment<R: Real> = BetweenFew<X, T, P, D, N, R>;
 
     fn numbers(&self) -> Self::Numbers {
-        (self.law().fields(), from_fn(|i| self.numbers(i)))
+        (self.law.fields(), from_fn(|i| self.numbers.of_body(i)))
     }
     #[inline(always)]
     fn moment<R: Real>((law, bodies): Of<Self::Numbers, R>, t: R) -> BetweenFew<X, T, P, D, N, R> {
@@ -147,7 +147,7 @@ impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: R
     fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::POTENTIAL {
             T::visit(N, |a, b| {
-                opposite(out, [a, b], self.between(a, b, self.t).gradient(difference(q[a], q[b])));
+                add_opposite(out, [a, b], self.between(a, b, self.t).gradient(difference(q[a], q[b])));
             });
         }
     }
@@ -164,7 +164,7 @@ impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: R
         if X::Moment::<R>::POTENTIAL {
             T::visit(N, |a, b| {
                 let [from, to] = [from, to].map(|q| difference(q[a], q[b]));
-                opposite(out, [a, b], self.between(a, b, self.t).discrete_gradient(from, to));
+                add_opposite(out, [a, b], self.between(a, b, self.t).discrete_gradient(from, to));
             });
         }
     }
@@ -189,7 +189,7 @@ impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: R
                 let force = |a: usize, b: usize| self.between(a, b, t).force(difference(q[a], q[b]), v[a], v[b]);
                 let on_a = force(a, b);
                 if X::Moment::<R>::RECIPROCAL {
-                    opposite(out, [a, b], on_a);
+                    add_opposite(out, [a, b], on_a);
                 } else {
                     add(&mut out[a], on_a);
                     add(&mut out[b], force(b, a));
@@ -233,18 +233,17 @@ impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: R
     }
 }
 
+/// Adds to a body.
 #[inline(always)]
 fn add<const D: usize, R: Real>(to: &mut [R; D], x: [R; D]) {
-    for k in 0..D {
-        to[k] += x[k];
-    }
+    *to = sum(*to, x);
 }
 
-/// To body a, and its opposite to body b.
+/// Adds to body a, and its opposite to body b.
 #[inline(always)]
-fn opposite<const D: usize, const N: usize, R: Real>(out: &mut Places<D, N, R>, [a, b]: [usize; 2], x: [R; D]) {
+fn add_opposite<const D: usize, const N: usize, R: Real>(out: &mut Places<D, N, R>, [a, b]: [usize; 2], x: [R; D]) {
     add(&mut out[a], x);
-    add(&mut out[b], scaled(-R::ONE, x));
+    out[b] = difference(out[b], x);
 }
 
 /// The derivative of what is on a along d = q_a − q_b, and of its opposite on b.

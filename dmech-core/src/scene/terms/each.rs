@@ -25,8 +25,8 @@ pub struct Each<X> {
 /// A law that acts on each body, with their masses.
 #[derive(Clone, Debug)]
 pub struct EachReady<X> {
-    pub(super) law: X,
-    pub(super) masses: Vec<f64>,
+    pub(in crate::scene) law: X,
+    pub(in crate::scene) masses: Vec<f64>,
     acting: Acting,
 }
 
@@ -61,16 +61,6 @@ impl<X: 'static> Laws for EachReady<X> {
 }
 
 impl<X> EachReady<X> {
-    /// The law.
-    pub(in crate::scene) fn law(&self) -> &X {
-        &self.law
-    }
-
-    /// The mass of each body.
-    pub(in crate::scene) fn masses(&self) -> &[f64] {
-        &self.masses
-    }
-
     fn fields<const D: usize>(&self, t: f64) -> impl Iterator<Item = (usize, X::Field<'_>)>
     where
         X: Law<D>,

@@ -34,11 +34,11 @@ pub struct Linked<X, T> {
 /// A law that acts along links in the space `B`, with what it reads of the bodies.
 #[derive(Clone, Debug)]
 pub struct LinkedReady<X: Reads<P>, T, P, B> {
-    pub(super) law: X,
+    pub(in crate::scene) law: X,
     pub(super) links: T,
     pub(super) space: B,
     pub(super) acting: Acting,
-    pub(super) numbers: NumberColumns<X::Numbers>,
+    pub(in crate::scene) numbers: NumberColumns<X::Numbers>,
     data: PhantomData<fn() -> P>,
 }
 
@@ -79,16 +79,6 @@ impl<X: Reads<P> + 'static, T, P, B> Laws for LinkedReady<X, T, P, B> {
 }
 
 impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
-    /// The law.
-    pub(in crate::scene) fn law(&self) -> &X {
-        &self.law
-    }
-
-    /// The numbers of body i.
-    pub(in crate::scene) fn numbers(&self, i: usize) -> X::Numbers {
-        self.numbers.of_body(i)
-    }
-
     fn slope(&self, t: f64) -> Slope<'_, X, P, B> {
         Slope { law: &self.law, t, space: self.space, data: PhantomData }
     }

@@ -31,7 +31,7 @@ impl<N: Numbers> NumberColumns<N> {
     }
 
     /// Those of body i.
-    pub(super) fn of_body(&self, i: usize) -> N {
+    pub(in crate::scene) fn of_body(&self, i: usize) -> N {
         N::from_list(|k| self.flat[k * self.bodies + i])
     }
 

@@ -95,13 +95,13 @@ impl<S: Adaptable> Adaptive<S> {
 
 impl<const W: usize> ByLane<Pacing, W> for Pacing<Rows<W>> {
     fn of<'a>(one: &impl Fn(usize) -> &'a Pacing) -> Self {
-        let of = |field: fn(&Pacing) -> f64| Rows::<W>::from_fn(|lane| field(one(lane)));
+        let of = |field: fn(&Pacing) -> f64| Rows::from_fn(|lane| field(one(lane)));
         Pacing {
             density: of(|pacing| pacing.density),
             last: of(|pacing| pacing.last),
             dt: of(|pacing| pacing.dt),
             left: of(|pacing| pacing.left),
-            landing: of(|pacing| f64::from(pacing.landing)).equal(Rows::<W>::ONE),
+            landing: of(|pacing| f64::from(pacing.landing)).equal(Rows::ONE),
             time: Compensated { hi: of(|pacing| pacing.time.hi), lo: of(|pacing| pacing.time.lo) },
             range: [of(|pacing| pacing.range[0]), of(|pacing| pacing.range[1])],
         }
@@ -114,15 +114,15 @@ impl<const W: usize> ByLane<Pacing, W> for Pacing<Rows<W>> {
             last: last[lane],
             dt: dt[lane],
             left: left[lane],
-            landing: Rows::<W>::either(landing, Rows::<W>::ONE, Rows::<W>::ZERO)[lane] > 0.0,
+            landing: Rows::either(landing, Rows::ONE, Rows::ZERO)[lane] > 0.0,
             time: Compensated { hi: hi[lane], lo: lo[lane] },
             range: range.map(|step| step[lane]),
         }
     }
     fn set(&mut self, lane: usize, one: &Pacing) {
-        let mut landing = Rows::<W>::either(self.landing, Rows::<W>::ONE, Rows::<W>::ZERO);
+        let mut landing = Rows::either(self.landing, Rows::ONE, Rows::ZERO);
         landing[lane] = f64::from(one.landing);
-        self.landing = landing.equal(Rows::<W>::ONE);
+        self.landing = landing.equal(Rows::ONE);
         self.density[lane] = one.density;
         self.last[lane] = one.last;
         self.dt[lane] = one.dt;
@@ -132,10 +132,8 @@ impl<const W: usize> ByLane<Pacing, W> for Pacing<Rows<W>> {
     }
 
     fn put(&mut self, which: RowsMask<W>, other: &Self) {
-        (0..Rows::<W>::COUNT)
-            .filter(|&lane| Rows::<W>::either(which, Rows::<W>::ONE, Rows::<W>::ZERO)[lane] > 0.0)
-            .for_each(|lane| {
-                self.set(lane, &other.lane(lane));
-            });
+        (0..Rows::<W>::COUNT).filter(|&lane| Rows::either(which, Rows::ONE, Rows::ZERO)[lane] > 0.0).for_each(|lane| {
+            self.set(lane, &other.lane(lane));
+        });
     }
 }

@@ -66,14 +66,8 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         &mut self.law
     }
 
-    /// Refuses a law that cannot be run.
-    fn check_law(&self) -> Result<(), Error> {
-        self.law.refused().map_or(Ok(()), Err)
-    }
-
     /// Refuses masses that are not numbers.
     pub(crate) fn check_masses(&self, mass: f64) -> Result<(), Error> {
-        self.check_law()?;
         let positive = |x: f64| x > 0.0 && x.is_finite();
         if !positive(mass) || !positive(self.mass.to_f64()) {
             return Err(Error::Mass { mass });
@@ -374,7 +368,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
 
     fn prepare(&self, start: &State<D, R>, slope: &mut [R; D]) -> Result<(), Error> {
-        self.check_law()?;
+        self.law.refused().map_or(Ok(()), Err)?;
         let field = self.field(R::from_f64(start.t));
         let potential = field.potential(start.q);
         if !potential.finite().all() {
@@ -418,22 +412,23 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
 
     fn momentum(&self, invariant: Invariant, state: &State<D, R>, start: &State<D, R>) -> (R, R) {
-        let (body, is_linear) = (L::BODY, invariant == Invariant::LinearMomentum);
-        let linear = |i| [state, start].map(|state| self.linear_momentum(state, i));
-        let angular = |plane| [state, start].map(|state| self.angular_momentum(state, plane));
-        if if is_linear { body == 1 } else { body == 2 } {
-            let [now, first] = if is_linear { linear(0) } else { angular([0, 1]) };
-            return (now, now - first);
+        let is_linear = invariant == Invariant::LinearMomentum;
+        let component = |[i, j]: [usize; 2]| {
+            let of =
+                |state| if is_linear { self.linear_momentum(state, i) } else { self.angular_momentum(state, [i, j]) };
+            [state, start].map(of)
+        };
+        // Axes, or planes; where there is one alone, it has a sign.
+        let first = [0, usize::from(!is_linear)];
+        if L::BODY == first[1] + 1 {
+            let [now, before] = component(first);
+            return (now, now - before);
         }
         let (mut squares, mut changes) = (R::ZERO, R::ZERO);
-        let mut add = |[now, first]: [R; 2]| {
+        let all = (0..L::BODY).flat_map(|i| (i..L::BODY).map(move |j| [i, j])).filter(|[i, j]| (i == j) == is_linear);
+        for [now, before] in all.map(component) {
             squares += now * now;
-            changes += (now - first) * (now - first);
-        };
-        if is_linear {
-            (0..body).for_each(|i| add(linear(i)));
-        } else {
-            (0..body).flat_map(|i| (i + 1..body).map(move |j| [i, j])).for_each(|plane| add(angular(plane)));
+            changes += (now - before) * (now - before);
         }
         (squares.sqrt(), changes.sqrt())
     }

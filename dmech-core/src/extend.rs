@@ -39,13 +39,13 @@
 //!
 //!     fn step(
 //!         &self, system: &Y, stride: &Y::Stride, t: Y::Scalar, [q, v, before]: &mut Self::Memory, room: &mut Y::Room,
-//!     ) -> Result<Effort, NotConverged> {
+//!     ) -> Result<Effort<Y::Scalar>, NotConverged> {
 //!         let half = Y::Scalar::from_f64(0.5) * Y::dt(stride);
 //!         core::mem::swap(v, before);
 //!         Y::drift(q, half, before);
 //!         system.kick(room, stride, Kick { t: t + half, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
 //!         Y::drift(q, half, v);
-//!         Ok(Effort { evaluations: 1, iterations: 0 })
+//!         Ok(Effort::of(1))
 //!     }
 //!
 //!     fn position<'m>(&self, [q, _, _]: &'m Self::Memory) -> &'m Y::Vector {
@@ -149,11 +149,11 @@ pub use crate::run::{
 #[cfg(feature = "scene")]
 pub use crate::scene::Encounter;
 pub use crate::scheme::{
-    Adaptable, Adaptive, Effort, LinearVelocities, Method, OneStep, Scheme, Steps, WithoutVelocities,
+    Adaptable, Adaptive, Effort, LinearVelocities, Method, OneStep, Reached, Scheme, Steps, WithoutVelocities,
 };
 pub use crate::scheme::{ByLane, NoScheme};
 pub use crate::setup::Setup;
 pub use crate::span::steps_until;
 pub use crate::system::{Ahead, AtStages, Beginning, Kick, Particle, Staged, Step, Stride, System, TimeScale};
 pub use crate::vector;
-pub use dmech_scalar::{DoubleDouble, Lanes, Mask, Real, Rows};
+pub use dmech_scalar::{Count, DoubleDouble, Lanes, Mask, Real, Rows};

@@ -1,6 +1,6 @@
 //! Stepping without recording.
 
-use dmech_scalar::Real;
+use dmech_scalar::{Count, Real};
 
 use crate::error::Error;
 use crate::law::Law;
@@ -153,8 +153,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
             Ok(effort) if self.scheme.finite(&next) => {
                 self.steps += 1;
-                self.evaluations += u64::from(effort.evaluations);
-                self.iterations += u64::from(effort.iterations);
+                self.evaluations += effort.evaluations.to_u64();
+                self.iterations += effort.iterations.to_u64();
                 see(self, &self.memory, &next);
                 self.go_on_from(next);
                 Ok(())
@@ -230,8 +230,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             self.scheme.ready(step + 1, memory).ok()?;
             let t = Y::Scalar::from_f64(self.scheme.time(start, step, self.dt, memory));
             let effort = self.scheme.step(&self.system, &self.stride, t, memory, &mut self.workspace).ok()?;
-            evaluations += u64::from(effort.evaluations);
-            iterations += u64::from(effort.iterations);
+            evaluations += effort.evaluations.to_u64();
+            iterations += effort.iterations.to_u64();
         }
         self.scheme.finite(memory).then_some([evaluations, iterations])
     }
@@ -271,7 +271,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     }
 
     /// The state at a later time, within a step of a number, by a single one from a state, and what it costs.
-    pub(crate) fn between(&self, step: u64, from: &Y::State, t: f64) -> Result<(Y::State, Effort), Error> {
+    pub(crate) fn between(&self, step: u64, from: &Y::State, t: f64) -> Result<(Y::State, Effort<Y::Scalar>), Error> {
         let (system, start) = (&self.system, Y::time(from));
         if t == start {
             return Ok((from.clone(), Effort::default()));
@@ -287,7 +287,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if !Y::is_finite(&q) || !Y::is_finite(&v) {
             return Err(system.not_finite(step, [&q, &v], start, t - start));
         }
-        effort.evaluations += 1;
+        effort += Effort::of(1);
         Ok((system.state(t, &q, &v), effort))
     }
 

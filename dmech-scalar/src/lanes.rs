@@ -10,7 +10,7 @@ use wide::f64x8;
 use crate::functions;
 use crate::operators::operators;
 use crate::primitive::FUSED;
-use crate::{Mask, Real};
+use crate::{Count, Mask, Real};
 
 /// Whether `wide` has the fused instruction where the target does; elsewhere each lane asks for it itself.
 const FUSED_WIDE: bool = cfg!(any(
@@ -246,6 +246,8 @@ impl fmt::Debug for LanesMask {
 }
 
 impl Mask for LanesMask {
+    type Count = Lanes;
+
     const LANES: usize = Lanes::COUNT;
 
     #[inline(always)]
@@ -267,6 +269,22 @@ impl Mask for LanesMask {
     #[inline(always)]
     fn not(self) -> Self {
         Self(!self.0)
+    }
+    #[inline(always)]
+    fn count(self, holds: Lanes, fails: Lanes) -> Lanes {
+        Lanes::either(self, holds, fails)
+    }
+}
+
+/// Whole numbers below 2⁵³.
+impl Count for Lanes {
+    #[inline(always)]
+    fn of(n: u32) -> Self {
+        Lanes::from_f64(n.into())
+    }
+    #[inline(always)]
+    fn to_u64(self) -> u64 {
+        self.to_f64() as u64
     }
 }
 

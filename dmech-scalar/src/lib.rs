@@ -38,6 +38,6 @@ pub use double::{DoubleDouble, ParseDoubleDoubleError};
 #[cfg(feature = "lanes")]
 pub use lanes::{Lanes, LanesMask};
 pub use primitive::FUSED;
-pub use real::{Mask, Real};
+pub use real::{Count, Mask, Real};
 #[cfg(feature = "lanes")]
 pub use rows::{Rows, RowsMask};

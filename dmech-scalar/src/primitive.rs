@@ -1,6 +1,6 @@
 //! [`Real`] for `f64`, with the functions of this crate, and for `f32`, with those of the standard library and the cardinal ones.
 
-use crate::{Mask, Real, functions};
+use crate::{Count, Mask, Real, functions};
 
 /// Whether a fused multiply-add is one instruction, and [`Real::mul_add`] rounds once: always on AArch64, POWER, z and RISC-V
 /// with doubles, by target feature on x86.
@@ -12,7 +12,20 @@ pub const FUSED: bool = cfg!(any(
     all(target_arch = "riscv64", target_feature = "d"),
 ));
 
+impl Count for u32 {
+    #[inline(always)]
+    fn of(n: u32) -> u32 {
+        n
+    }
+    #[inline(always)]
+    fn to_u64(self) -> u64 {
+        self.into()
+    }
+}
+
 impl Mask for bool {
+    type Count = u32;
+
     #[inline(always)]
     fn all(self) -> bool {
         self
@@ -32,6 +45,10 @@ impl Mask for bool {
     #[inline(always)]
     fn not(self) -> bool {
         !self
+    }
+    #[inline(always)]
+    fn count(self, holds: u32, fails: u32) -> u32 {
+        if self { holds } else { fails }
     }
 }
 

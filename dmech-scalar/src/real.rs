@@ -7,6 +7,9 @@ use crate::functions;
 
 /// The outcome of a comparison: `bool` for one number, one bit per lane for several.
 pub trait Mask: Copy + Debug {
+    /// How often something happens to each of the numbers that are compared.
+    type Count: Count;
+
     /// How many numbers were compared.
     const LANES: usize = 1;
 
@@ -20,6 +23,16 @@ pub trait Mask: Copy + Debug {
     fn or(self, other: Self) -> Self;
     /// Lane-wise negation.
     fn not(self) -> Self;
+    /// `holds` where the comparison does, `fails` elsewhere.
+    fn count(self, holds: Self::Count, fails: Self::Count) -> Self::Count;
+}
+
+/// How often something happens: of several numbers side by side, to each its own.
+pub trait Count: Copy + Debug + Default + PartialEq + AddAssign {
+    /// So often to each.
+    fn of(n: u32) -> Self;
+    /// How often (for several lanes: to the first).
+    fn to_u64(self) -> u64;
 }
 
 /// A real number, or several side by side.

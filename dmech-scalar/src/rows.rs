@@ -5,7 +5,7 @@ use core::fmt;
 use core::ops::{Index, IndexMut, Neg};
 
 use crate::operators::operators;
-use crate::{Lanes, LanesMask, Mask, Real};
+use crate::{Count, Lanes, LanesMask, Mask, Real};
 
 /// N registers of eight lanes that take part in every operation one after another, each as [`Lanes`] do: a division waits for the one
 /// before it in its own row only.
@@ -108,6 +108,8 @@ impl<const N: usize> RowsMask<N> {
 }
 
 impl<const N: usize> Mask for RowsMask<N> {
+    type Count = Rows<N>;
+
     const LANES: usize = Rows::<N>::COUNT;
 
     #[inline(always)]
@@ -129,6 +131,22 @@ impl<const N: usize> Mask for RowsMask<N> {
     #[inline(always)]
     fn not(self) -> Self {
         Self(self.0.map(Mask::not))
+    }
+    #[inline(always)]
+    fn count(self, holds: Rows<N>, fails: Rows<N>) -> Rows<N> {
+        Rows::either(self, holds, fails)
+    }
+}
+
+/// Whole numbers below 2⁵³.
+impl<const N: usize> Count for Rows<N> {
+    #[inline(always)]
+    fn of(n: u32) -> Self {
+        Rows::from_f64(n.into())
+    }
+    #[inline(always)]
+    fn to_u64(self) -> u64 {
+        self.to_f64() as u64
     }
 }
 

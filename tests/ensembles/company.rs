@@ -98,9 +98,8 @@ where
                 if recorded {
                     assert_eq!(member.states(), alone.states(), "{name}, member {k}");
                 }
-                if member.report().iterations() == 0 {
-                    assert_eq!(member.report().evaluations(), alone.report().evaluations(), "{name}, member {k}");
-                }
+                let effort = |run: &Run<State<D>>| [run.report().evaluations(), run.report().iterations()];
+                assert_eq!(effort(member), effort(&alone), "{name}, member {k}");
             }
             let in_order = |pair: &[Event<State<D>>]| pair[0].state().t <= pair[1].state().t;
             assert!(alone.events().windows(2).all(in_order), "{name}, member {k}");

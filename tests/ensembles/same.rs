@@ -24,9 +24,7 @@ pub(crate) fn the_same<const D: usize>(a: &EnsembleRun<State<D>>, b: &EnsembleRu
             let report = run.report();
             let drifts: Vec<_> = Invariant::ALL.iter().map(|&of| (report.drift(of), report.kept(of))).collect();
             let own: Vec<_> = report.own_drifts().collect();
-            // Where equations are solved it is that of the slowest beside it.
-            let cost = (report.iterations() == 0).then(|| report.evaluations());
-            let cost = (cost, report.rough(), report.dt_range());
+            let cost = (report.evaluations(), report.iterations(), report.rough(), report.dt_range());
             format!(
                 "{drifts:?} {own:?} {cost:?} {} {} {:?} {}",
                 report.scheme(),

@@ -49,13 +49,13 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for DriftKickDrift {
         t: Y::Scalar,
         [q, v, before]: &mut Self::Memory,
         room: &mut Y::Room,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let half = Y::Scalar::from_f64(0.5) * Y::dt(stride);
         core::mem::swap(v, before);
         Y::drift(q, half, before);
         system.kick(room, stride, Kick { t: t + half, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
         Y::drift(q, half, v);
-        Ok(Effort { evaluations: 1, iterations: 0 })
+        Ok(Effort::of(1))
     }
     fn position<'m>(&self, [q, _, _]: &'m Self::Memory) -> &'m Y::Vector {
         q

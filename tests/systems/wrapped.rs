@@ -81,7 +81,7 @@ impl<Y: System, S: Scheme<Y>, P: Promise<S>> Scheme<Y> for Own<S, P> {
         t: Y::Scalar,
         memory: &mut S::Memory,
         workspace: &mut S::Workspace,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         if t.to_f64() > self.until {
             return Err(NotConverged { iterations: 1, residual: 0.5 });
         }

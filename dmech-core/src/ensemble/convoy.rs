@@ -9,14 +9,14 @@ use dmech_scalar::{Mask, Real, Rows};
 
 use super::lanes::Together;
 use super::member::Member;
-use super::steps::{Cost, InLanes};
+use super::steps::InLanes;
 use crate::invariant::{Drift, Drifts, Invariant};
 use crate::law::{Fields, Numbered, Numbers};
 use crate::ride::LANES;
 use crate::run::Attend;
 use crate::scheme::ByLane;
 use crate::state::State;
-use crate::system::{Particle, System};
+use crate::system::{Effort, Particle, System};
 
 /// After so many steps at the latest somebody looks whether all are still finite.
 const ROW: u64 = 64;
@@ -40,9 +40,7 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
     /// Steps that were made since each was seated or landed, and how many there were at the last look.
     made: [u64; LANES],
     looked_at: [Option<u64>; LANES],
-    cost: Cost<W>,
-    /// Corrections that others had made when each was seated or landed.
-    iterations: [u64; LANES],
+    cost: Effort<Rows<W>>,
 }
 
 /// What acts on each, by lanes.
@@ -69,23 +67,9 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         let now = States::default();
         let none = [u64::MAX; LANES];
         let (left, until_look, every) = (none, none, none);
-        let (made, looked_at, iterations, cost) = ([0; LANES], [None; LANES], [0; LANES], Cost::NONE);
-        let mut convoy = Convoy {
-            scheme,
-            numbers,
-            system,
-            all,
-            first,
-            now,
-            drifts,
-            left,
-            until_look,
-            every,
-            made,
-            looked_at,
-            cost,
-            iterations,
-        };
+        let (made, looked_at, cost) = ([0; LANES], [None; LANES], Effort::default());
+        let mut convoy =
+            Convoy { scheme, numbers, system, all, first, now, drifts, left, until_look, every, made, looked_at, cost };
         seats.iter().enumerate().for_each(|(lane, member)| convoy.count(lane, member));
         convoy
     }
@@ -163,15 +147,16 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
     /// Gives each what is in its lane.
     pub(super) fn land_all<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
         seats.iter_mut().enumerate().for_each(|(lane, member)| self.land(lane, member));
-        self.cost.evaluations = Rows::ZERO;
+        self.cost = Effort::default();
     }
 
     /// Gives one what is in its lane.
     pub(super) fn land<O: Attend<State<D>>>(&mut self, lane: usize, member: &mut Member<L, S, O, D>) {
         self.land_steps(lane, member);
         let Member { stepper, log, .. } = member;
-        stepper.evaluations += self.cost.take_evaluations(lane);
-        stepper.iterations += self.cost.iterations - replace(&mut self.iterations[lane], self.cost.iterations);
+        let Effort { evaluations, iterations } = &mut self.cost;
+        stepper.evaluations += take(&mut evaluations[lane]) as u64;
+        stepper.iterations += take(&mut iterations[lane]) as u64;
         stepper.memory = self.scheme.lane(&self.all, lane);
         log.watch.set_drifts(self.drifts.each_ref().map(|drift| Some(drift.as_ref()?.lane(lane))));
         if member.every.is_some() {

@@ -30,7 +30,7 @@ impl<X: Clone> EnsembleRun<X> {
     }
 
     /// The run of a member; of one that failed, what it had come to, with the cause. Side by side with others its time is not
-    /// measured, and where Newton solves equations its effort is that of the slowest beside it.
+    /// measured.
     ///
     /// # Errors
     /// [`Interrupted`]

@@ -6,31 +6,10 @@ use super::lanes::Together;
 use crate::law::Fields;
 use crate::scheme::{Adaptable, Adaptive, ByLane, Pacing, Scheme};
 use crate::stepper::Stepper;
-use crate::system::{EVALUATIONS, Particle, System};
+use crate::system::{EVALUATIONS, Effort, Particle, System};
 
 /// A member alone.
 pub(super) type Alone<L, S, const D: usize> = Stepper<Particle<L, D>, S>;
-
-/// What members have cost: evaluations of the force by each, and corrections, which are those of the slowest.
-#[derive(Clone, Copy, Debug)]
-pub struct Cost<const W: usize> {
-    pub(super) evaluations: Rows<W>,
-    pub(super) iterations: u64,
-}
-
-impl<const W: usize> Cost<W> {
-    pub(super) const NONE: Cost<W> = Cost { evaluations: Rows::ZERO, iterations: 0 };
-
-    /// The evaluations of one, which are counted from here on.
-    pub(super) fn take_evaluations(&mut self, lane: usize) -> u64 {
-        core::mem::take(&mut self.evaluations[lane]) as u64
-    }
-
-    fn add(&mut self, evaluations: Rows<W>, iterations: u32) {
-        self.evaluations += evaluations;
-        self.iterations += u64::from(iterations);
-    }
-}
 
 /// A scheme whose steps can be made side by side: every operation of a step is one of each lane, to the bit, and equations are solved
 /// for each lane with its own last correction.
@@ -48,7 +27,13 @@ pub trait InLanes<L: Fields<D>, const D: usize, const W: usize>: Scheme<Particle
     fn seat(&self, system: &Together<L, D, W>, all: &mut Self::All, lane: usize, alone: &Alone<L, Self, D>);
 
     /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together.
-    fn advance(&self, system: &Together<L, D, W>, all: &mut Self::All, steps: u64, cost: &mut Cost<W>) -> Option<u64>;
+    fn advance(
+        &self,
+        system: &Together<L, D, W>,
+        all: &mut Self::All,
+        steps: u64,
+        cost: &mut Effort<Rows<W>>,
+    ) -> Option<u64>;
 
     /// What one carries.
     fn lane(&self, all: &Self::All, lane: usize) -> Self::Memory;
@@ -134,22 +119,19 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
         system: &Together<L, D, W>,
         all: &mut Even<L, S, D, W>,
         steps: u64,
-        cost: &mut Cost<W>,
+        cost: &mut Effort<Rows<W>>,
     ) -> Option<u64> {
         let Even { stride, workspace, start, dt, .. } = all;
         let (mut made, mut memory) = (all.made, all.memory.clone());
-        let (mut evaluations, mut iterations) = (Rows::ZERO, 0);
+        let mut spent = *cost;
         for _ in 0..steps {
-            let effort = self.step(system, stride, *start + made * *dt, &mut memory, workspace).ok()?;
-            evaluations += <S as Scheme<Together<L, D, W>>>::evaluations(self, &effort, workspace);
-            iterations += effort.iterations;
+            spent += self.step(system, stride, *start + made * *dt, &mut memory, workspace).ok()?;
             made += Rows::ONE;
         }
         if !<S as Scheme<Together<L, D, W>>>::finite(self, &memory) {
             return None;
         }
-        (all.memory, all.made) = (memory, made);
-        cost.add(evaluations, iterations);
+        (all.memory, all.made, *cost) = (memory, made, spent);
         Some(steps)
     }
 
@@ -212,7 +194,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         system: &Together<L, D, W>,
         all: &mut Paced<L, S, D, W>,
         steps: u64,
-        cost: &mut Cost<W>,
+        cost: &mut Effort<Rows<W>>,
     ) -> Option<u64> {
         let (scheme, mut spent) = (self.inner(), *cost);
         let (mut memory, mut pacing) = (all.memory.clone(), all.pacing);
@@ -237,9 +219,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
                 }
                 spent.evaluations += Rows::either(same, Rows::ZERO, Rows::from_f64(stretched.into()));
             }
-            let effort = scheme.step(system, stride, t, &mut memory, workspace).ok()?;
-            let evaluations = <S as Scheme<Together<L, D, W>>>::evaluations(&scheme, &effort, workspace);
-            spent.add(evaluations, effort.iterations);
+            spent += scheme.step(system, stride, t, &mut memory, workspace).ok()?;
             let due = self.made(&mut pacing);
             if due.any() {
                 let end = pacing.time.value();

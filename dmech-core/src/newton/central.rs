@@ -10,7 +10,7 @@
 //! Newton acts on F(s) = s P² − |w − base P|², P = 1 + g c. With x = q + Δ and the residual ρ = Q P − w this is
 //! 2P x·ρ − ρ·ρ at s = |x|², which does not cancel. The new force c(s + ds) w / P(s + ds) is c + dc/(P + g dc) times w/P.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{Count, Mask, Real};
 
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
@@ -125,7 +125,8 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
         if !all.or(steady).all() {
             return Increment::apart(lengthen::<BETWEEN, D, R>(*equation, iteration, factor));
         }
-        let next = Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration };
+        let made = Count::of(iteration);
+        let next = Increment { delta, gradient, parts, evaluations: made, iterations: made };
         if let Some(found) = all.add(exact, next) {
             return Ok(found);
         }

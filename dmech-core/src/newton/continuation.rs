@@ -1,7 +1,7 @@
 //! Where the guess is not good enough: lengthen the step gradually.
 
 use crate::vector::by_component;
-use dmech_scalar::Real;
+use dmech_scalar::{Count, Real};
 
 use super::damped;
 use super::settle::{largest, settle};
@@ -39,9 +39,9 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
             Ok(found) => {
-                evaluations += found.evaluations;
+                evaluations += found.evaluations.to_u64() as u32;
                 if next >= 1.0 {
-                    return Ok(Increment { evaluations, iterations: evaluations, ..found });
+                    return Ok(found.after(evaluations));
                 }
                 slope = by_component!(|i| (found.gradient[i] - gradient[i]) / ahead);
                 gradient = found.gradient;

@@ -1,7 +1,7 @@
 //! Where the force bends so sharply that no whole correction leads to the root: corrections shortened until they pay.
 
 use crate::vector::by_component;
-use dmech_scalar::Real;
+use dmech_scalar::{Count, Real};
 
 use super::settle::{largest, length, settle};
 use super::{Correction, Equation, Increment, NotConverged};
@@ -47,8 +47,8 @@ pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             if near
                 && let Ok(found) = settle::<ONCE_ROUNDED, D, R>(&Equation { guess: delta, ..equation }, &mut correct)
             {
-                evaluations += found.evaluations;
-                return Ok(Increment { evaluations, iterations: evaluations, ..found });
+                evaluations += found.evaluations.to_u64() as u32;
+                return Ok(found.after(evaluations));
             }
             part = f64::min(1.0, 2.0 * part);
         } else {

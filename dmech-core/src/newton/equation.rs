@@ -1,6 +1,6 @@
 //! The one equation that all implicit steps share.
 
-use dmech_scalar::{Real, two_sum};
+use dmech_scalar::{Count, Mask, Real, two_sum};
 
 use crate::vector::{by_component, difference};
 
@@ -121,6 +121,9 @@ impl<const D: usize, R: Real> Equation<D, R> {
     }
 }
 
+/// How often something happens: of several numbers side by side, to each its own.
+pub type Counts<R> = <<R as Real>::Mask as Mask>::Count;
+
 /// The solution: Δ and G(q + Δ), which the velocity needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Increment<const D: usize, R: Real> {
@@ -134,9 +137,9 @@ pub struct Increment<const D: usize, R: Real> {
     /// lost in one sense at every step, and become a drift of the energy (1.2·10⁻¹³ in 10⁷ steps of Kepler in components).
     pub parts: [[R; D]; 2],
     /// Evaluations of the force that it took.
-    pub evaluations: u32,
+    pub evaluations: Counts<R>,
     /// Newton corrections that it took; 0 where the step is linear.
-    pub iterations: u32,
+    pub iterations: Counts<R>,
 }
 
 impl<const D: usize, R: Real> Increment<D, R> {
@@ -145,6 +148,12 @@ impl<const D: usize, R: Real> Increment<D, R> {
     pub(crate) fn less(self, force: [R; D]) -> Self {
         let [slope, turned] = self.parts;
         Increment { gradient: difference(self.gradient, force), parts: [difference(slope, force), turned], ..self }
+    }
+
+    /// The same after so many evaluations, with a correction for each.
+    pub(super) fn after(self, evaluations: u32) -> Self {
+        let made = Count::of(evaluations);
+        Increment { evaluations: made, iterations: made, ..self }
     }
 
     /// The result of a rare path, part by part: that of the usual path, which it is merged with, then stays in registers.

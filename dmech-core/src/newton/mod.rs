@@ -19,5 +19,5 @@ pub mod central;
 
 pub use dense::{dense, dense_discrete, dense_forced, dense_middle, linear};
 pub use drive::{drive, drive_discrete, drive_middle};
-pub use equation::{Correction, Equation, Increment, NotConverged};
+pub use equation::{Correction, Counts, Equation, Increment, NotConverged};
 pub use once::{once, once_discrete, once_middle};

@@ -1,6 +1,6 @@
 //! Linear forces: one correction from Δ = 0 is the solution.
 
-use dmech_scalar::Real;
+use dmech_scalar::{Count, Real};
 
 use super::settle::largest;
 use super::{Correction, Equation, Increment, NotConverged};
@@ -19,7 +19,7 @@ pub fn once<const D: usize, R: Real>(
     let Correction { gradient, parts, .. } = correct(equation, [R::ZERO; D], equation.q);
     let delta = equation.increment(gradient);
     if finite(delta) {
-        Ok(Increment { delta, gradient, parts, evaluations: 1, iterations: 0 })
+        Ok(Increment { delta, gradient, parts, evaluations: Count::of(1), iterations: Count::of(0) })
     } else {
         Err(NotConverged { iterations: 0, residual: largest(&delta) })
     }
@@ -55,7 +55,7 @@ pub fn once_middle<const D: usize, R: Real>(
     let Correction { gradient, parts, .. } = correct(equation, equation.a, first, equation.end(first));
     let delta = equation.increment_and_rest(gradient).0;
     if finite(delta) {
-        Ok(Increment { delta, gradient, parts, evaluations: 2, iterations: 0 })
+        Ok(Increment { delta, gradient, parts, evaluations: Count::of(2), iterations: Count::of(0) })
     } else {
         Err(NotConverged { iterations: 0, residual: largest(&delta) })
     }

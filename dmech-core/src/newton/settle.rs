@@ -1,6 +1,6 @@
 //! Newton from a guess, and when it may stop.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{Count, Mask, Real};
 
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged};
@@ -60,7 +60,8 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             astray = if equation.piecewise { (last + last).less(size) } else { halved.not() };
         }
         let settled = all.or(settled);
-        let next = Increment { delta, gradient, parts, evaluations: iteration, iterations: iteration };
+        let made = Count::of(iteration);
+        let next = Increment { delta, gradient, parts, evaluations: made, iterations: made };
         if let Some(found) = all.add(settled, next) {
             return Ok(found);
         }

@@ -1,6 +1,6 @@
 //! Equations side by side: each keeps the solution of its own last correction.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{Count, Mask, Real};
 
 use super::Increment;
 
@@ -19,8 +19,8 @@ impl<const D: usize, R: Real> Settled<D, R> {
     /// No lane.
     #[inline(always)]
     pub(super) fn none() -> Self {
-        let zero = [R::ZERO; D];
-        let found = Increment { delta: zero, gradient: zero, parts: [zero; 2], evaluations: 0, iterations: 0 };
+        let (zero, none) = ([R::ZERO; D], Count::of(0));
+        let found = Increment { delta: zero, gradient: zero, parts: [zero; 2], evaluations: none, iterations: none };
         Settled { found, which: R::ONE.less(R::ZERO) }
     }
 
@@ -38,12 +38,14 @@ impl<const D: usize, R: Real> Settled<D, R> {
         }
         let before = &self.found;
         let either = |x: [R; D], y: [R; D]| core::array::from_fn(|i| R::either(self.which, x[i], y[i]));
-        let Increment { delta, gradient, parts: [main, rest], .. } = next;
+        let either_count = |x, y| self.which.count(x, y);
+        let Increment { delta, gradient, parts: [main, rest], evaluations, iterations } = next;
         self.found = Increment {
             delta: either(before.delta, delta),
             gradient: either(before.gradient, gradient),
             parts: [either(before.parts[0], main), either(before.parts[1], rest)],
-            ..next
+            evaluations: either_count(before.evaluations, evaluations),
+            iterations: either_count(before.iterations, iterations),
         };
         self.which = self.which.or(settled);
         self.which.all().then_some(self.found)

@@ -3,6 +3,8 @@
 use core::borrow::Borrow;
 use std::time::{Duration, Instant};
 
+use dmech_scalar::Count;
+
 use super::attend::{Attend, Happened, Within, in_order};
 use super::due::Due;
 use super::progress::{Follow, Shown};
@@ -69,8 +71,8 @@ impl Spent {
         t: f64,
     ) -> Result<Y::State, Error> {
         let (state, effort) = stepper.between(stepper.steps(), from, t)?;
-        self.evaluations += u64::from(effort.evaluations);
-        self.iterations += u64::from(effort.iterations);
+        self.evaluations += effort.evaluations.to_u64();
+        self.iterations += effort.iterations.to_u64();
         Ok(state)
     }
 }

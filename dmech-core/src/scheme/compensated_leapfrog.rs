@@ -121,13 +121,13 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for CompensatedLeapfrog {
         t: Y::Scalar,
         memory: &mut Self::Memory,
         slope: &mut Y::Vector,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let CompensatedLeapfrogMemory { q, v_after, change } = memory;
         Y::drift_sum(stride, q, v_after);
         // The force is independent of the velocity.
         system.slope(t + Y::dt(stride), Y::value(q), Y::value(v_after), slope);
         system.kick_sum(stride, Y::Scalar::ONE, slope, v_after, change);
-        Ok(Effort { evaluations: 1, iterations: 0 })
+        Ok(Effort::of(1))
     }
 
     #[inline]

@@ -123,7 +123,7 @@ impl<Y: System> Scheme<Y> for DiscreteGradient {
         t: Y::Scalar,
         memory: &mut Self::Memory,
         solver: &mut Y::Solver,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let DiscreteGradientMemory { q, v, slopes } = memory;
         let ahead = Ahead::Continued(slopes.each_ref());
         let mut found = system.solve_exact(solver, &Step { stride, t, q, v, ahead, newton: &self.newton })?;

@@ -88,12 +88,12 @@ impl<Y: System> Scheme<Y> for Explicit {
         t: Y::Scalar,
         memory: &mut Self::Memory,
         room: &mut Y::Room,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let ExplicitMemory { q, v, v_before } = memory;
         core::mem::swap(v, v_before);
         system.kick(room, stride, Kick { t, b: Y::Scalar::ONE, e: 0.0 }, q, v_before, v);
         Y::drift_by_mean(stride, q, v_before, v);
-        Ok(Effort { evaluations: 1, iterations: 0 })
+        Ok(Effort::of(1))
     }
 
     q_and_v! { identity }

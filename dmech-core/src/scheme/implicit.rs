@@ -112,7 +112,7 @@ impl<Y: System> Scheme<Y> for Implicit {
         t: Y::Scalar,
         memory: &mut Self::Memory,
         solver: &mut Y::Solver,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let ImplicitMemory { q, v, slopes } = memory;
         let ahead = Ahead::Continued(slopes.each_ref());
         let step = Step { stride, t, q, v, ahead, newton: &self.newton };

@@ -4,7 +4,7 @@ use dmech_scalar::Real;
 
 use super::by_lane::by_lane;
 use super::memory::memory;
-use super::{DiscreteGradient, Effort, Method, Newton, Scheme, WithoutVelocities, remember, single_step};
+use super::{DiscreteGradient, Effort, Method, Newton, Reached, Scheme, WithoutVelocities, remember, single_step};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Kick, Step, System};
@@ -176,7 +176,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for Kanatani {
         t: Y::Scalar,
         memory: &mut Self::Memory,
         solver: &mut Y::Solver,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let KanataniMemory { q_before, q, z, slopes } = memory;
         let ahead = Ahead::Continued(slopes.each_ref());
         let step = Step { stride, t, q, v: z, ahead, newton: &self.newton };
@@ -188,12 +188,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for Kanatani {
     }
 
     /// The velocity of a state is that of the formula, whatever the first one started with: so it goes on from there.
-    fn within(
-        &self,
-        system: &Y,
-        dt: Y::Scalar,
-        from: &super::Beginning<'_, Y>,
-    ) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+    fn within(&self, system: &Y, dt: Y::Scalar, from: &super::Beginning<'_, Y>) -> Result<Reached<Y>, NotConverged> {
         single_step(&self.start(Start::Formula), system, dt, from)
     }
 

@@ -50,7 +50,7 @@ impl<Y: System + WithScheme> Scheme<Y> for NoScheme {
         _: Y::Scalar,
         memory: &mut NeverBegun,
         (): &mut (),
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         match *memory {}
     }
 

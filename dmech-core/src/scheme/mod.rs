@@ -41,8 +41,6 @@ pub use relaxed::{Relaxed, RelaxedMemory, RelaxedRoom};
 pub use runge_kutta_nystrom::{NystromStages, RungeKuttaNystrom, RungeKuttaNystromMemory};
 pub use splitting::{First, SplittingMemory};
 
-use dmech_scalar::Real;
-
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 pub use crate::method::Method;
@@ -107,25 +105,14 @@ pub trait Scheme<Y: System>: Method {
         t: Y::Scalar,
         memory: &mut Self::Memory,
         workspace: &mut Self::Workspace,
-    ) -> Result<Effort, NotConverged>;
-
-    /// Evaluations of the last step by each of several that stand side by side: what its effort says, unless they differ.
-    #[inline(always)]
-    fn evaluations(&self, effort: &Effort, _workspace: &Self::Workspace) -> Y::Scalar {
-        Y::Scalar::from_f64(effort.evaluations.into())
-    }
+    ) -> Result<Effort<Y::Scalar>, NotConverged>;
 
     /// Position and velocity after a single step of length dt from a state, and what it costs: what lies between two steps, at the
     /// order of the scheme.
     ///
     /// # Errors
     /// [`NotConverged`]
-    fn within(
-        &self,
-        system: &Y,
-        dt: Y::Scalar,
-        from: &Beginning<'_, Y>,
-    ) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+    fn within(&self, system: &Y, dt: Y::Scalar, from: &Beginning<'_, Y>) -> Result<Reached<Y>, NotConverged> {
         single_step(self, system, dt, from)
     }
 
@@ -207,13 +194,16 @@ pub trait Scheme<Y: System>: Method {
     }
 }
 
+/// Position and velocity, and what it has cost to come there.
+pub type Reached<Y> = ([<Y as System>::Vector; 2], Effort<<Y as System>::Scalar>);
+
 /// Position and velocity after one step from a state, with nothing that was carried to it.
 fn single_step<Y: System, S: Scheme<Y>>(
     scheme: &S,
     system: &Y,
     dt: Y::Scalar,
     from: &Beginning<'_, Y>,
-) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+) -> Result<Reached<Y>, NotConverged> {
     let stride = system.stride(dt, S::SHARE);
     let mut workspace = scheme.workspace(system, &stride);
     let mut memory = scheme.begin(system, &stride, from, &mut workspace)?;

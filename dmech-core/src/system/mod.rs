@@ -8,6 +8,7 @@ mod particle;
 pub(crate) mod stages;
 
 use core::fmt::Debug;
+use core::ops::AddAssign;
 
 pub use crate::look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 pub use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
@@ -17,11 +18,11 @@ pub use particle::{AtStages, Particle, ParticleFound, Stride};
 pub(crate) use particle::{PARTS, not_converged};
 pub use stages::{Eight, Nearing, Staged, Staging};
 
-use dmech_scalar::Real;
+use dmech_scalar::{Count, Real};
 
 use crate::error::Error;
 use crate::invariant::Invariant;
-use crate::newton::NotConverged;
+use crate::newton::{Counts, NotConverged};
 
 /// A system of coordinates, and the instructions of schemes.
 ///
@@ -272,7 +273,7 @@ pub trait System: Sized {
     /// Puts the slope that was found in the place of another; what the solver has of it is then of no use.
     fn keep(solver: &mut Self::Solver, found: &Self::Found, place: &mut Self::Vector);
     /// What it cost.
-    fn effort(found: &Self::Found) -> Effort;
+    fn effort(found: &Self::Found) -> Effort<Self::Scalar>;
 
     // What a run asks.
 
@@ -389,11 +390,27 @@ pub trait WithoutVelocities {}
 /// form: the law of it, or every term of a scene, is [`LinearInVelocity`](crate::extend::LinearInVelocity).
 pub trait LinearVelocities {}
 
-/// What one step cost.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Effort {
+/// What one step cost: of several motions side by side, each of them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Effort<R: Real = f64> {
     /// Evaluations of the force.
-    pub evaluations: u32,
+    pub evaluations: Counts<R>,
     /// Newton corrections.
-    pub iterations: u32,
+    pub iterations: Counts<R>,
+}
+
+impl<R: Real> Effort<R> {
+    /// So many evaluations of the force, and no corrections.
+    #[inline(always)]
+    pub fn of(evaluations: u32) -> Self {
+        Effort { evaluations: Count::of(evaluations), iterations: Count::of(0) }
+    }
+}
+
+impl<R: Real> AddAssign for Effort<R> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        self.evaluations += other.evaluations;
+        self.iterations += other.iterations;
+    }
 }

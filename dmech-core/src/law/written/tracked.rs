@@ -71,6 +71,8 @@ pub struct TrackedMask {
 }
 
 impl Mask for TrackedMask {
+    type Count = u32;
+
     fn all(self) -> bool {
         self.holds
     }
@@ -87,6 +89,9 @@ impl Mask for TrackedMask {
     }
     fn not(self) -> Self {
         TrackedMask { holds: !self.holds, ..self }
+    }
+    fn count(self, holds: u32, fails: u32) -> u32 {
+        if self.holds { holds } else { fails }
     }
 }
 

@@ -11,7 +11,7 @@ pub(crate) use pacing::Pacing;
 
 use dmech_scalar::Compensated;
 
-use super::{Effort, Method, Scheme};
+use super::{Effort, Method, Reached, Scheme};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
@@ -241,7 +241,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         Ok(effort)
     }
 
-    fn within(&self, system: &Y, dt: f64, from: &Beginning<'_, Y>) -> Result<([Y::Vector; 2], Effort), NotConverged> {
+    fn within(&self, system: &Y, dt: f64, from: &Beginning<'_, Y>) -> Result<Reached<Y>, NotConverged> {
         self.scheme.within(system, dt, from)
     }
 

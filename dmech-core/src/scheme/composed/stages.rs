@@ -54,7 +54,7 @@ pub trait Stage: Composable {
         stage: InStage<'_, Y>,
         moves: [&mut Y::Sum; 2],
         slopes: &mut [Y::Vector; N],
-    ) -> Result<(Effort, Y::Scalar), NotConverged>;
+    ) -> Result<(Effort<Y::Scalar>, Y::Scalar), NotConverged>;
 }
 
 /// What a stage is given: its number, its length, the time, the slope that is expected, where to work.
@@ -78,7 +78,7 @@ impl Stage for DiscreteGradient {
         InStage { k, stride, t, ahead, solver }: InStage<'_, Y>,
         [q, v]: [&mut Y::Sum; 2],
         slopes: &mut [Y::Vector; N],
-    ) -> Result<(Effort, Y::Scalar), NotConverged> {
+    ) -> Result<(Effort<Y::Scalar>, Y::Scalar), NotConverged> {
         let mut found = system.solve_exact(solver, &Step { stride, t, q, v, ahead, newton: &self.newton })?;
         system.settle(solver, stride, 0.5, &mut found, [q, v]);
         let work = system.work_along(Y::found(solver, &found), Y::moved(solver, &found));
@@ -99,7 +99,7 @@ impl Stage for Implicit {
         InStage { k, stride, t, ahead, solver }: InStage<'_, Y>,
         [q, v]: [&mut Y::Sum; 2],
         slopes: &mut [Y::Vector; N],
-    ) -> Result<(Effort, Y::Scalar), NotConverged> {
+    ) -> Result<(Effort<Y::Scalar>, Y::Scalar), NotConverged> {
         // The slope at the end of the stage before, which may be the last of the step before.
         let known = &slopes[(k + N - 1) % N];
         let mut found = system.solve_mean(solver, &Step { stride, t, q, v, ahead, newton: &self.newton }, known)?;
@@ -173,7 +173,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         t: Y::Scalar,
         memory: &mut Self::Memory,
         Stages { solver, strides, expected }: &mut Stages<Y, N>,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let StagesMemory { q, v, slopes, work } = memory;
         let mut effort = Effort::default();
         *work = Y::Scalar::ZERO;
@@ -183,8 +183,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
             let stage = InStage { k, stride: &strides[k], t, ahead: Ahead::Expected(expected), solver };
             let (cost, done) = self.scheme.advance(system, stage, [q, v], slopes)?;
             *work += done;
-            effort.evaluations += cost.evaluations;
-            effort.iterations += cost.iterations;
+            effort += cost;
         }
         Ok(effort)
     }

@@ -141,7 +141,7 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
         t: Y::Scalar,
         StepsMemory { inner: memory, work }: &mut Self::Memory,
         StepsRoom { strides, inner, paced, before, stretched, watched }: &mut Self::Workspace,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let (scheme, mut effort) = (&self.scheme.0, Effort::default());
         *work = Y::Scalar::ZERO;
         for k in 0..N {
@@ -156,14 +156,13 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
             // The first stage is as long as the last one of the step before.
             if k > 0 && C::GAMMA[k] != C::GAMMA[k - 1] {
                 let ratio = Y::dt(&strides[k]) / Y::dt(&strides[k - 1]);
-                effort.evaluations += scheme.stretch(system, &strides[k], t, ratio, memory, inner);
+                effort += Effort::of(scheme.stretch(system, &strides[k], t, ratio, memory, inner));
             }
             let cost = scheme.step(system, &strides[k], t, memory, inner)?;
             if let Some(before) = before.as_ref().filter(|_| *watched) {
                 *work += scheme.work(system, &strides[k], before, memory);
             }
-            effort.evaluations += cost.evaluations;
-            effort.iterations += cost.iterations;
+            effort += cost;
         }
         Ok(effort)
     }

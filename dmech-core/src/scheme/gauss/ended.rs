@@ -1,7 +1,8 @@
 //! Sweeps of motions side by side: each keeps the pushes of its own last sweep.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{Count, Mask, Real};
 
+use crate::newton::Counts;
 use crate::system::stages::{either, nowhere};
 use crate::system::{Staged, System};
 
@@ -14,8 +15,8 @@ pub(super) type Which<Y> = <<Y as System>::Scalar as Real>::Mask;
 pub(super) struct Ended<Y: Staged> {
     pushes: Option<Y::Pushes>,
     which: Which<Y>,
-    /// The sweeps of each.
-    pub(super) sweeps: Y::Scalar,
+    /// The evaluations of each.
+    pub(super) evaluations: Counts<Y::Scalar>,
 }
 
 impl<Y: Staged> Ended<Y> {
@@ -25,7 +26,7 @@ impl<Y: Staged> Ended<Y> {
     /// None.
     #[inline(always)]
     pub(super) fn none() -> Self {
-        Ended { pushes: None, which: nowhere::<Y::Scalar>(), sweeps: Y::Scalar::ZERO }
+        Ended { pushes: None, which: nowhere::<Y::Scalar>(), evaluations: Count::of(0) }
     }
 
     /// With those that have ended before.
@@ -47,7 +48,7 @@ impl<Y: Staged> Ended<Y> {
         for (kept, push) in Y::eights_mut(kept).iter_mut().zip(Y::eights(pushes)) {
             *kept = either(which, push, kept);
         }
-        self.sweeps = Y::Scalar::either(which, Y::Scalar::from_f64(sweep.into()), self.sweeps);
+        self.evaluations = which.count(Count::of(8 * sweep), self.evaluations);
         self.which = self.which.or(which);
         let all = self.which.all();
         if all {

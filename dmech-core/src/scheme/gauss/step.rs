@@ -1,12 +1,12 @@
 //! A step of eight stages: sweeps to rounding.
 
-use dmech_scalar::{Mask, Real};
+use dmech_scalar::{Count, Mask, Real};
 
 use super::ended::{Ended, Which};
 use super::tableau::Tableau;
 use super::{Gauss, LineIntegral};
 use crate::invariant::{Invariant, Kept};
-use crate::newton::NotConverged;
+use crate::newton::{Counts, NotConverged};
 use crate::scheme::by_lane::by_lane;
 use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::{Effort, Method, Scheme};
@@ -66,13 +66,13 @@ pub struct Sweeps<Y: Staged> {
     watched: bool,
     /// Sweeps of this step.
     made: u32,
-    /// Those of each of several side by side.
-    of_each: Y::Scalar,
+    /// Evaluations by each of several side by side.
+    of_each: Counts<Y::Scalar>,
 }
 
 impl<Y: Staged> Sweeps<Y> {
     fn new(system: &Y) -> Self {
-        Sweeps { aim: system.aims(), watched: false, made: 0, of_each: Y::Scalar::ZERO }
+        Sweeps { aim: system.aims(), watched: false, made: 0, of_each: Count::of(0) }
     }
 }
 
@@ -151,7 +151,7 @@ fn until_rounding<Y: Staged>(
         }
         let near = goes_on.or(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
         if ended.add(near.and(goes_on.not()), pushes, *made) {
-            *of_each = ended.sweeps;
+            *of_each = ended.evaluations;
             return Ok(());
         }
         stalls += Y::Scalar::either(near, Y::Scalar::ZERO, Y::Scalar::ONE);
@@ -237,7 +237,7 @@ macro_rules! stepped_by_stages {
                 t: Y::Scalar,
                 memory: &mut Self::Memory,
                 sweeps: &mut Sweeps<Y>,
-            ) -> Result<Effort, NotConverged> {
+            ) -> Result<Effort<Y::Scalar>, NotConverged> {
                 let GaussMemory { q, v, pushes, ratio, rough, dt, in_parts: parts } = memory;
                 let (with, at) = ((system, Self::TABLEAU), (t, *ratio));
                 let (zero, one) = (Y::Scalar::ZERO, Y::Scalar::ONE);
@@ -265,12 +265,8 @@ macro_rules! stepped_by_stages {
                         })?);
                     }
                 }
-                Ok(Effort { evaluations: 8 * sweeps.made, iterations: 0 })
-            }
-
-            #[inline(always)]
-            fn evaluations(&self, _: &Effort, sweeps: &Sweeps<Y>) -> Y::Scalar {
-                Y::Scalar::from_f64(8.0) * sweeps.of_each
+                let evaluations = if Ended::<Y>::MANY { sweeps.of_each } else { Count::of(8 * sweeps.made) };
+                Ok(Effort { evaluations, iterations: Count::of(0) })
             }
 
             #[inline(always)]

@@ -2,7 +2,7 @@
 
 use core::convert::identity;
 
-use dmech_scalar::Real;
+use dmech_scalar::{Count, Real};
 
 use super::{Relaxed, RelaxedRoom, corrects};
 use crate::invariant::{Invariant, Kept};
@@ -78,7 +78,7 @@ impl<C: NystromCoefficients<N>, const N: usize, Y: System + WithoutVelocities> S
         t: Y::Scalar,
         memory: &mut Self::Memory,
         room: &mut RelaxedRoom<Y>,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let (h, exact) = (Y::dt(stride), corrects(system));
         let RelaxedMemory { q, v, level, level_low, before, work } = memory;
         Y::watch(room.watched && !exact, &mut room.kicks);
@@ -96,7 +96,7 @@ impl<C: NystromCoefficients<N>, const N: usize, Y: System + WithoutVelocities> S
         }
         let corrections =
             if exact { room.correct(system, stride, t + h, digits(*level, *level_low), [q, v])? } else { 0 };
-        Ok(Effort { evaluations: N as u32 + corrections, iterations: corrections })
+        Ok(Effort { evaluations: Count::of(N as u32 + corrections), iterations: Count::of(corrections) })
     }
 
     q_and_v! { identity }

@@ -167,7 +167,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
         t: Y::Scalar,
         memory: &mut Self::Memory,
         NystromStages { room, still, place, weighed, gains }: &mut NystromStages<Y>,
-    ) -> Result<Effort, NotConverged> {
+    ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let h = Y::dt(stride);
         let RungeKuttaNystromMemory { q, v } = memory;
         for i in 0..STAGES {
@@ -189,7 +189,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
         Y::add_to_sum(q, h, weighed);
         at_the_end(&KICKS, weighed);
         Y::add_to_sum(v, Y::Scalar::ONE, weighed);
-        Ok(Effort { evaluations: STAGES as u32, iterations: 0 })
+        Ok(Effort::of(STAGES as u32))
     }
 
     q_and_v! { Y::value }

@@ -129,7 +129,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                 t: Y::Scalar,
                 memory: &mut Self::Memory,
                 room: &mut Y::Room,
-            ) -> Result<Effort, NotConverged> {
+            ) -> Result<Effort<Y::Scalar>, NotConverged> {
                 let h = Y::dt(stride);
                 let (work, begun) = (&mut memory.work, memory.begun);
                 memory.begun = if begun == Begun::ToCome && !Y::IN_REGISTERS { Begun::Made } else { Begun::No };
@@ -153,7 +153,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                     core::mem::swap(v_before, v_after);
                     system.kick(room, stride, last, q, v_before, v_after);
                 }
-                Ok(Effort { evaluations: $n as u32, iterations: 0 })
+                Ok(Effort::of($n as u32))
             }
 
             /// Of the kick that two steps share, the second half is that of the longer or shorter step to come.

@@ -351,7 +351,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         *place = found.increment.gradient;
     }
     #[inline(always)]
-    fn effort(found: &Self::Found) -> Effort {
+    fn effort(found: &Self::Found) -> Effort<R> {
         Effort { evaluations: found.increment.evaluations, iterations: found.increment.iterations }
     }
 

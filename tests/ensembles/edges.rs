@@ -102,6 +102,18 @@ fn none_and_one_and_no_steps() {
     assert_eq!(endless, Error::EndTime { end: f64::INFINITY, dt: 0.1 });
 }
 
+/// Laws and starts that somebody has listed.
+#[test]
+fn members_of_a_list() {
+    let members = (0..45).map(|k| (Orbit::member(k), Orbit::start(k)));
+    let listed = Ensemble::over(members).scheme(DiscreteGradient).dt(0.05).run_until(4.0).unwrap();
+    let numbered = Ensemble::of(45).law(Orbit::member).start(Orbit::start).scheme(DiscreteGradient).dt(0.05);
+    assert_eq!(listed.len(), 45);
+    assert_eq!(listed.checksum(), numbered.run_until(4.0).unwrap().checksum());
+    let none = Ensemble::over(Vec::<(Orbit, State<2>)>::new()).scheme(Leapfrog).dt(0.05).run(3).unwrap();
+    assert!(none.is_empty());
+}
+
 /// Steps of their own length.
 #[test]
 fn adaptive_members() {

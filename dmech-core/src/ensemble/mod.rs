@@ -22,6 +22,7 @@ mod store;
 
 #[cfg(feature = "store")]
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Instant;
 
 pub use crate::ride::LANES;
@@ -128,6 +129,30 @@ impl Ensemble {
             hands: Hands::ALL,
             beside: Beside::default(),
         }
+    }
+
+    /// Members by their laws and starts, in their order: as a list or an iterator has them.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// # fn map<L: dmech_core::extend::Fields<2> + Clone>(orbit: impl Fn(f64) -> L) -> Result<(), Error>
+    /// # where Leapfrog: dmech_core::extend::Rides<L, 2> {
+    /// let masses = [0.3, 1.0, 4.5];
+    /// let members = masses.map(|gm| (orbit(gm), State::new([1.0, 0.0], [0.0, gm.sqrt()])));
+    /// let run = Ensemble::over(members).scheme(Leapfrog).dt(1e-3).run_until(10.0)?;
+    /// assert_eq!(run.len(), 3);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn over<Y, const D: usize>(
+        members: impl IntoIterator<Item = (Y, State<D>)>,
+    ) -> Ensemble<impl Fn(usize) -> Y + Clone + Sync, impl Fn(usize) -> State<D> + Clone + Sync>
+    where
+        Y: Clone + Send + Sync,
+    {
+        let laws: Arc<[(Y, State<D>)]> = members.into_iter().collect();
+        let starts = Arc::clone(&laws);
+        Ensemble::of(laws.len()).law(move |k| laws[k].0.clone()).start(move |k| starts[k].1)
     }
 
     /// So many simulations of any kind, each moved alone, over all cores: scenes among them. What they record is kept.

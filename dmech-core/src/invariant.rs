@@ -30,6 +30,11 @@ impl Invariant {
         Invariant::LinearMomentum,
         Invariant::AngularMomentum,
     ];
+
+    /// Something of each, in this order; compiled once, whatever asks.
+    pub(crate) fn each<T>(of: &mut dyn FnMut(Invariant) -> T) -> [T; Self::ALL.len()] {
+        Self::ALL.map(of)
+    }
 }
 
 impl core::fmt::Display for Invariant {

@@ -1,9 +1,6 @@
 //! How many steps lie between two times.
 
 use crate::error::Error;
-use crate::scheme::Scheme;
-use crate::stepper::Stepper;
-use crate::system::System;
 
 /// How far a run goes.
 #[derive(Clone, Copy, Debug)]
@@ -23,13 +20,13 @@ impl Span {
         }
     }
 
-    /// The steps that it takes.
-    pub(crate) fn steps<Y: System, S: Scheme<Y>>(self, stepper: &Stepper<Y, S>) -> Result<u64, Error> {
-        self.check(stepper.dt())?;
+    /// The steps that it takes from a time, of equal length or such as follow the motion.
+    pub(crate) fn steps(self, start: f64, dt: f64, follow: bool) -> Result<u64, Error> {
+        self.check(dt)?;
         match self {
-            Span::Steps(steps) => stepper.possible(steps),
-            Span::Until(end) if stepper.scheme.tolerance().is_none() => steps_until(stepper.t(), end, stepper.dt()),
-            Span::Until(end) if end < stepper.t() => Err(Error::Span { start: stepper.t(), end }),
+            Span::Steps(steps) => possible(steps, start, dt, follow),
+            Span::Until(end) if !follow => steps_until(start, end, dt),
+            Span::Until(end) if end < start => Err(Error::Span { start, end }),
             Span::Until(_) => Ok(UNCOUNTED),
         }
     }
@@ -59,8 +56,13 @@ pub fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
     Ok(steps as u64)
 }
 
+/// So many steps from a time, if it can tell them apart; those that follow the motion look at the time themselves.
+pub(crate) fn possible(steps: u64, start: f64, dt: f64, follow: bool) -> Result<u64, Error> {
+    if follow { Ok(steps) } else { steps_from(start, steps, dt) }
+}
+
 /// So many steps from a time on, if every one of them changes the time.
-pub(crate) fn steps_from(time: f64, steps: u64, dt: f64) -> Result<u64, Error> {
+fn steps_from(time: f64, steps: u64, dt: f64) -> Result<u64, Error> {
     moves_on(time, dt)?;
     moves_on(steps as f64 * dt + time, dt)?;
     Ok(steps)

@@ -5,8 +5,8 @@ use dmech_scalar::{Count, Real};
 use crate::error::Error;
 use crate::law::Law;
 use crate::newton::NotConverged;
-use crate::scheme::Scheme;
-use crate::span::steps_from;
+use crate::scheme::{Reached, Scheme};
+use crate::span::possible;
 use crate::system::{Beginning, Effort, Particle, System};
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
@@ -65,6 +65,55 @@ pub(crate) fn check_step<R: Real>(tolerance: Option<f64>, dt: f64) -> Result<(),
     Ok(())
 }
 
+/// Where a step begins: position, velocity, and the slope there.
+struct Place<Y: System> {
+    q: Y::Vector,
+    v: Y::Vector,
+    slope: Y::Vector,
+    t: f64,
+}
+
+impl<Y: System> Place<Y> {
+    /// From which a motion starts.
+    fn prepared(system: &Y, start: &Y::State) -> Result<Self, Error> {
+        let mut slope = system.zero();
+        system.prepare(start, &mut slope)?;
+        let [q, v] = system.vectors(start);
+        Ok(Place { q, v, slope, t: Y::time(start) })
+    }
+
+    /// Through which it comes.
+    fn passed(system: &Y, state: &Y::State) -> Self {
+        let ([q, v], mut slope, t) = (system.vectors(state), system.zero(), Y::time(state));
+        system.slope(Y::Scalar::from_f64(t), &q, &v, &mut slope);
+        Place { q, v, slope, t }
+    }
+
+    fn beginning(&self) -> Beginning<'_, Y> {
+        Beginning { t: Y::Scalar::from_f64(self.t), q: &self.q, v: &self.v, slope: &self.slope }
+    }
+
+    /// The state at a time that a step from here has led to, and what it has cost with the slope.
+    fn reached(
+        &self,
+        system: &Y,
+        step: u64,
+        t: f64,
+        ([q, v], mut effort): Reached<Y>,
+    ) -> Result<(Y::State, Effort<Y::Scalar>), Error> {
+        if !Y::is_finite(&q) || !Y::is_finite(&v) {
+            return Err(system.not_finite(step, [&q, &v], self.t, t - self.t));
+        }
+        effort += Effort::of(1);
+        Ok((system.state(t, &q, &v), effort))
+    }
+
+    /// Why a step of some length from here has not been solved.
+    fn unsolved(&self, system: &Y, step: u64, dt: f64, cause: NotConverged) -> Error {
+        system.unsolved(step, [&self.q, &self.v], self.t, dt, cause)
+    }
+}
+
 /// What a scheme carries from a state on.
 fn begun<Y: System, S: Scheme<Y>>(
     step: u64,
@@ -74,15 +123,12 @@ fn begun<Y: System, S: Scheme<Y>>(
     start: &Y::State,
     workspace: &mut S::Workspace,
 ) -> Result<S::Memory, Error> {
-    let mut slope = system.zero();
-    system.prepare(start, &mut slope)?;
-    let ([q, v], t) = (system.vectors(start), Y::time(start));
-    let first = Beginning { t: Y::Scalar::from_f64(t), q: &q, v: &v, slope: &slope };
-    let memory = scheme.begin(system, stride, &first, workspace);
-    // A start that solves an equation makes a step backward.
-    let memory = memory.map_err(|cause| system.unsolved(0, [&q, &v], t, -Y::dt(stride).to_f64(), cause))?;
-    scheme.ready(step, &memory)?;
-    Ok(memory)
+    let place = Place::prepared(system, start)?;
+    match scheme.begin(system, stride, &place.beginning(), workspace) {
+        Ok(memory) => scheme.ready(step, &memory).map(|()| memory),
+        // A start that solves an equation makes a step backward.
+        Err(cause) => Err(place.unsolved(system, 0, -Y::dt(stride).to_f64(), cause)),
+    }
 }
 
 impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
@@ -207,7 +253,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if self.waits {
             self.begin_at_last()?;
         }
-        let end = self.steps.saturating_add(self.possible(steps)?);
+        let end = self.steps.saturating_add(possible(steps, self.t(), self.dt, self.scheme.tolerance().is_some())?);
         let mut last = self.copy();
         self.scheme.watch(false, &mut self.workspace);
         let counts = self.run_to(end, &mut last);
@@ -234,12 +280,6 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             iterations += effort.iterations.to_u64();
         }
         self.scheme.finite(memory).then_some([evaluations, iterations])
-    }
-
-    /// So many steps from here, if the time can tell them apart.
-    pub(crate) fn possible(&self, steps: u64) -> Result<u64, Error> {
-        // Steps that follow the motion look at the time themselves.
-        if self.scheme.tolerance().is_some() { Ok(steps) } else { steps_from(self.t(), steps, self.dt) }
     }
 
     /// Finds the step that fails.
@@ -276,19 +316,11 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if t == start {
             return Ok((from.clone(), Effort::default()));
         }
-        let ([q, v], now) = (system.vectors(from), Y::Scalar::from_f64(start));
-        let mut slope = system.zero();
-        system.slope(now, &q, &v, &mut slope);
-        let from = Beginning { t: now, q: &q, v: &v, slope: &slope };
-        let ([q, v], mut effort) = match self.scheme.within(system, Y::Scalar::from_f64(t - start), &from) {
-            Ok(step) => step,
-            Err(cause) => return Err(system.unsolved(step, [&q, &v], start, t - start, cause)),
-        };
-        if !Y::is_finite(&q) || !Y::is_finite(&v) {
-            return Err(system.not_finite(step, [&q, &v], start, t - start));
+        let (place, dt) = (Place::passed(system, from), t - start);
+        match self.scheme.within(system, Y::Scalar::from_f64(dt), &place.beginning()) {
+            Ok(reached) => place.reached(system, step, t, reached),
+            Err(cause) => Err(place.unsolved(system, step, dt, cause)),
         }
-        effort += Effort::of(1);
-        Ok((system.state(t, &q, &v), effort))
     }
 
     /// The length of the next step.

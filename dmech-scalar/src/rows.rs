@@ -30,7 +30,11 @@ impl<const N: usize> Rows<N> {
     /// f(i) in lane i.
     #[inline(always)]
     pub fn from_fn(mut f: impl FnMut(usize) -> f64) -> Self {
-        Self(from_fn(|row| Lanes::from_fn(|i| f(row * Lanes::COUNT + i))))
+        let mut rows = Self::ZERO;
+        for lane in 0..Self::COUNT {
+            rows[lane] = f(lane);
+        }
+        rows
     }
 
     /// The larger in each lane, of numbers: [`Lanes::larger_number`].

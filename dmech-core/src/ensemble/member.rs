@@ -15,7 +15,7 @@ use crate::system::Particle;
 pub(super) struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, O, const D: usize> {
     pub(super) k: usize,
     pub(super) stepper: Stepper<Particle<L, D>, S>,
-    pub(super) log: Log<Particle<L, D>, (O, Forget)>,
+    pub(super) log: Log<State<D>, f64, (O, Forget)>,
     /// Steps that are left to make.
     pub(super) left: u64,
     /// Steps from one look at the invariants to the next; none where states are recorded by time.
@@ -101,18 +101,18 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
     fn what_followed(&mut self, steps: u64) -> Result<Option<State<D>>, Error> {
         let Member { stepper, log, before, .. } = self;
         if let Some(before) = before.take()
-            && let Some(stopped) = log.look_into_the_step(stepper, before.t, || before, &stepper.state())?
+            && let Some(stopped) = log.look_into_the_step(stepper, before.t, &|| before, &stepper.state())?
         {
             return Ok(Some(stopped));
         }
         log.count(stepper, steps)?;
-        Ok(log.observe(stepper, &mut || stepper.state()))
+        Ok(log.observe(stepper.steps(), &mut || stepper.state()))
     }
 
     /// Events of a step that was made in a lane.
     #[inline]
     pub(super) fn meet(&mut self, start: f64, before: impl Fn() -> State<D>, after: &State<D>) {
-        match self.log.look_into_the_step(&self.stepper, start, before, after) {
+        match self.log.look_into_the_step(&self.stepper, start, &before, after) {
             Ok(None) => {}
             outcome => self.outcome = outcome,
         }
@@ -127,7 +127,7 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 
     /// Shows the state in a lane to those who observe it.
     pub(super) fn observe(&mut self, now: impl Fn() -> State<D>) {
-        if let Some(stopped) = self.log.observe(&self.stepper, &mut || now()) {
+        if let Some(stopped) = self.log.observe(self.stepper.steps(), &mut || now()) {
             self.outcome = Ok(Some(stopped));
         }
     }

@@ -8,6 +8,7 @@ mod csv;
 mod due;
 mod event;
 mod interrupted;
+mod log;
 mod motion;
 mod observe;
 mod output;
@@ -34,7 +35,7 @@ pub use csv::Columns;
 pub(crate) use due::Due;
 pub use event::{Crossing, Event};
 pub use interrupted::Interrupted;
-pub(crate) use motion::Log;
+pub(crate) use log::Log;
 pub use observe::Observer;
 pub use passage::Passage;
 pub(crate) use progress::{Follow, Shown};
@@ -83,7 +84,7 @@ const ROOM: u64 = 1 << 16;
 
 impl<X> Run<X> {
     pub(crate) fn empty<M: Method>(start: X, scheme: &M, dt: f64, mass: f64) -> Self {
-        let kept = Invariant::ALL.map(M::keeps);
+        let kept = Invariant::each(&mut M::keeps);
         let report = Report::new(scheme, dt, mass, kept);
         Run {
             states: Vec::new(),

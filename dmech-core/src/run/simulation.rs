@@ -4,7 +4,7 @@ use dmech_scalar::Real;
 
 use super::attend::Attend;
 use super::due::Due;
-use super::motion::record;
+use super::log::record;
 use super::progress::Shown;
 use super::{Interrupted, Run};
 use crate::error::Error;
@@ -59,6 +59,15 @@ pub(crate) struct Settings {
     pub(crate) dt: Option<f64>,
     pub(crate) due: Due,
     pub(crate) shown: Shown,
+}
+
+impl Settings {
+    /// The length of the steps, with a tolerance the longest.
+    fn step_length<R: Real>(&self, tolerance: Option<f64>) -> Result<f64, Error> {
+        let dt = self.dt.or(tolerance.map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
+        check_step::<R>(tolerance, dt)?;
+        Ok(dt)
+    }
 }
 
 impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
@@ -121,10 +130,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     where
         S: Method,
     {
-        let tolerance = self.scheme.tolerance();
-        let dt = self.settings.dt.or(tolerance.map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
-        check_step::<R>(tolerance, dt)?;
-        Ok(dt)
+        self.settings.step_length::<R>(self.scheme.tolerance())
     }
 
     pub(crate) fn with(mut self, set: impl FnOnce(&mut Settings)) -> Self {
@@ -325,8 +331,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         O: Attend<X::State>,
     {
         let (due, shown) = (self.settings.due.clone(), self.settings.shown.clone());
-        let Prepared { stepper, run, steps, attend } = self.prepare(span)?;
-        record(stepper, run, steps, (due, attend), shown)
+        let Prepared { mut stepper, run, steps, attend } = self.prepare(span)?;
+        stepper.scheme.watch(true, &mut stepper.workspace);
+        record(&mut stepper, run, steps, (due, attend), shown)
     }
 
     /// Everything that a run begins with.
@@ -342,7 +349,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         let prepared = settings.due.check(<X::System as System>::time(run.last())).and_then(|()| {
             let stepper = Simulation { law, start, scheme, settings, attend: () }.stepper()?;
             stepper.system.check_potential(&stepper.start)?;
-            Ok((span.steps(&stepper)?, stepper))
+            let steps = span.steps(stepper.t(), stepper.dt, stepper.scheme.tolerance().is_some())?;
+            Ok((steps, stepper))
         });
         match prepared {
             Ok((steps, stepper)) => Ok(Prepared { stepper, run, steps, attend }),

@@ -4,6 +4,7 @@ use dmech_scalar::{Compensated, Real};
 
 #[cfg(feature = "plot")]
 use super::course::Courses;
+use super::motion::{Look, Motion};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
 use crate::scheme::Scheme;
@@ -38,74 +39,79 @@ use crate::system::System;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Watch<Y: System> {
+pub struct Watch<R: Real = f64> {
     /// Energies at the start, by `Invariant as usize`; 0 where there is none.
-    energies: [Y::Scalar; Invariant::ALL.len()],
-    work: Compensated<Y::Scalar>,
+    energies: [R; Invariant::ALL.len()],
+    work: Compensated<R>,
     drifts: Drifts,
     /// The law's own invariants at the start.
-    own_start: [Y::Scalar; MAX_OWN],
+    own_start: [R; MAX_OWN],
     own: OwnDrifts,
     /// Their course, where it is kept.
     #[cfg(feature = "plot")]
     courses: Option<Courses>,
 }
 
-impl<Y: System> Watch<Y> {
+impl<R: Real> Watch<R> {
     /// Starts from the first state.
-    pub fn begin<S: Scheme<Y>>(stepper: &Stepper<Y, S>) -> Self {
-        let energies = [Y::Scalar::ZERO; Invariant::ALL.len()];
-        let work = Compensated::new(Y::Scalar::ZERO);
-        let own_start = [Y::Scalar::ZERO; MAX_OWN];
-        let own = OwnDrifts::default();
+    pub fn begin<Y: System<Scalar = R>, S: Scheme<Y>>(stepper: &Stepper<Y, S>) -> Self {
+        Self::of(stepper)
+    }
+
+    pub(super) fn of<X>(motion: &dyn Motion<X, R>) -> Self {
         let mut watch: Self = Watch {
-            energies,
-            work,
+            energies: [R::ZERO; Invariant::ALL.len()],
+            work: Compensated::new(R::ZERO),
             drifts: [None; Invariant::ALL.len()],
-            own_start,
-            own,
+            own_start: [R::ZERO; MAX_OWN],
+            own: OwnDrifts::default(),
             #[cfg(feature = "plot")]
             courses: None,
         };
-        let state = stepper.state();
-        for (k, name) in stepper.system.own_invariants().iter().enumerate().take(MAX_OWN) {
-            watch.own_start[k] = stepper.system.own_invariant(k, &state);
-            watch.own.add(name, Drift::new(Y::time(&state), watch.own_start[k].to_f64()));
+        let state = motion.state();
+        let (t, look) = (motion.clock()(&state), motion.look(&state));
+        for (k, name) in motion.own_names().iter().enumerate().take(MAX_OWN) {
+            watch.own_start[k] = motion.own(k, &state);
+            watch.own.add(name, Drift::new(t, watch.own_start[k].to_f64()));
         }
         for invariant in Invariant::ALL {
-            let energy = watch.energy(invariant, stepper, &state);
-            watch.energies[invariant as usize] = energy.unwrap_or(Y::Scalar::ZERO);
-            let value = energy.map(|energy| energy.to_f64());
-            let value = value.or_else(|| watch.momentum(invariant, stepper, &state).map(|(momentum, _)| momentum));
-            watch.drifts[invariant as usize] = value.map(|value| Drift::new(Y::time(&state), value));
+            let energy = watch.energy(invariant, &look);
+            watch.energies[invariant as usize] = energy.unwrap_or(R::ZERO);
+            let value = energy.map(R::to_f64).or(look.momentum(invariant).map(|[momentum, _]| momentum));
+            watch.drifts[invariant as usize] = value.map(|value| Drift::new(t, value));
         }
         watch
     }
 
     /// Makes one step and adds its work.
     #[inline(always)]
-    pub fn step<S: Scheme<Y>>(&mut self, stepper: &mut Stepper<Y, S>) -> Result<(), Error> {
+    pub fn step<Y: System<Scalar = R>, S: Scheme<Y>>(&mut self, stepper: &mut Stepper<Y, S>) -> Result<(), Error> {
         stepper.step_and(|Stepper { system, scheme, stride, .. }, before, after| {
             self.work.add(scheme.work(system, stride, before, after));
         })
     }
 
     /// Looks at a recorded state.
-    pub fn observe<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
+    pub fn observe<Y: System<Scalar = R>, S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
+        self.see(stepper, state);
+    }
+
+    pub(super) fn see<X>(&mut self, motion: &dyn Motion<X, R>, state: &X) {
+        let (t, look) = (motion.clock()(state), motion.look(state));
         for invariant in Invariant::ALL {
             // Before it is rounded to `f64`, which may have fewer digits.
-            let energy = self.energy(invariant, stepper, state);
-            let seen = energy.map(|energy| (energy.to_f64(), (energy - self.energies[invariant as usize]).to_f64()));
-            let seen = seen.or_else(|| self.momentum(invariant, stepper, state));
-            if let (Some((value, deviation)), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
-                drift.observe(Y::time(state), value, deviation);
+            let energy = self.energy(invariant, &look);
+            let seen = energy.map(|energy| [energy, energy - self.energies[invariant as usize]].map(R::to_f64));
+            let seen = seen.or(look.momentum(invariant));
+            if let (Some([value, deviation]), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
+                drift.observe(t, value, deviation);
                 #[cfg(feature = "plot")]
                 if let Some(courses) = &mut self.courses {
-                    courses.see(invariant, Y::time(state), deviation);
+                    courses.see(invariant, t, deviation);
                 }
             }
         }
-        self.observe_own(stepper, state);
+        self.see_own(motion, state);
     }
 
     /// Takes them from elsewhere; those of the law itself are looked at here.
@@ -119,14 +125,14 @@ impl<Y: System> Watch<Y> {
     }
 
     /// Looks at the invariants that the law declares itself.
-    pub(crate) fn observe_own<S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
+    pub(super) fn see_own<X>(&mut self, motion: &dyn Motion<X, R>, state: &X) {
         for (k, drift) in self.own.iter_mut().enumerate() {
-            let value = stepper.system.own_invariant(k, state);
-            let deviation = (value - self.own_start[k]).to_f64();
-            drift.observe(Y::time(state), value.to_f64(), deviation);
+            let value = motion.own(k, state);
+            let (t, deviation) = (motion.clock()(state), (value - self.own_start[k]).to_f64());
+            drift.observe(t, value.to_f64(), deviation);
             #[cfg(feature = "plot")]
             if let Some(courses) = &mut self.courses {
-                courses.see_own(k, Y::time(state), deviation);
+                courses.see_own(k, t, deviation);
             }
         }
     }
@@ -158,34 +164,22 @@ impl<Y: System> Watch<Y> {
         self.own.clone()
     }
 
-    fn energy<S: Scheme<Y>>(
-        &self,
-        invariant: Invariant,
-        Stepper { system, scheme, memory, .. }: &Stepper<Y, S>,
-        state: &Y::State,
-    ) -> Option<Y::Scalar> {
-        if !system.conserves(invariant) {
-            return None;
-        }
-        let t = Y::Scalar::from_f64(Y::time(state));
+    fn energy(&self, invariant: Invariant, look: &Look<R>) -> Option<R> {
         match invariant {
-            Invariant::Energy => Some(system.energy(state)),
-            Invariant::DiscreteEnergy => scheme.discrete_energy(system, t, memory),
-            Invariant::WorkEnergy => Some((scheme.kinetic_energy(system, memory) - self.work.hi) - self.work.lo),
+            Invariant::Energy => look.energy,
+            Invariant::DiscreteEnergy => look.discrete_energy,
+            Invariant::WorkEnergy => look.kinetic.map(|kinetic| (kinetic - self.work.hi) - self.work.lo),
             Invariant::LinearMomentum | Invariant::AngularMomentum => None,
         }
     }
+}
 
-    fn momentum<S: Scheme<Y>>(
-        &self,
-        invariant: Invariant,
-        stepper: &Stepper<Y, S>,
-        state: &Y::State,
-    ) -> Option<(f64, f64)> {
-        let is_momentum = matches!(invariant, Invariant::LinearMomentum | Invariant::AngularMomentum);
-        let system = &stepper.system;
-        let seen =
-            (is_momentum && system.conserves(invariant)).then(|| system.momentum(invariant, state, &stepper.start));
-        seen.map(|(value, deviation)| (value.to_f64(), deviation.to_f64()))
+impl<R> Look<R> {
+    fn momentum(&self, invariant: Invariant) -> Option<[f64; 2]> {
+        match invariant {
+            Invariant::LinearMomentum => self.momenta[0],
+            Invariant::AngularMomentum => self.momenta[1],
+            _ => None,
+        }
     }
 }

@@ -9,6 +9,7 @@ use rusqlite::{Connection, OpenFlags};
 
 use super::layout::Layout;
 use super::record::{Members, read};
+use super::set_up::SetUp;
 use super::settings::set;
 use crate::ensemble::plan::{Moved, Plan};
 use crate::ensemble::{Checksum, Outcome, Rides};
@@ -31,12 +32,7 @@ pub(super) struct Store {
 
 impl Store {
     /// Opens the store of an ensemble, or makes it.
-    pub(super) fn open<L, S, O, const D: usize>(path: &Path, plan: &Plan<'_, L, S, O, D>) -> Result<Self, StoreError>
-    where
-        L: Fields<D>,
-        S: Rides<L, D> + Sync,
-        O: Attend<State<D>>,
-    {
+    pub(super) fn open(path: &Path, ensemble: &dyn SetUp) -> Result<Self, StoreError> {
         // SQLite takes the beginning of a database for an empty one.
         let length = std::fs::metadata(path).map_or(0, |file| file.len());
         if (1..SMALLEST).contains(&length) {
@@ -62,11 +58,11 @@ impl Store {
         let journal: String = database.query_row("PRAGMA journal_mode = WAL", [], |row| row.get(0))?;
         let synchronous = if journal.eq_ignore_ascii_case("wal") { "NORMAL" } else { "FULL" };
         database.execute_batch(&format!("PRAGMA synchronous = {synchronous}"))?;
-        let layout = plan.layout();
+        let layout = ensemble.layout();
         if tables > 0 {
-            plan.compare(&database, &layout)?;
+            ensemble.compare(&database, &layout)?;
         } else {
-            plan.begin(&database, &layout)?;
+            ensemble.begin(&database, &layout)?;
         }
         Ok(Store { database, layout })
     }
@@ -98,7 +94,7 @@ impl Store {
     {
         let mut stored = Vec::new();
         if moved.len() < members.len() {
-            read(&self.database, &self.layout, members.clone(), |k, run| stored.push((k, run)))
+            read(&self.database, &self.layout, members.clone(), &mut |k, run| stored.push((k, run)))
                 .map_err(Error::Store)?;
         }
         if !moved.is_empty() {

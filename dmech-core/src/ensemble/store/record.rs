@@ -133,7 +133,7 @@ pub(super) fn read<const D: usize>(
     database: &Connection,
     layout: &Layout,
     members: Range<usize>,
-    mut take: impl FnMut(usize, Restored<State<D>>),
+    take: &mut dyn FnMut(usize, Restored<State<D>>),
 ) -> Result<(), StoreError> {
     let (from, to) = (members.start as i64, members.end as i64);
     let mut drifts = rows(database, &layout.select("drift"), [from, to], "drift", drift_of)?.into_iter().peekable();

@@ -4,18 +4,19 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, params};
 
 use super::layout::Layout;
-use super::settings::{get, set};
+use super::settings::{FORMAT, get, reach, set};
 use super::table::{Reader, Seal, Writer};
 use crate::ensemble::Rides;
 use crate::ensemble::plan::Plan;
 use crate::error::StoreError;
 use crate::law::{Field, Fields, Numbers, Potential};
 use crate::name::Name;
-use crate::run::{Attend, Simulation};
+use crate::run::{Attend, Due, Simulation};
+use crate::span::Span;
 use crate::state::State;
 
 /// The numbers of a member, and what acts on it.
-struct Member {
+pub(super) struct Member {
     numbers: Vec<f64>,
     acts: i64,
 }
@@ -39,9 +40,33 @@ impl Member {
     }
 }
 
-impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Plan<'_, L, S, O, D> {
+/// An ensemble as a store sees it, whatever the law and the scheme.
+pub(super) trait SetUp {
+    /// How many members there are.
+    fn members(&self) -> usize;
+
     /// The columns; those of the law are named by the first member.
-    pub(super) fn layout(&self) -> Layout {
+    fn layout(&self) -> Layout;
+
+    /// What a member begins with.
+    fn member(&self, k: usize) -> Member;
+
+    /// What is said of the whole, in the order in which it is compared.
+    fn settings(&self, layout: &Layout) -> Vec<(&'static str, Value)>;
+
+    /// How far it goes.
+    fn span(&self) -> Span;
+
+    /// The name of the scheme.
+    fn scheme(&self) -> &'static str;
+}
+
+impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> SetUp for Plan<'_, L, S, O, D> {
+    fn members(&self) -> usize {
+        self.members
+    }
+
+    fn layout(&self) -> Layout {
         let mut names = Vec::new();
         let numbers = <L::Numbers as Numbers>::COUNT;
         if self.members > 0 {
@@ -59,7 +84,7 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
         Layout::of(D, &names.iter().map(String::as_str).collect::<Vec<_>>())
     }
 
-    fn numbers(&self, k: usize) -> Member {
+    fn member(&self, k: usize) -> Member {
         let Simulation { law, start: State { t, q, v }, settings, .. } = (self.bare)(k);
         let numbers = [&[settings.mass], law.numbers().list().as_slice(), &[t], &q, &v].concat();
         let field = law.field(settings.mass, t);
@@ -75,6 +100,44 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
         Member { numbers, acts: seal.value() }
     }
 
+    fn settings(&self, layout: &Layout) -> Vec<(&'static str, Value)> {
+        let count = |n: usize| Value::Integer(n as i64);
+        let number = |x: Option<f64>| x.map_or(Value::Null, Value::Real);
+        let scheme = &self.common.scheme;
+        let [steps, end] = reach(self.span);
+        let looks = match self.common.due() {
+            Due::Every(n) => format!("after every {n} steps"),
+            Due::Apart(dt) => format!("every {dt:?} of time"),
+            Due::At(times) => format!("at t = {times:?}"),
+        };
+        vec![
+            ("format", Value::Integer(FORMAT)),
+            ("members", count(self.members)),
+            ("dimension", count(D)),
+            ("scheme", Value::Text(S::NAME.to_owned())),
+            ("order", count(S::ORDER as usize)),
+            ("tolerance", number(scheme.tolerance())),
+            ("dt", number(self.common.settings.dt)),
+            ("options", Value::Text(format!("{scheme:?}"))),
+            ("steps", steps),
+            ("end", end),
+            ("looks", Value::Text(looks)),
+            ("fields", Value::Text(layout.fields.join(", "))),
+            ("invariants", Value::Text(L::INVARIANTS.join(", "))),
+            ("company", Value::Text(self.company())),
+        ]
+    }
+
+    fn span(&self) -> Span {
+        self.span
+    }
+
+    fn scheme(&self) -> &'static str {
+        S::NAME
+    }
+}
+
+impl dyn SetUp + '_ {
     /// Writes the set-up of all members into an empty database, whole or not at all.
     pub(super) fn begin(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
         let transaction = database.unchecked_transaction()?;
@@ -84,8 +147,8 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
         }
         let mut all = Seal::default();
         let mut row = Writer::new(database, &layout.insert("member"))?;
-        for k in 0..self.members {
-            let member = self.numbers(k);
+        for k in 0..self.members() {
+            let member = self.member(k);
             row.count(k as u64)?;
             row.numbers(&member.numbers)?;
             row.put(member.acts)?;
@@ -107,9 +170,9 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
         let mut all = Seal::default();
         let mut statement = database.prepare(&layout.select("member"))?;
         let mut rows = statement.query(params![0, i64::MAX])?;
-        for k in 0..self.members {
+        for k in 0..self.members() {
             let changed = StoreError::Changed { table: "member", member: k as u64 };
-            let here = self.numbers(k);
+            let here = self.member(k);
             let mut row = Reader::new(rows.next()?.ok_or(changed)?);
             let number = row.count();
             let (stored, seal) = Member::read(&mut row, columns.len()).ok_or(changed)?;

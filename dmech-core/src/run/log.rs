@@ -1,0 +1,298 @@
+//! What is written down of a motion, from its first state to the last.
+
+use std::time::{Duration, Instant};
+
+use dmech_scalar::Real;
+
+use super::attend::{Attend, Happened, Within, in_order};
+use super::due::Due;
+use super::motion::Motion;
+use super::progress::{Follow, Shown};
+use super::report::Work;
+use super::{Interrupted, Run, Watch};
+use crate::error::Error;
+use crate::invariant::MAX_OWN;
+use crate::span::UNCOUNTED;
+
+/// Makes `steps` steps, or fewer if the motion arrives or is stopped before, and records the states that are due.
+pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
+    motion: &mut dyn Motion<X, R>,
+    run: Run<X>,
+    steps: u64,
+    (due, attend): (Due, O),
+    shown: Shown,
+) -> Result<Run<X>, Interrupted<X>> {
+    let mut log = Log::new(motion, run, due, attend);
+    #[cfg(feature = "plot")]
+    log.watch.keep_courses(log.start);
+    // A stream keeps none.
+    let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps, motion.dt()) };
+    if let Err(cause) = log.run.expect(states, motion.size()) {
+        return Err(Interrupted::new(log.run, cause));
+    }
+    log.write(motion, steps, Follow::new(shown, steps))
+}
+
+/// What is written down of a motion.
+pub(crate) struct Log<X, R: Real, O> {
+    run: Run<X>,
+    pub(crate) watch: Watch<R>,
+    time: fn(&X) -> f64,
+    due: Due,
+    /// The time of the start, and of the next state that is recorded by time.
+    start: f64,
+    pub(crate) next: Option<f64>,
+    /// States recorded by time so far.
+    recorded: u64,
+    /// Steps until a state is recorded by number.
+    pub(crate) until_record: u64,
+    /// The steps after which the invariants were looked at last.
+    pub(crate) looked_at: u64,
+    attend: O,
+    happened: Vec<Happened<X>>,
+    /// What states between steps have cost.
+    between: Spent,
+}
+
+/// Evaluations and corrections.
+#[derive(Clone, Copy, Default)]
+struct Spent([u64; 2]);
+
+impl Spent {
+    /// The state at a time by a shortened step from a state, which is counted.
+    fn state<X, R: Real>(&mut self, motion: &dyn Motion<X, R>, from: &X, t: f64) -> Result<X, Error> {
+        let (state, cost) = motion.between(from, t)?;
+        self.0.iter_mut().zip(cost).for_each(|(spent, cost)| *spent += cost);
+        Ok(state)
+    }
+}
+
+impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
+    pub(crate) fn new(motion: &dyn Motion<X, R>, mut run: Run<X>, due: Due, attend: O) -> Self {
+        run.report.keep(motion.kept());
+        let time = motion.clock();
+        let t = time(&motion.state());
+        let until_record = if let Due::Every(n) = due { n } else { u64::MAX };
+        let (next, watch) = (due.time(t, 0), Watch::of(motion));
+        let (happened, between, start) = (Vec::new(), Spent::default(), t);
+        let (recorded, looked_at) = (0, 0);
+        Log { run, watch, time, due, start, next, recorded, until_record, looked_at, attend, happened, between }
+    }
+
+    /// The whole run.
+    fn write(
+        mut self,
+        motion: &mut dyn Motion<X, R>,
+        steps: u64,
+        mut follow: Follow,
+    ) -> Result<Run<X>, Interrupted<X>> {
+        let clock = Instant::now();
+        let outcome = self.begin(motion).and_then(|()| self.go(motion, steps, &mut follow));
+        let outcome = outcome.and_then(|stopped| {
+            if stopped.is_none() {
+                self.record_at_the_end(motion)?;
+            }
+            Ok(stopped)
+        });
+        follow.end(motion.steps(), outcome.is_ok());
+        self.close(motion, outcome, clock.elapsed())
+    }
+
+    /// What a run gives back: where it was stopped, if it was, or why it failed.
+    pub(crate) fn close(
+        mut self,
+        motion: &dyn Motion<X, R>,
+        outcome: Result<Option<X>, Error>,
+        elapsed: Duration,
+    ) -> Result<Run<X>, Interrupted<X>> {
+        let ended = self.attend.end();
+        let outcome = outcome.and_then(|stopped| ended.map(|()| stopped));
+        if self.looked_at != motion.steps() {
+            let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| motion.state());
+            self.look_at(motion, &last);
+        }
+        #[cfg(feature = "plot")]
+        {
+            let (mut courses, mut k) = (self.watch.take_courses(), self.watch.own_drifts().iter().count());
+            self.attend.courses(&mut |course| {
+                courses.add(k, course.clone());
+                k += 1;
+            });
+            self.run.courses = courses;
+        }
+        let Log { mut run, watch, attend, between: Spent([evaluations, iterations]), .. } = self;
+        let work = motion.work();
+        let (evaluations, iterations) = (evaluations + work.evaluations, iterations + work.iterations);
+        let work = Work { evaluations, iterations, elapsed, ..work };
+        let (stopped, failure) = match outcome {
+            Ok(stopped) => (stopped, None),
+            Err(cause) => (None, Some(cause)),
+        };
+        let mut own = watch.own_drifts();
+        attend.drifts(&mut |name, drift| own.add(name, drift));
+        run.finish(stopped, || motion.state(), (watch.drifts(), own), work);
+        match failure {
+            None => Ok(run),
+            Some(cause) => Err(Interrupted::new(run, cause)),
+        }
+    }
+
+    /// Looks at the first state and records it.
+    pub(crate) fn begin(&mut self, motion: &dyn Motion<X, R>) -> Result<(), Error> {
+        let state = motion.state();
+        const { assert!(O::QUANTITIES <= MAX_OWN, "a run watches eight quantities at most") };
+        self.attend.begin(&state)?;
+        self.attend.look((self.time)(&state), &state);
+        if matches!(self.due, Due::Every(_)) { self.keep(state) } else { self.record_due(state) }
+    }
+
+    /// Makes the steps; where the run was stopped, if it was.
+    fn go(&mut self, motion: &mut dyn Motion<X, R>, steps: u64, follow: &mut Follow) -> Result<Option<X>, Error> {
+        // Steps until a state is recorded or the bar is looked at, and how many of them are left.
+        let mut row = follow.look(0).min(self.until_record);
+        let (mut left, mut all) = (row, steps);
+        while all > 0 && !motion.arrived() {
+            let is_due = self.is_due_before(motion);
+            let before = (O::EVENTS > 0 || is_due).then(|| motion.state());
+            let most = if before.is_some() || O::OBSERVES { 1 } else { left.min(all) };
+            let made = motion.go(most, self.next.filter(|_| !is_due), &mut self.watch)?;
+            if let Some(before) = before {
+                let (start, after) = ((self.time)(&before), motion.state());
+                if let Some(stopped) = self.look_into_the_step(motion, start, &|| before.clone(), &after)? {
+                    return Ok(Some(stopped));
+                }
+            }
+            (left, all) = (left - made, all - made);
+            if left == 0 {
+                self.count(motion, row)?;
+                row = follow.look(motion.steps()).min(self.until_record);
+                left = row;
+            }
+            if let Some(stopped) = self.observe(motion.steps(), &mut || motion.state()) {
+                return Ok(Some(stopped));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Shows the state to those who observe it; where they have stopped the run.
+    #[inline(always)]
+    pub(crate) fn observe(&mut self, steps: u64, now: &mut dyn FnMut() -> X) -> Option<X> {
+        let stops = O::OBSERVES && self.attend.observe(steps, now).is_break();
+        stops.then(now)
+    }
+
+    /// Counts a row of steps, and records the state if it is due.
+    pub(crate) fn count(&mut self, motion: &dyn Motion<X, R>, steps: u64) -> Result<(), Error> {
+        self.until_record -= steps;
+        let (0, &Due::Every(n)) = (self.until_record, &self.due) else { return Ok(()) };
+        self.until_record = n;
+        let state = motion.state();
+        self.look_at(motion, &state);
+        self.keep(state)
+    }
+
+    /// What is left of a look where the invariants of all laws were seen elsewhere.
+    pub(crate) fn look_beside(&mut self, motion: &dyn Motion<X, R>, state: X) -> Result<(), Error> {
+        self.watch.see_own(motion, &state);
+        self.attend.look((self.time)(&state), &state);
+        self.keep(state)
+    }
+
+    /// Whether a state is to be recorded that the next step may reach.
+    pub(crate) fn is_due_before(&self, motion: &dyn Motion<X, R>) -> bool {
+        self.next.is_some_and(|next| motion.reaches(next))
+    }
+
+    /// Events, and states that are due, in the step that was made; where the run was stopped in it. The state before it is asked
+    /// for where something has happened.
+    #[inline]
+    pub(crate) fn look_into_the_step(
+        &mut self,
+        motion: &dyn Motion<X, R>,
+        start: f64,
+        before: &dyn Fn() -> X,
+        after: &X,
+    ) -> Result<Option<X>, Error> {
+        let Log { attend, between, happened, next, time, .. } = self;
+        let mut at = |t| between.state(motion, &before(), t);
+        if O::EVENTS > 0 {
+            attend.meet(0, &mut Within { end: after, times: [start, time(after)], at: &mut at, happened })?;
+        }
+        if happened.is_empty() && next.is_none_or(|next| next > time(after)) {
+            return Ok(None);
+        }
+        self.take_what_happened(motion, before, after)
+    }
+
+    fn take_what_happened(
+        &mut self,
+        motion: &dyn Motion<X, R>,
+        before: &dyn Fn() -> X,
+        after: &X,
+    ) -> Result<Option<X>, Error> {
+        let Log { happened, time, .. } = self;
+        let time = *time;
+        in_order(happened, time);
+        let mut stopped = None;
+        for Happened { stops, event } in happened.drain(..) {
+            let state = stops.then(|| event.state().clone());
+            self.run.happened(event);
+            if state.is_some() {
+                stopped = state;
+                break;
+            }
+        }
+        let end = time(stopped.as_ref().unwrap_or(after));
+        let mut any = false;
+        while let Some(t) = self.next.filter(|&t| t <= end) {
+            let state = if t == time(after) { after.clone() } else { self.between.state(motion, &before(), t)? };
+            self.record_due(state)?;
+            any = true;
+        }
+        if any && stopped.is_none() {
+            self.look_at(motion, after);
+        }
+        Ok(stopped)
+    }
+
+    pub(crate) fn look_at(&mut self, motion: &dyn Motion<X, R>, state: &X) {
+        self.watch.see(motion, state);
+        self.attend.look((self.time)(state), state);
+        self.looked_at = motion.steps();
+    }
+
+    /// A state that is due by its time is recorded, and the next one follows.
+    fn record_due(&mut self, state: X) -> Result<(), Error> {
+        let t = (self.time)(&state);
+        if self.next != Some(t) {
+            return Ok(());
+        }
+        self.recorded += 1;
+        self.next = self.due.time(self.start, self.recorded);
+        if let (Due::Apart(dt), true) = (&self.due, self.next == Some(t)) {
+            return Err(Error::RecordDt { dt: *dt });
+        }
+        self.keep(state)
+    }
+
+    /// Times that only rounding keeps from having been reached.
+    pub(crate) fn record_at_the_end(&mut self, motion: &dyn Motion<X, R>) -> Result<(), Error> {
+        let last = motion.state();
+        let reached = (self.time)(&last);
+        let rounding = 4.0 * f64::EPSILON * reached.abs().max(self.start.abs());
+        while let Some(t) = self.next.filter(|&t| t <= reached + rounding) {
+            let state = self.between.state(motion, &last, t)?;
+            self.record_due(state)?;
+        }
+        Ok(())
+    }
+
+    /// Records a state, or hands it to a stream.
+    fn keep(&mut self, state: X) -> Result<(), Error> {
+        if !self.attend.take(&state)? {
+            self.run.record(state);
+        }
+        Ok(())
+    }
+}

@@ -8,8 +8,8 @@ use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::Law;
 use crate::scheme::Scheme;
-use crate::span::moves_on;
-use crate::stepper::{Stepper, check_step};
+use crate::span::{check_step, moves_on};
+use crate::stepper::Stepper;
 use crate::system::{Particle, System};
 
 /// Changes between steps, as a game makes them: from then on it is the motion of a new simulation from the state now, and what

@@ -1,4 +1,6 @@
-//! How many steps lie between two times.
+//! How long steps may be, and how many lie between two times.
+
+use dmech_scalar::Real;
 
 use crate::error::Error;
 
@@ -30,6 +32,20 @@ impl Span {
             Span::Until(_) => Ok(UNCOUNTED),
         }
     }
+}
+
+/// Refuses lengths of steps and tolerances.
+pub(crate) fn check_step<R: Real>(tolerance: Option<f64>, dt: f64) -> Result<(), Error> {
+    let positive = |x: f64| x > 0.0 && x.is_finite();
+    if let Some(tolerance) = tolerance.filter(|&x| !positive(x)) {
+        return Err(Error::Tolerance { tolerance });
+    }
+    let unlimited = tolerance.is_some() && dt == f64::INFINITY;
+    // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
+    if !unlimited && (!positive(dt) || !positive(R::from_f64(dt).to_f64())) {
+        return Err(Error::TimeStep { dt });
+    }
+    Ok(())
 }
 
 /// As many steps as it takes to arrive.

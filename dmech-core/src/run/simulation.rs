@@ -13,9 +13,9 @@ use crate::law::{Law, MassIndependent};
 use crate::method::Method;
 use crate::scheme::{Adaptable, Adaptive, NoScheme, Scheme};
 use crate::setup::Setup;
-use crate::span::Span;
+use crate::span::{Span, check_step};
 use crate::state::State;
-use crate::stepper::{Stepper, check_step};
+use crate::stepper::Stepper;
 use crate::system::System;
 
 /// A simulation to be set up and run.

@@ -6,9 +6,9 @@
 mod newton;
 mod particle;
 pub(crate) mod stages;
+mod step;
 
 use core::fmt::Debug;
-use core::ops::AddAssign;
 
 pub use crate::look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 pub use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
@@ -17,12 +17,13 @@ pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, not_converged};
 pub use stages::{Eight, Nearing, Staged, Staging};
+pub use step::{Ahead, Beginning, Effort, Kick, Step};
 
-use dmech_scalar::{Count, Real};
+use dmech_scalar::Real;
 
 use crate::error::Error;
 use crate::invariant::Invariant;
-use crate::newton::{Counts, NotConverged};
+use crate::newton::NotConverged;
 
 /// A system of coordinates, and the instructions of schemes.
 ///
@@ -323,64 +324,6 @@ pub trait TimeScale: System<Scalar = f64> {
     fn look(&self, room: &mut Self::Room, t: f64, q: &Self::Vector, v: &Self::Vector, least: f64) -> Look;
 }
 
-/// A kick of a splitting: b h of the force and e h³ of its change along itself, at the time t.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kick<R> {
-    /// The time.
-    pub t: R,
-    /// Its length in steps.
-    pub b: R,
-    /// The coefficient of the change of the force along itself.
-    pub e: f64,
-}
-
-/// The state that a scheme starts from.
-#[derive(Debug)]
-pub struct Beginning<'a, Y: System> {
-    /// Time.
-    pub t: Y::Scalar,
-    /// Position.
-    pub q: &'a Y::Vector,
-    /// Velocity.
-    pub v: &'a Y::Vector,
-    /// ∇Φ − F there.
-    pub slope: &'a Y::Vector,
-}
-
-/// What an implicit step starts from.
-#[derive(Debug)]
-pub struct Step<'a, Y: System> {
-    /// Its length.
-    pub stride: &'a Y::Stride,
-    /// The time now.
-    pub t: Y::Scalar,
-    /// The position now.
-    pub q: &'a Y::Sum,
-    /// The velocity now.
-    pub v: &'a Y::Sum,
-    /// Slopes from which that of this step is guessed.
-    pub ahead: Ahead<'a, Y::Vector>,
-    /// Options.
-    pub newton: &'a Newton,
-}
-
-/// The slope that is expected in a step.
-#[derive(Debug)]
-pub enum Ahead<'a, V> {
-    /// Those of the last three steps, the newest first, continued by a parabola: 3S − 3S₋ + S₋₋.
-    Continued([&'a V; 3]),
-    /// This one.
-    Expected(&'a V),
-}
-
-impl<V> Clone for Ahead<'_, V> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<V> Copy for Ahead<'_, V> {}
-
 /// No force of the system depends on the velocity, so that positions and velocities may stand half a step apart
 /// (Greenspan §3, last sentence): the law of it, or every term of a scene, is
 /// [`VelocityIndependent`](crate::VelocityIndependent).
@@ -389,28 +332,3 @@ pub trait WithoutVelocities {}
 /// The force on each body of the system is linear in its own velocity, so that a kick by the mean velocity has a closed
 /// form: the law of it, or every term of a scene, is [`LinearInVelocity`](crate::extend::LinearInVelocity).
 pub trait LinearVelocities {}
-
-/// What one step cost: of several motions side by side, each of them.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Effort<R: Real = f64> {
-    /// Evaluations of the force.
-    pub evaluations: Counts<R>,
-    /// Newton corrections.
-    pub iterations: Counts<R>,
-}
-
-impl<R: Real> Effort<R> {
-    /// So many evaluations of the force, and no corrections.
-    #[inline(always)]
-    pub fn of(evaluations: u32) -> Self {
-        Effort { evaluations: Count::of(evaluations), iterations: Count::of(0) }
-    }
-}
-
-impl<R: Real> AddAssign for Effort<R> {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        self.evaluations += other.evaluations;
-        self.iterations += other.iterations;
-    }
-}

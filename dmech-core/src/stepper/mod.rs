@@ -1,13 +1,16 @@
 //! Stepping without recording.
 
+mod place;
+
 use dmech_scalar::{Count, Real};
 
 use crate::error::Error;
 use crate::law::Law;
 use crate::newton::NotConverged;
-use crate::scheme::{Reached, Scheme};
+use crate::scheme::Scheme;
 use crate::span::possible;
-use crate::system::{Beginning, Effort, Particle, System};
+use crate::system::{Effort, Particle, System};
+use place::Place;
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
 ///
@@ -48,69 +51,6 @@ impl<Y: System + Clone, S: Scheme<Y>> Clone for Stepper<Y, S> {
             spare: self.spare.clone(),
             ..*self
         }
-    }
-}
-
-/// Refuses lengths of steps and tolerances.
-pub(crate) fn check_step<R: Real>(tolerance: Option<f64>, dt: f64) -> Result<(), Error> {
-    let positive = |x: f64| x > 0.0 && x.is_finite();
-    if let Some(tolerance) = tolerance.filter(|&x| !positive(x)) {
-        return Err(Error::Tolerance { tolerance });
-    }
-    let unlimited = tolerance.is_some() && dt == f64::INFINITY;
-    // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
-    if !unlimited && (!positive(dt) || !positive(R::from_f64(dt).to_f64())) {
-        return Err(Error::TimeStep { dt });
-    }
-    Ok(())
-}
-
-/// Where a step begins: position, velocity, and the slope there.
-struct Place<Y: System> {
-    q: Y::Vector,
-    v: Y::Vector,
-    slope: Y::Vector,
-    t: f64,
-}
-
-impl<Y: System> Place<Y> {
-    /// From which a motion starts.
-    fn prepared(system: &Y, start: &Y::State) -> Result<Self, Error> {
-        let mut slope = system.zero();
-        system.prepare(start, &mut slope)?;
-        let [q, v] = system.vectors(start);
-        Ok(Place { q, v, slope, t: Y::time(start) })
-    }
-
-    /// Through which it comes.
-    fn passed(system: &Y, state: &Y::State) -> Self {
-        let ([q, v], mut slope, t) = (system.vectors(state), system.zero(), Y::time(state));
-        system.slope(Y::Scalar::from_f64(t), &q, &v, &mut slope);
-        Place { q, v, slope, t }
-    }
-
-    fn beginning(&self) -> Beginning<'_, Y> {
-        Beginning { t: Y::Scalar::from_f64(self.t), q: &self.q, v: &self.v, slope: &self.slope }
-    }
-
-    /// The state at a time that a step from here has led to, and what it has cost with the slope.
-    fn reached(
-        &self,
-        system: &Y,
-        step: u64,
-        t: f64,
-        ([q, v], mut effort): Reached<Y>,
-    ) -> Result<(Y::State, Effort<Y::Scalar>), Error> {
-        if !Y::is_finite(&q) || !Y::is_finite(&v) {
-            return Err(system.not_finite(step, [&q, &v], self.t, t - self.t));
-        }
-        effort += Effort::of(1);
-        Ok((system.state(t, &q, &v), effort))
-    }
-
-    /// Why a step of some length from here has not been solved.
-    fn unsolved(&self, system: &Y, step: u64, dt: f64, cause: NotConverged) -> Error {
-        system.unsolved(step, [&self.q, &self.v], self.t, dt, cause)
     }
 }
 

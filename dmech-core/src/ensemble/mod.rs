@@ -129,7 +129,7 @@ impl Ensemble {
     ///
     /// ```
     /// use dmech_core::prelude::*;
-    /// # fn map<L: dmech_core::extend::Fields<2> + Clone>(orbit: impl Fn(f64) -> L) -> Result<(), Error>
+    /// # fn map<L: dmech_core::extend::Fields<2> + Clone + Send + Sync>(orbit: impl Fn(f64) -> L) -> Result<(), Error>
     /// # where Leapfrog: dmech_core::extend::Rides<L, 2> {
     /// let masses = [0.3, 1.0, 4.5];
     /// let members = masses.map(|gm| (orbit(gm), State::new([1.0, 0.0], [0.0, gm.sqrt()])));

@@ -26,7 +26,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         self.collect(Span::Steps(steps))
     }
 
-    /// Moves each member until a time: [`Simulation::run_until`].
+    /// Moves each member until a time: [`Simulation::run_until`](crate::Simulation::run_until).
     ///
     /// # Errors
     /// As [`run`](Ensemble::run).

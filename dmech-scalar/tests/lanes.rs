@@ -4,7 +4,7 @@ use dmech_scalar::{Lanes, LanesMask, Mask, Real};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::cell::Cell;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Zeros, subnormals, the ends of the range, what is not a number, and where the functions change their form or sign.
 fn hard() -> Vec<f64> {
@@ -17,6 +17,9 @@ fn hard() -> Vec<f64> {
         1e-16,
         0.25,
         0.7,
+        FRAC_PI_4.next_down(),
+        FRAC_PI_4,
+        FRAC_PI_4.next_up(),
         0.8,
         1.0_f64.next_down(),
         1.0,
@@ -175,6 +178,21 @@ fn one_lane_out_of_the_ordinary() {
                 Ok(())
             })
             .unwrap();
+    }
+}
+
+/// Angles within π/4 of 0 take a way of their own where all are: seven of them, and one at either end of that way or beyond
+/// it, in each lane.
+#[test]
+fn small_angles_beside_one_that_is_not() {
+    let hard = hard();
+    let small: Vec<f64> = hard.iter().copied().filter(|x| x.abs() < FRAC_PI_4).collect();
+    assert!(small.len() > 12 && small.iter().any(|x| x.abs() > 0.785398) && small.iter().any(|x| x.is_sign_negative()));
+    for (n, &other) in hard.iter().enumerate() {
+        for lane in 0..8 {
+            let x = std::array::from_fn(|i| if i == lane { other } else { small[(n + 5 * i) % small.len()] });
+            check(x, x, x);
+        }
     }
 }
 

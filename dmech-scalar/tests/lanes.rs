@@ -187,7 +187,7 @@ fn one_lane_out_of_the_ordinary() {
 fn small_angles_beside_one_that_is_not() {
     let hard = hard();
     let small: Vec<f64> = hard.iter().copied().filter(|x| x.abs() < FRAC_PI_4).collect();
-    assert!(small.len() > 12 && small.iter().any(|x| x.abs() > 0.785398) && small.iter().any(|x| x.is_sign_negative()));
+    assert!(small.len() > 12 && [1.0, -1.0].iter().all(|sign| small.contains(&(sign * FRAC_PI_4.next_down()))));
     for (n, &other) in hard.iter().enumerate() {
         for lane in 0..8 {
             let x = std::array::from_fn(|i| if i == lane { other } else { small[(n + 5 * i) % small.len()] });
@@ -263,6 +263,22 @@ fn loading_and_storing() {
     assert_eq!((stored[0], &stored[1..9], &stored[9..]), (9.0, &numbers[2..10], &[9.0, 9.0][..]));
     assert_eq!(format!("{:.1}", Lanes::from_fn(|i| i as f64)), "[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]");
     assert_eq!(format!("{lanes:?}"), format!("{:?}", &numbers[2..10]));
+}
+
+/// Wherever it stands, with neighbours of either sign.
+#[test]
+fn the_largest_lane() {
+    let mut runner = TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(2_000) });
+    runner
+        .run(&(prop::array::uniform8(-1e3..1e3), 0..8_usize), |(mut x, lane)| {
+            prop_assert_eq!(Lanes::from_array(x).largest_number(), x.into_iter().fold(f64::MIN, f64::max));
+            x[lane] = 2e3;
+            prop_assert_eq!(Lanes::from_array(x).largest_number(), 2e3);
+            x[lane] = f64::INFINITY;
+            prop_assert_eq!(Lanes::from_array(x).largest_number(), f64::INFINITY);
+            Ok(())
+        })
+        .unwrap();
 }
 
 /// Numbers of very different size: another order of summation gives another sum.

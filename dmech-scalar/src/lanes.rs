@@ -5,7 +5,7 @@ mod number;
 use core::fmt;
 use core::ops::{Index, IndexMut, Neg};
 
-use wide::f64x8;
+use wide::{f64x2, f64x4, f64x8};
 
 use crate::functions;
 use crate::operators::operators;
@@ -27,7 +27,8 @@ const FUSED_WIDE: bool = cfg!(any(
 ///
 /// The operators, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `round`, `floor`, `trunc`, `min`, `max`, comparisons and `select` are one
 /// instruction or a few. The other functions have one source for `f64` and for lanes, without branches where that matters:
-/// eight values of sin, exp or ln take about the time of one. Three cases take longer, for all eight if one of them is there:
+/// eight values of sin, exp or ln take about the time of one; of sin and cos half of it where all are within π/4 of 0.
+/// Three cases take longer, for all eight if one of them is there:
 ///
 /// - sin, cos and tan beyond |x| = 2·10⁵ and within 10⁻¹² of a multiple of π/2 (0 excepted) are computed one by one,
 /// - logarithms, powers, roots and arctan of quotients have a second form for subnormal, infinite, negative or zero
@@ -160,6 +161,21 @@ impl Lanes {
         let four = [x[0] + x[4], x[1] + x[5], x[2] + x[6], x[3] + x[7]];
         let two = [four[0] + four[2], four[1] + four[3]];
         two[0] + two[1]
+    }
+
+    /// The largest lane, of numbers.
+    ///
+    /// ```
+    /// use dmech_scalar::Lanes;
+    /// assert_eq!(Lanes::from_array([1.0, -3.0, 0.5, 2.0, 4.0, -9.0, 3.5, 2.5]).largest_number(), 4.0);
+    /// ```
+    #[inline(always)]
+    pub fn largest_number(self) -> f64 {
+        // Halves onto each other, in registers of their sizes: number by number compilers would look for other neighbours.
+        let [x0, x1, x2, x3, x4, x5, x6, x7] = self.to_array();
+        let [x0, x1, x2, x3] = f64x4::new([x0, x1, x2, x3]).fast_max(f64x4::new([x4, x5, x6, x7])).to_array();
+        let [x0, x1] = f64x2::new([x0, x1]).fast_max(f64x2::new([x2, x3])).to_array();
+        if x1 > x0 { x1 } else { x0 }
     }
 }
 

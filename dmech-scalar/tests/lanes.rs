@@ -4,7 +4,7 @@ use dmech_scalar::{Lanes, LanesMask, Mask, Real};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::cell::Cell;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Zeros, subnormals, the ends of the range, what is not a number, and where the functions change their form or sign.
 fn hard() -> Vec<f64> {
@@ -17,6 +17,9 @@ fn hard() -> Vec<f64> {
         1e-16,
         0.25,
         0.7,
+        FRAC_PI_4.next_down(),
+        FRAC_PI_4,
+        FRAC_PI_4.next_up(),
         0.8,
         1.0_f64.next_down(),
         1.0,
@@ -178,6 +181,21 @@ fn one_lane_out_of_the_ordinary() {
     }
 }
 
+/// Angles within π/4 of 0 take a way of their own where all are: seven of them, and one at either end of that way or beyond
+/// it, in each lane.
+#[test]
+fn small_angles_beside_one_that_is_not() {
+    let hard = hard();
+    let small: Vec<f64> = hard.iter().copied().filter(|x| x.abs() < FRAC_PI_4).collect();
+    assert!(small.len() > 12 && [1.0, -1.0].iter().all(|sign| small.contains(&(sign * FRAC_PI_4.next_down()))));
+    for (n, &other) in hard.iter().enumerate() {
+        for lane in 0..8 {
+            let x = std::array::from_fn(|i| if i == lane { other } else { small[(n + 5 * i) % small.len()] });
+            check(x, x, x);
+        }
+    }
+}
+
 #[test]
 fn powers() {
     let hard = hard();
@@ -245,6 +263,22 @@ fn loading_and_storing() {
     assert_eq!((stored[0], &stored[1..9], &stored[9..]), (9.0, &numbers[2..10], &[9.0, 9.0][..]));
     assert_eq!(format!("{:.1}", Lanes::from_fn(|i| i as f64)), "[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]");
     assert_eq!(format!("{lanes:?}"), format!("{:?}", &numbers[2..10]));
+}
+
+/// Wherever it stands, with neighbours of either sign.
+#[test]
+fn the_largest_lane() {
+    let mut runner = TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(2_000) });
+    runner
+        .run(&(prop::array::uniform8(-1e3..1e3), 0..8_usize), |(mut x, lane)| {
+            prop_assert_eq!(Lanes::from_array(x).largest_number(), x.into_iter().fold(f64::MIN, f64::max));
+            x[lane] = 2e3;
+            prop_assert_eq!(Lanes::from_array(x).largest_number(), 2e3);
+            x[lane] = f64::INFINITY;
+            prop_assert_eq!(Lanes::from_array(x).largest_number(), f64::INFINITY);
+            Ok(())
+        })
+        .unwrap();
 }
 
 /// Numbers of very different size: another order of summation gives another sum.

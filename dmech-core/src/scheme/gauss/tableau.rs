@@ -52,8 +52,8 @@ pub struct Tableau {
     pub highest: Row,
 }
 
-/// Gauss's method itself.
-pub(crate) static GAUSS: Tableau = Tableau::of(STAGES);
+/// Gauss's method itself. No static: a register of numbers that are known need not be kept beside those that change.
+pub(crate) const GAUSS: Tableau = Tableau::of(STAGES);
 
 /// Half of the zeros of P₈; to forty digits 0.1834346424956498049394761423601839806668,
 /// 0.5255324099163289858177390491892463490420, 0.7966664774136267395915539364758304368372 and

@@ -107,16 +107,21 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     ) {
         let nodes = |part| R::Eight::row(&tableau.nodes, part);
         let alike = R::Eight::alike;
-        let (mut counts, mut reach, mut largest) = ([R::ZERO; D], [R::ZERO; D], R::ZERO);
-        for k in 0..D {
+        // Each for all coordinates before the next, so that these stand side by side.
+        let drifts: [R; D] = from_fn(|k| {
             let (drift, rest) = path(stride.dt, (v.hi[k], v.lo[k]));
-            let drift = drift + rest;
-            aim.base[k] = R::Eight::by_part(|part| nodes(part).mul_add(alike(drift), alike(q.hi[k])));
-            let path = alike(of_path(drift));
-            counts[k] = R::Eight::by_part(|part| R::Eight::larger(path, pushes[k].part(part))).largest();
-            reach[k] = q.hi[k].abs().max(drift.abs());
-            largest = largest.max(counts[k]);
+            drift + rest
+        });
+        let reach: [R; D] = from_fn(|k| q.hi[k].abs().larger_number(drifts[k].abs()));
+        let paths: [R; D] = from_fn(|k| of_path(drifts[k]));
+        let counts: [R; D] = from_fn(|k| {
+            let path = alike(paths[k]);
+            R::Eight::by_part(|part| R::Eight::larger(path, pushes[k].part(part))).largest()
+        });
+        for k in 0..D {
+            aim.base[k] = R::Eight::by_part(|part| nodes(part).mul_add(alike(drifts[k]), alike(q.hi[k])));
         }
+        let largest = counts.into_iter().fold(R::ZERO, R::larger_number);
         aim.speed = v.hi;
         aim.t = R::Eight::by_part(|part| nodes(part).mul_add(alike(stride.dt), alike(t)));
         aim.push = times(&tableau.weights, &R::Eight::splat(-stride.fall));
@@ -173,10 +178,13 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         pushes: &[R::Eight; D],
         [q, v]: [&mut CompensatedVector<D, R>; 2],
     ) {
+        // Likewise. What has moved is put back at the end: a loop over the coordinates would be made of masked registers.
+        let places: [R; D] = from_fn(|k| times(&tableau.rests, &pushes[k]).sum());
+        let speeds: [R; D] = from_fn(|k| pushes[k].sum());
+        let moved: [_; D] =
+            from_fn(|k| settled(stride.dt, [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])], [places[k], speeds[k]]));
         for k in 0..D {
-            let sums = [times(&tableau.rests, &pushes[k]).sum(), pushes[k].sum()];
-            let from = [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])];
-            [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])] = settled(stride.dt, from, sums);
+            [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])] = moved[k];
         }
     }
 

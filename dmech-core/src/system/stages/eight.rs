@@ -91,6 +91,11 @@ impl Staging for f64 {
     fn coefficient(hi: f64, _: f64) -> f64 {
         hi
     }
+    /// In this form one instruction.
+    #[inline(always)]
+    fn larger_number(self, other: f64) -> f64 {
+        if other > self { other } else { self }
+    }
 }
 
 impl Eight<f64> for Lanes {
@@ -139,7 +144,7 @@ impl Eight<f64> for Lanes {
     }
     #[inline(always)]
     fn largest(&self) -> f64 {
-        folded(&self.to_array(), Staging::larger_number)
+        self.largest_number()
     }
     #[inline(always)]
     fn sum(&self) -> f64 {

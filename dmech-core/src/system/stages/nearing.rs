@@ -26,8 +26,6 @@ pub struct Nearing<R: Staging> {
     change: R::Eight,
     /// The same, or the least so far where rounding may have made it.
     before: R::Eight,
-    /// Its square counts from here on in the next.
-    least: R::Eight,
     /// What the rounding of a position may make of a push.
     rounding: R,
     /// What a push is taken for at least.
@@ -40,7 +38,7 @@ impl<R: Staging> Nearing<R> {
     /// Before any step.
     pub(crate) fn none() -> Self {
         let none = R::Eight::splat(R::ZERO);
-        Nearing { change: none, before: none, least: none, rounding: R::ZERO, floor: R::ZERO, unit: R::ZERO }
+        Nearing { change: none, before: none, rounding: R::ZERO, floor: R::ZERO, unit: R::ZERO }
     }
 
     /// Before the sweeps of a step; `largest` is the largest push, or [path](of_path).
@@ -49,15 +47,15 @@ impl<R: Staging> Nearing<R> {
         let at_rest = largest.equal(R::ZERO);
         let unit = R::either(at_rest, R::ZERO, R::ONE);
         let floor = R::either(at_rest, R::ONE, R::from_f64(LEAST) * largest);
-        let change = R::Eight::splat(R::from_f64(f64::INFINITY));
-        Nearing { change, before: change, least: R::Eight::splat(unit), rounding: R::ZERO, floor, unit }
+        let [change, before] = [1.0, f64::INFINITY].map(|x| R::Eight::splat(R::from_f64(x)));
+        Nearing { change, before, rounding: R::ZERO, floor, unit }
     }
 
     /// 1 over the change that counts of a push, which is, or has a path that counts as, `push`; and what the rounding of a position
     /// may make of it, as |q| and |h v| are at most `reach`.
     #[inline(always)]
     pub(crate) fn per_unit(&self, push: R, reach: R) -> [R; 2] {
-        let per_unit = (R::from_f64(COUNTS) * R::EPSILON * push.max(self.floor)).recip();
+        let per_unit = (R::from_f64(COUNTS) * R::EPSILON * push.larger_number(self.floor)).recip();
         let by_place = R::from_f64(BY_PLACE) * R::EPSILON * reach;
         [per_unit, by_place * per_unit]
     }
@@ -65,7 +63,7 @@ impl<R: Staging> Nearing<R> {
     /// A rounding may be so large.
     #[inline(always)]
     pub(crate) fn allow(&mut self, rounding: R) {
-        self.rounding = self.rounding.max(rounding);
+        self.rounding = self.rounding.larger_number(rounding);
     }
 
     /// After a sweep with these changes in a part of the stages: whether some push has come nearer, and is not yet so near that by the
@@ -73,12 +71,12 @@ impl<R: Staging> Nearing<R> {
     #[inline(always)]
     pub(crate) fn comes_nearer(&mut self, part: usize, change: Part<R>) -> R::Mask {
         let before = self.before.part(part);
-        let nearer = self.least.part(part).less_or_equal(change * change).and(change.less(before));
+        let least = self.change.part(part) * R::Eight::alike(self.unit);
+        let nearer = least.less_or_equal(change * change).and(change.less(before));
         // Roundings go to and fro: of eight stages one would come nearer to what it was before again and again.
         let by_rounding = change.less_or_equal(R::Eight::alike(self.rounding)).and(before.less(change));
         self.before.set(part, Part::<R>::either(by_rounding, before, change));
         self.change.set(part, change);
-        self.least.set(part, change * R::Eight::alike(self.unit));
         R::Eight::any(nearer)
     }
 
@@ -91,7 +89,7 @@ impl<R: Staging> Nearing<R> {
         if at_rest.any() {
             units = R::either(at_rest, units * largest_of::<R>(pushes), units);
         }
-        let most = R::Eight::alike(self.rounding.max(units));
+        let most = R::Eight::alike(self.rounding.larger_number(units));
         let near = |part| R::Eight::all(self.change.part(part).less_or_equal(most));
         (1..R::Eight::PARTS).fold(near(0), |all, part| all.and(near(part)))
     }

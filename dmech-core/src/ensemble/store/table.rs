@@ -16,9 +16,14 @@ impl Seal {
         self.0.word(n);
     }
 
-    /// Takes in numbers, by their bits.
+    /// Takes in numbers, by their bits, and how many they are.
     pub(super) fn numbers(&mut self, numbers: &[f64]) {
-        numbers.iter().for_each(|x| self.0.word(x.to_bits()));
+        self.0.list(numbers);
+    }
+
+    /// Takes in a text.
+    pub(super) fn text(&mut self, text: &str) {
+        self.0.text(text);
     }
 
     /// As SQLite counts.
@@ -89,6 +94,15 @@ impl<'a> Reader<'a> {
     /// A whole number; none where something else stands.
     pub(super) fn count(&mut self) -> Option<u64> {
         if let ValueRef::Integer(n) = self.next()? { Some(n.cast_unsigned()) } else { None }
+    }
+
+    /// A whole number that need not be there; none where something else stands.
+    pub(super) fn count_if_any(&mut self) -> Option<Option<u64>> {
+        match self.next()? {
+            ValueRef::Null => Some(None),
+            ValueRef::Integer(n) => Some(Some(n.cast_unsigned())),
+            _ => None,
+        }
     }
 
     /// Whether there is something.

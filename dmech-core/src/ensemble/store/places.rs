@@ -100,14 +100,16 @@ impl Placed {
         Ok(Placed(all.into_iter().peekable()))
     }
 
-    /// The numbers of the n-th state; none where a body is missing.
-    pub(super) fn flat(&mut self, k: u64, n: u64, head: Head) -> Option<Vec<f64>> {
+    /// The numbers of the n-th state; or the member that has too few bodies, or too many.
+    pub(super) fn flat(&mut self, k: u64, n: u64, head: Head) -> Result<Vec<f64>, u64> {
         let mut flat = head.numbers;
         for i in 0..head.bodies {
-            let (_, body) = self.0.next_if(|(of, body)| (*of, body.n, body.body) == (k, n, i))?;
-            flat.extend(body.numbers);
+            match self.0.next_if(|(of, body)| (*of, body.n, body.body) == (k, n, i)) {
+                Some((_, body)) => flat.extend(body.numbers),
+                None => return Err(self.0.peek().map_or(k, |(of, _)| k.min(*of))),
+            }
         }
-        Some(flat)
+        Ok(flat)
     }
 
     /// A member of which there is more than its states have.

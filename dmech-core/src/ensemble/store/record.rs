@@ -134,10 +134,12 @@ pub(super) fn read<X: Flat>(
     let mut states = rows(database, layout, "state", None, &members, recorded::<X>)?.into_iter().peekable();
     for (k, end) in rows(database, layout, "last", None, &members, end::<X>)? {
         let changed = StoreError::Changed { table: "last", member: k };
-        let lost = StoreError::Changed { table: "body", member: k };
-        let place = |placed: &mut Placed, n, head| Some(X::of_flat(&placed.flat(k, n, head)?));
+        let place = |placed: &mut Placed, n, head| {
+            let flat = placed.flat(k, n, head).map_err(|member| StoreError::Changed { table: "body", member })?;
+            Ok::<_, StoreError>(X::of_flat(&flat))
+        };
         let End { last, failed, stopped, work, seal: sealed } = end;
-        let last = place(&mut ends, 0, last).ok_or(lost)?;
+        let last = place(&mut ends, 0, last)?;
         let (mut all, mut own): (Drifts, _) = (Default::default(), OwnDrifts::default());
         let (mut happened, mut recorded) = (Vec::new(), Vec::new());
         while let Some((_, (number, name, drift))) = drifts.next_if(|&(of, _)| of == k) {
@@ -147,11 +149,11 @@ pub(super) fn read<X: Flat>(
             }
         }
         while let Some((_, Happened { n, which, crossing, bodies, head })) = events.next_if(|&(of, _)| of == k) {
-            let state = place(&mut passed, n, head).ok_or(lost)?;
+            let state = place(&mut passed, n, head)?;
             happened.push(Event::new(which, state, crossing, bodies));
         }
         while let Some((_, (n, head))) = states.next_if(|&(of, _)| of == k) {
-            recorded.push(place(&mut seen, n, head).ok_or(lost)?);
+            recorded.push(place(&mut seen, n, head)?);
         }
         let run = Restored { last, states: recorded, events: happened, stopped, drifts: all, own, work };
         if sealed != seal(k, &run) {

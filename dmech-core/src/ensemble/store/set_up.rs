@@ -117,7 +117,8 @@ impl<X: Flat> dyn Told<X> + '_ {
         for k in members {
             let changed = StoreError::Changed { table: "member", member: k as u64 };
             let (number, Row { words, numbers, start, acts, seal }) = stored.next().ok_or(changed)?;
-            let start = starts.flat(number, 0, start).ok_or(changed)?;
+            let start = starts.flat(number, 0, start);
+            let start = start.map_err(|member| StoreError::Changed { table: "member", member })?;
             let list = core::iter::from_fn(|| lists.next_if(|&(of, _)| of == number)).map(|(_, it)| it).collect();
             let store = SetUp { words, numbers, start, list, acts };
             if number != k as u64 || seal != store.seal(k) {

@@ -124,6 +124,14 @@ fn failures_and_odd_numbers_come_back() {
             the_same(&plain, &run(Some(place.file())));
         }
         assert_eq!(place.number("SELECT COUNT(*) FROM last WHERE failed IS NOT NULL"), failed as i64);
+        // What stands there for people is not something else than its bits.
+        place.sql("UPDATE member SET q0 = 7 WHERE k = 20");
+        let ensemble = Ensemble::of(50).law(Orbit::member).start(start).dt(0.02);
+        let refused = match scheme {
+            0 => ensemble.scheme(Leapfrog).store(place.file()).run(steps),
+            _ => ensemble.scheme(DiscreteGradient).store(place.file()).run(steps),
+        };
+        assert_eq!(refused.unwrap_err(), Error::Store(StoreError::Changed { table: "member", member: 20 }));
         if steps == 0 {
             assert!(plain.last(0).unwrap().q[1].is_sign_negative());
             assert!(place.number("SELECT COUNT(*) FROM last WHERE bits IS NOT NULL") > 40);

@@ -127,14 +127,16 @@ impl<'a> Reader<'a> {
         Some(())
     }
 
-    /// The same numbers once more, if they were written so.
+    /// The same numbers once more, if they were written so; none where they are others, but for what SQLite does not keep.
     pub(super) fn bits(&mut self, numbers: &mut [f64]) -> Option<()> {
         match self.next()? {
             ValueRef::Null => Some(()),
             ValueRef::Blob(bytes) if bytes.len() == 8 * numbers.len() => {
                 let (eights, _) = bytes.as_chunks();
-                numbers.iter_mut().zip(eights).for_each(|(x, &eight)| *x = f64::from_le_bytes(eight));
-                Some(())
+                numbers.iter_mut().zip(eights).try_for_each(|(x, &eight)| {
+                    let kept = core::mem::replace(x, f64::from_le_bytes(eight));
+                    (kept == *x || kept.is_nan() && x.is_nan()).then_some(())
+                })
             }
             _ => None,
         }

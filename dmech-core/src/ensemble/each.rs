@@ -171,10 +171,6 @@ where
     S: Scheme<X::System>,
     O: Attend<X::State>,
 {
-    fn scheme(&self) -> &'static str {
-        S::NAME
-    }
-
     fn whole(&self) -> Vec<(&'static str, Said)> {
         let bodies = if X::State::LISTED { ", of as many bodies as it has" } else { "" };
         whole::<X::State, S, O>(self.members, self.span, format!("each its own{bodies}"))

@@ -106,10 +106,6 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
 impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Told<State<D>>
     for OneLaw<'_, L, S, O, D>
 {
-    fn scheme(&self) -> &'static str {
-        S::NAME
-    }
-
     fn whole(&self) -> Vec<(&'static str, Said)> {
         let number = |x: Option<f64>| x.map_or(Said::Nothing, Said::Number);
         let scheme = &self.common.scheme;

@@ -24,9 +24,6 @@ pub trait Flat: Clone + Send {
 
 /// Members that can be told from others, and put together from what became of them.
 pub(super) trait Told<X>: Plan<X> {
-    /// The name of the scheme.
-    fn scheme(&self) -> &'static str;
-
     /// What is said of all of them, in the order in which it is compared.
     fn whole(&self) -> Vec<(&'static str, Said)>;
 

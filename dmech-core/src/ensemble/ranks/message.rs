@@ -113,6 +113,9 @@ impl SetUp {
                 Said::Words(words) => sum.text(&words),
             }
         }
+        let columns = plan.columns();
+        columns.words.iter().for_each(|name| sum.text(name));
+        columns.numbers.iter().for_each(|name| sum.text(name));
         let members = plan.members();
         [0, members.wrapping_sub(1)]
             .into_iter()

@@ -91,9 +91,9 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     /// # Errors
     /// As [`Ensemble::run`]; [`Error::OtherEnsemble`] in the first rank where a rank has another ensemble, and in the others
     /// [`Error::FirstRank`] where the first has failed.
-    pub fn run<M>(self, steps: u64) -> Result<Option<EnsembleRun<E::State>>, Error>
+    pub fn run<M, X: Clone>(self, steps: u64) -> Result<Option<EnsembleRun<X>>, Error>
     where
-        E: Travels<M>,
+        E: Travels<M, X>,
     {
         self.collect(Span::Steps(steps))
     }
@@ -102,9 +102,9 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     ///
     /// # Errors
     /// As [`run`](Ranked::run).
-    pub fn run_until<M>(self, end: f64) -> Result<Option<EnsembleRun<E::State>>, Error>
+    pub fn run_until<M, X: Clone>(self, end: f64) -> Result<Option<EnsembleRun<X>>, Error>
     where
-        E: Travels<M>,
+        E: Travels<M, X>,
     {
         self.collect(Span::Until(end))
     }
@@ -113,16 +113,16 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     ///
     /// # Errors
     /// As [`run`](Ranked::run).
-    pub fn for_each_until<M>(self, end: f64, mut see: impl FnMut(usize, Outcome<E::State>)) -> Result<(), Error>
+    pub fn for_each_until<M, X: Clone>(self, end: f64, mut see: impl FnMut(usize, Outcome<X>)) -> Result<(), Error>
     where
-        E: Travels<M>,
+        E: Travels<M, X>,
     {
         self.ensemble.travel(self.ranks, Span::Until(end), &mut see)
     }
 
-    fn collect<M>(self, span: Span) -> Result<Option<EnsembleRun<E::State>>, Error>
+    fn collect<M, X: Clone>(self, span: Span) -> Result<Option<EnsembleRun<X>>, Error>
     where
-        E: Travels<M>,
+        E: Travels<M, X>,
     {
         let (clock, mut members) = (Instant::now(), Vec::new());
         self.ensemble.travel(self.ranks, span, &mut |_, member| members.push(member))?;
@@ -130,29 +130,24 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     }
 }
 
-/// An ensemble whose members, of the kind M, ranks can move together: one that can be run, with states that can be sent.
+/// An ensemble whose members, of the kind M with states X, ranks can move together: one that can be run, with states that can be sent.
 #[diagnostic::on_unimplemented(
     message = "this ensemble cannot be run on ranks yet",
     note = "it needs `.law(|k| …)`, `.start(|k| …)` and `.scheme(…)`; of `Ensemble::each` simulations of laws or scenes whose numbers are `f64`"
 )]
-pub trait Travels<M> {
-    /// What is recorded.
-    type State: Clone;
-
+pub trait Travels<M, X> {
     /// Moves all members; the first rank sees them.
     #[doc(hidden)]
-    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, Self::State>) -> Result<(), Error>;
+    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X>) -> Result<(), Error>;
 }
 
 /// Sees members in their order.
 type See<'a, X> = &'a mut dyn FnMut(usize, Outcome<X>);
 
-impl<L, X, S, M, C, Y: Fields<D>, const D: usize> Travels<(Y, State<D>)> for Ensemble<L, X, S, M, C>
+impl<L, X, S, M, C, Y: Fields<D>, const D: usize> Travels<Y, State<D>> for Ensemble<L, X, S, M, C>
 where
     Self: Members<Y, D>,
 {
-    type State = State<D>;
-
     fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, State<D>>) -> Result<(), Error> {
         self.planned(span, |plan| {
             together(ranks, plan, (self.hands, self.beside.shown.clone()), || self.open(plan), see)
@@ -160,7 +155,8 @@ where
     }
 }
 
-impl<F, K, L, X, S, O> Travels<(L, X, S, O)> for Each<F, K>
+#[diagnostic::do_not_recommend]
+impl<F, K, L, X, S, O> Travels<(L, X, S, O), X::State> for Each<F, K>
 where
     F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
     X: Setup<L, State: Flat + Serialize + DeserializeOwned, System: Saved>,
@@ -168,8 +164,6 @@ where
     O: Attend<X::State>,
     K: Keeps<L, X, S, O>,
 {
-    type State = X::State;
-
     fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X::State>) -> Result<(), Error> {
         let plan = OneByOne { members: self.members, member: &self.member, span };
         together(ranks, &plan, (self.hands, self.shown.clone()), || self.keep.open(&plan), see)

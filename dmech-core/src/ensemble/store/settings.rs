@@ -6,6 +6,7 @@ use rusqlite::{Connection, OptionalExtension};
 use crate::ensemble::told::{Flat, Said, Told};
 use crate::error::{Reach, StoreError};
 use crate::name::Name;
+use crate::words::word;
 
 /// The form of a store, to be raised when a table changes.
 pub(super) const FORMAT: i64 = 3;
@@ -57,7 +58,8 @@ impl<X: Flat> dyn Told<X> + '_ {
                     reached(&store).map_or(StoreError::Setting { key }, |store| StoreError::Reach { store, here })
                 );
             }
-            return Err(difference(self.scheme(), key, &store, here));
+            let scheme = if let Value::Text(name) = said("scheme") { word(&name) } else { "another" };
+            return Err(difference(scheme, key, &store, here));
         }
         Ok(())
     }

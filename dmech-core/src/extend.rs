@@ -121,12 +121,16 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
+#[cfg(any(feature = "ranks", feature = "store"))]
+pub use crate::ensemble::Flat;
+#[cfg(feature = "store")]
+pub use crate::ensemble::InFile;
 pub use crate::ensemble::{
-    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, LANES, Members, NoCompany, NoLaw, NoStart,
-    Outcome, Rides, Starts, Together, With,
+    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, Keeps, LANES, Members, NoCompany, NoLaw, NoStart,
+    Nowhere, Outcome, Rides, Starts, Together, With,
 };
 #[cfg(feature = "ranks")]
-pub use crate::ensemble::{Ranked, Ranks};
+pub use crate::ensemble::{Ranked, Ranks, Travels};
 #[cfg(feature = "serde")]
 pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};

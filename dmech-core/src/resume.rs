@@ -81,17 +81,10 @@ where
         fields
     }
 
-    /// What acts now, and where position and velocity are displaced.
+    /// What acts now.
     fn fingerprint(&self) -> Fingerprint {
         let t = self.t();
-        let mut place = [self.position().clone(), self.scheme.velocity(&self.system, &self.stride, t, &self.memory)];
-        let mut fingerprint = Fingerprint::new();
-        for probe in 0..2 {
-            if probe == 1 {
-                place.iter_mut().for_each(|x| crate::checkpoint::displaced(Y::numbers(x)));
-            }
-            self.system.sample(t, &place, &mut |numbers| fingerprint.add_all(numbers));
-        }
-        fingerprint
+        let velocity = self.scheme.velocity(&self.system, &self.stride, t, &self.memory);
+        Fingerprint::of(&self.system, t, [self.position().clone(), velocity])
     }
 }

@@ -6,7 +6,8 @@ use crate::error::Error;
 
 /// How far a run goes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Span {
+#[cfg_attr(not(feature = "ranks"), expect(unreachable_pub, reason = "ranks alone name it"))]
+pub enum Span {
     /// So many steps.
     Steps(u64),
     /// Until a time.

@@ -51,3 +51,18 @@ impl<const D: usize, R: Real> State<D, R> {
         State { v: self.v.map(|v| -v), ..self }
     }
 }
+
+#[cfg(any(feature = "ranks", feature = "store"))]
+impl<const D: usize> crate::ensemble::Flat for State<D> {
+    const DIMENSION: usize = D;
+    const LISTED: bool = false;
+
+    fn flat(&self) -> Vec<f64> {
+        [self.t].iter().chain(&self.q).chain(&self.v).copied().collect()
+    }
+
+    fn of_flat(numbers: &[f64]) -> Self {
+        let [q, v] = [1, 1 + D].map(|from| core::array::from_fn(|i| numbers[from + i]));
+        State { t: numbers[0], q, v }
+    }
+}

@@ -3,12 +3,12 @@
 /// A word that is written in a program.
 pub(crate) type Word = &'static str;
 
-#[cfg(any(feature = "serde", feature = "store"))]
+#[cfg(feature = "serde")]
 pub(crate) use read::word;
 #[cfg(feature = "serde")]
 pub(crate) use serialized::{deserialize, serialize};
 
-#[cfg(any(feature = "serde", feature = "store"))]
+#[cfg(feature = "serde")]
 mod read {
     use std::collections::BTreeSet;
     use std::sync::{Mutex, PoisonError};

@@ -29,6 +29,8 @@
 //! `mpirun -n 4 target/release/sweep` runs it on four ranks, and without `mpirun` it is one rank. `scripts/local.sh` and
 //! `scripts/slurm.sh` of the repository are such runs, on one machine and on many.
 //!
+//! Simulations of any kind, [`Ensemble::each`](dmech_core::Ensemble::each), are moved in the same way.
+//!
 //! # Ranks and threads
 //! One rank for each machine with a thread for each core, or one rank for each core with `.threads(1)`: both work. The main thread of
 //! each rank sends and receives, and sleeps between; it needs no core. Open MPI binds ranks to single cores unless told otherwise: where

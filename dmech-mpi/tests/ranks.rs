@@ -8,6 +8,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use dmech::models::Kepler;
+use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
 use dmech_mpi::World;
 
@@ -23,6 +24,7 @@ fn main() {
     match std::env::var(TASK).as_deref() {
         Ok("sweep") => sweep(20),
         Ok("long") => sweep(6000),
+        Ok("scenes") => scenes(),
         Ok("panic") => panic_in_the_last(),
         Ok("other") => other(),
         _ => check(),
@@ -60,6 +62,30 @@ fn sweep(steps: u64) {
             drop(world);
             exit(1);
         }
+    }
+}
+
+/// Scenes of unequal numbers of bodies; some begin where nobody can.
+fn scenes() {
+    let world = World::start().expect("MPI starts once");
+    let member = |k: usize| {
+        let sun = Scene::<2>::new().body(if k % 50 == 7 { -1.0 } else { 1.0 }, [0.0; 2], [0.0; 2]);
+        let planets = (1..=1 + k % 4).fold(sun, |scene, i| {
+            let r = i as f64;
+            scene.body(1e-3, [r, 1e-3 * k as f64], [0.0, r.sqrt().recip()])
+        });
+        Simulation::scene(planets.pairs(Gravity { g: 1.0 })).scheme(Leapfrog).dt(0.01).record_every(20)
+    };
+    let mut each = Ensemble::each(301, member);
+    if let Some(threads) = number(THREADS) {
+        each = each.threads(threads);
+    }
+    let run = match std::env::var(STORE) {
+        Ok(path) => each.store(path).ranks(&world).run(100),
+        Err(_) => each.ranks(&world).run(100),
+    };
+    if let Some(run) = run.expect("a sweep that is whole") {
+        println!("{:016x} {}", run.checksum(), run.failures().count());
     }
 }
 
@@ -108,6 +134,7 @@ fn check() {
         return;
     }
     one_checksum();
+    one_checksum_of_scenes();
     a_panic_ends_all();
     another_ensemble_is_named();
     a_rank_that_dies();
@@ -140,6 +167,23 @@ fn one_checksum() {
     });
     assert!(status.success() && text == alone, "{text}");
     println!("one checksum: {}", alone.trim());
+}
+
+/// The same of simulations of any kind, and from a store.
+fn one_checksum_of_scenes() {
+    let (status, alone) = outcome(ranks(1, "scenes", &[(THREADS, "1")]));
+    assert!(status.success() && alone.trim().ends_with(" 6"), "{alone}");
+    let store = std::env::temp_dir().join(format!("dmech-mpi-scenes-{}.sqlite", std::process::id()));
+    let _ = std::fs::remove_file(&store);
+    let kept = (STORE, store.to_str().expect("a path"));
+    for (count, threads) in [(2, "1"), (4, "2"), (3, "1")] {
+        for settings in [vec![(THREADS, threads)], vec![(THREADS, threads), kept]] {
+            let (status, text) = outcome(ranks(count, "scenes", &settings));
+            assert!(status.success() && text == alone, "{count} ranks, {threads} threads: {text}");
+        }
+    }
+    let _ = std::fs::remove_file(&store);
+    println!("one checksum of scenes: {}", alone.trim());
 }
 
 /// Nobody waits for a rank that panics, and it is named.

@@ -2,6 +2,7 @@
 
 mod as_alone;
 mod company;
+mod each;
 mod edges;
 mod laws;
 mod occupancy;

@@ -1,39 +1,39 @@
 //! Two sets of results.
 
-use dmech::extend::{Fields, Rides};
+use std::fmt::Debug;
+
+use dmech::extend::{Columns, Fields, Rides};
 use dmech::prelude::*;
 
 use crate::laws::Many;
 
+/// All that can be seen of what became of a member, as text, where NaN is NaN and −0 is not 0.
+pub(crate) fn outcome<X: Debug>(member: Result<&Run<X>, &Interrupted<X>>) -> String {
+    let (cause, run) = match member {
+        Ok(run) => (None, run),
+        Err(failed) => (Some(failed.cause()), failed.run()),
+    };
+    let report = run.report();
+    let drifts: Vec<_> = Invariant::ALL.iter().map(|&of| (report.drift(of), report.kept(of))).collect();
+    let own: Vec<_> = report.own_drifts().collect();
+    let cost = (report.evaluations(), report.iterations(), report.rough(), report.dt_range());
+    let (dt, tolerance, mass) = (report.dt(), report.tolerance(), report.mass());
+    format!(
+        "{cause:?} {:?} {:?} {} {:?} {} {drifts:?} {own:?} {cost:?} {} {dt} {tolerance:?} {mass}",
+        run.last(),
+        run.states(),
+        run.steps(),
+        run.events(),
+        run.stopped(),
+        report.scheme()
+    )
+}
+
 /// All that can be seen of two sets of results.
-pub(crate) fn the_same<const D: usize>(a: &EnsembleRun<State<D>>, b: &EnsembleRun<State<D>>) {
+pub(crate) fn the_same<X: Clone + Columns + Debug>(a: &EnsembleRun<X>, b: &EnsembleRun<X>) {
     assert_eq!((a.checksum(), a.len()), (b.checksum(), b.len()));
     for k in 0..a.len() {
-        let [one, other] = [a, b].map(|run| match run.member(k) {
-            Ok(run) => (None, run),
-            Err(failed) => (Some(format!("{:?}", failed.cause())), failed.run()),
-        });
-        assert_eq!(one.0, other.0, "{k}");
-        let (one, other) = (one.1, other.1);
-        // As text, where NaN is NaN and −0 is not 0.
-        let text = |run: &Run<State<D>>| {
-            format!("{:?} {:?} {} {:?} {}", run.last(), run.states(), run.steps(), run.events(), run.stopped())
-        };
-        assert_eq!(text(one), text(other), "{k}");
-        let report = |run: &Run<State<D>>| {
-            let report = run.report();
-            let drifts: Vec<_> = Invariant::ALL.iter().map(|&of| (report.drift(of), report.kept(of))).collect();
-            let own: Vec<_> = report.own_drifts().collect();
-            let cost = (report.evaluations(), report.iterations(), report.rough(), report.dt_range());
-            format!(
-                "{drifts:?} {own:?} {cost:?} {} {} {:?} {}",
-                report.scheme(),
-                report.dt(),
-                report.tolerance(),
-                report.mass()
-            )
-        };
-        assert_eq!(report(one), report(other), "{k}");
+        assert_eq!(outcome(a.member(k)), outcome(b.member(k)), "{k}");
     }
 }
 

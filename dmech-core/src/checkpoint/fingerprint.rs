@@ -5,6 +5,8 @@ use core::fmt;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::Saved;
+
 /// A hash of numbers by their bits: FNV-1a with 64 bits, the same on every machine.
 ///
 /// G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, T. Hansen, "The FNV Non-Cryptographic Hash Algorithm", IETF draft.
@@ -14,6 +16,18 @@ pub(crate) struct Fingerprint(u64);
 impl Fingerprint {
     pub(crate) fn new() -> Self {
         Fingerprint(0xcbf2_9ce4_8422_2325)
+    }
+
+    /// Of what acts at a place, and where position and velocity are displaced.
+    pub(crate) fn of<Y: Saved>(system: &Y, t: f64, mut place: [Y::Vector; 2]) -> Self {
+        let mut fingerprint = Fingerprint::new();
+        for probe in 0..2 {
+            if probe == 1 {
+                place.iter_mut().for_each(|x| displaced(Y::numbers(x)));
+            }
+            system.sample(t, &place, &mut |numbers| fingerprint.add_all(numbers));
+        }
+        fingerprint
     }
 
     /// Takes in one more number. All NaN are one: their bits may differ from build to build.
@@ -46,7 +60,7 @@ impl Fingerprint {
     }
 
     /// The hash itself.
-    pub(super) fn bits(self) -> u64 {
+    pub(crate) fn bits(self) -> u64 {
         self.0
     }
 
@@ -57,7 +71,7 @@ impl Fingerprint {
 
 /// Numbers moved off by up to about a quarter of the largest, each by another part of it: where nothing is zero by symmetry, or
 /// because all is at rest. Without functions whose last bit is not the same everywhere.
-pub(crate) fn displaced(numbers: &mut [f64]) {
+fn displaced(numbers: &mut [f64]) {
     let largest = numbers.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
     let size = if largest > 0.0 { largest } else { 1.0 };
     for (i, x) in numbers.iter_mut().enumerate() {

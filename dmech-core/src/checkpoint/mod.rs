@@ -9,7 +9,7 @@ mod seal;
 pub use carried::{Carried, Saved};
 pub(crate) use carried::{load, save};
 pub(crate) use fields::Fields;
-pub(crate) use fingerprint::{Fingerprint, displaced};
+pub(crate) use fingerprint::Fingerprint;
 pub(crate) use numbers::Numbers;
 
 use std::collections::BTreeSet;

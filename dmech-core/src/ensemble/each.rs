@@ -4,25 +4,36 @@ use core::ops::Range;
 use std::time::Instant;
 
 use super::EnsembleRun;
-use super::in_order::{Blocks, Direct, Hands, Nobody, in_order};
+use super::in_order::{Blocks, Hands, Nobody};
+use super::plan::{Nowhere, Opened, Plan, sweep};
 use super::rides::Outcome;
+#[cfg(any(feature = "ranks", feature = "store"))]
+use super::told::{Flat, Named, Said, SetUp, Told, acts, whole};
 use crate::error::Error;
-use crate::run::{Attend, Follow, Shown, Simulation};
+use crate::run::{Attend, Shown, Simulation};
 use crate::scheme::Scheme;
 use crate::setup::Setup;
 use crate::span::Span;
+#[cfg(any(feature = "ranks", feature = "store"))]
+use crate::{
+    checkpoint::Saved,
+    run::{Restored, Run},
+    system::System,
+};
 
 /// Simulations of any kind, made by [`Ensemble::each`](crate::Ensemble::each).
 #[derive(Clone, Debug)]
 #[must_use = "an ensemble does nothing until it is run"]
-pub struct Each<F> {
+pub struct Each<F, K = Nowhere> {
     pub(super) member: F,
     pub(super) members: usize,
     pub(super) hands: Hands,
     pub(super) shown: Shown,
+    /// Where they are kept.
+    pub(super) keep: K,
 }
 
-impl<F> Each<F> {
+impl<F, K> Each<F, K> {
     /// On so many threads, 1024 at most; on all cores if nothing is said. The results are the same.
     pub fn threads(self, threads: usize) -> Self {
         Each { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
@@ -31,13 +42,14 @@ impl<F> Each<F> {
     /// Makes a number of steps with each member, or fewer where an event or an observer stops it.
     ///
     /// # Errors
-    /// None yet; what fails of a member is in its [result](EnsembleRun::last).
+    /// [`Error`] of a store. What fails of a member is in its [result](EnsembleRun::last).
     pub fn run<L, X, S, O>(self, steps: u64) -> Result<EnsembleRun<X::State>, Error>
     where
         F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
         X: Setup<L, State: Send>,
         S: Scheme<X::System>,
         O: Attend<X::State>,
+        K: Keeps<L, X, S, O>,
     {
         self.collect(Span::Steps(steps))
     }
@@ -52,8 +64,57 @@ impl<F> Each<F> {
         X: Setup<L, State: Send>,
         S: Scheme<X::System>,
         O: Attend<X::State>,
+        K: Keeps<L, X, S, O>,
     {
         self.collect(Span::Until(end))
+    }
+
+    /// Moves each member until a time, and hands each to a function in their order, with its number:
+    /// [`Ensemble::for_each_until`](crate::Ensemble::for_each_until). None is kept, so that there is room for any number.
+    ///
+    /// ```
+    /// # #[cfg(feature = "scene")] {
+    /// use dmech_core::prelude::*;
+    /// # #[derive(Clone, Copy)]
+    /// # struct Bowl { k: f64 }
+    /// # impl Conservative for Bowl {}
+    /// # impl Potential<1> for Bowl {
+    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
+    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
+    /// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
+    /// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+    /// # }
+    /// // As many bodies as the number of the member says, and one more.
+    /// let bowls = Ensemble::each(100, |k| {
+    ///     let bodies = (0..=k).fold(Scene::new(), |scene, i| scene.body(1.0, [0.01 * i as f64], [0.3]));
+    ///     Simulation::scene(bodies.field(Bowl { k: 2.0 })).scheme(Leapfrog).dt(0.01).record_every(100)
+    /// });
+    /// let mut farthest = 0.0_f64;
+    /// bowls.for_each_until(5.0, |_, member| {
+    ///     let last = member.unwrap().last().clone();
+    ///     farthest = last.q.iter().fold(farthest, |most, [x]| most.max(x.abs()));
+    /// })?;
+    /// assert!(farthest > 0.1);
+    /// # }
+    /// # Ok::<(), dmech_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`run`](Each::run).
+    pub fn for_each_until<L, X, S, O>(
+        self,
+        end: f64,
+        mut see: impl FnMut(usize, Outcome<X::State>),
+    ) -> Result<(), Error>
+    where
+        F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
+        X: Setup<L, State: Send>,
+        S: Scheme<X::System>,
+        O: Attend<X::State>,
+        K: Keeps<L, X, S, O>,
+    {
+        self.go(Span::Until(end), &mut see)
     }
 
     fn collect<L, X, S, O>(self, span: Span) -> Result<EnsembleRun<X::State>, Error>
@@ -62,33 +123,105 @@ impl<F> Each<F> {
         X: Setup<L, State: Send>,
         S: Scheme<X::System>,
         O: Attend<X::State>,
+        K: Keeps<L, X, S, O>,
     {
-        let Each { member, members, hands, shown } = self;
-        let (clock, threads) = (Instant::now(), hands.threads());
-        let mut all = All { outcomes: Vec::with_capacity(members), follow: Follow::new(shown, members as u64) };
-        let work = |members: Range<usize>| members.map(|k| member(k).record(span)).collect::<Vec<_>>();
-        in_order(Blocks::of(members, threads), threads, work, &mut all, &mut Nobody)?;
-        all.follow.end(members as u64, true);
-        Ok(EnsembleRun::new(all.outcomes, clock.elapsed()))
+        let (clock, mut members) = (Instant::now(), Vec::with_capacity(self.members));
+        self.go(span, &mut |_, member| members.push(member))?;
+        Ok(EnsembleRun::new(members, clock.elapsed()))
+    }
+
+    fn go<L, X, S, O>(self, span: Span, see: &mut dyn FnMut(usize, Outcome<X::State>)) -> Result<(), Error>
+    where
+        F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
+        X: Setup<L, State: Send>,
+        S: Scheme<X::System>,
+        O: Attend<X::State>,
+        K: Keeps<L, X, S, O>,
+    {
+        let plan = OneByOne { members: self.members, member: &self.member, span };
+        sweep(&plan, (self.hands, self.shown), self.keep.open(&plan), see, Nobody)
     }
 }
 
-struct All<X> {
-    outcomes: Vec<Outcome<X>>,
-    follow: Follow,
+/// Simulations of any kind, as they move.
+pub struct OneByOne<'a, L, X, S, O> {
+    pub(super) members: usize,
+    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, X, S, O> + Sync),
+    pub(super) span: Span,
 }
 
-impl<X: Send> Direct for All<X> {
-    type Job = Range<usize>;
-    type Result = Vec<Outcome<X>>;
-
-    fn job(&mut self, members: Range<usize>) -> Range<usize> {
-        members
+impl<L, X: Setup<L>, S: Scheme<X::System>, O: Attend<X::State>> Plan<X::State> for OneByOne<'_, L, X, S, O> {
+    fn members(&self) -> usize {
+        self.members
     }
 
-    fn take(&mut self, members: Range<usize>, outcomes: Vec<Outcome<X>>) -> Result<(), Error> {
-        self.outcomes.extend(outcomes);
-        self.follow.look(members.end as u64);
-        Ok(())
+    fn blocks(&self, threads: usize) -> Blocks {
+        Blocks::one_by_one(self.members, threads)
+    }
+
+    fn go(&self, members: Range<usize>) -> Vec<Outcome<X::State>> {
+        members.map(|k| (self.member)(k).record(self.span)).collect()
+    }
+}
+
+#[cfg(any(feature = "ranks", feature = "store"))]
+impl<L, X, S, O> Told<X::State> for OneByOne<'_, L, X, S, O>
+where
+    X: Setup<L, State: Flat, System: Saved>,
+    S: Scheme<X::System>,
+    O: Attend<X::State>,
+{
+    fn whole(&self) -> Vec<(&'static str, Said)> {
+        let bodies = if X::State::LISTED { ", of as many bodies as it has" } else { "" };
+        whole::<X::State, S, O>(self.members, self.span, format!("each its own{bodies}"))
+    }
+
+    fn columns(&self) -> Named {
+        let numbers = ["dt", "tolerance", "mass"].map(str::to_owned).into();
+        Named { words: &["options", "looks", "invariants"], numbers }
+    }
+
+    /// As far as it can be set up: what is refused is moved, and refused, again.
+    fn set_up(&self, k: usize) -> SetUp {
+        let simulation = (self.member)(k);
+        let length = simulation.step_length::<f64>();
+        let Simulation { law, start, scheme, settings, .. } = simulation;
+        let numbers = [settings.dt, scheme.tolerance(), Some(start.mass(settings.mass))];
+        let numbers = numbers.map(|x| x.unwrap_or(f64::NAN)).into();
+        let first = start.start();
+        let (mut invariants, mut list, mut acting) = (String::new(), Vec::new(), 0);
+        if let Ok(system) = length.and_then(|length| start.system(law, settings.mass, length)) {
+            invariants = system.own_invariants().join(", ");
+            if X::State::LISTED {
+                let (masses, pins) = system.bodies();
+                list.extend(masses.into_iter().map(|mass| ("masses of the bodies", mass)));
+                list.extend(pins.into_iter().map(|body| ("pinned bodies", body as f64)));
+            }
+            system.fields(&mut |name, x| list.push((name, x)));
+            acting = acts(&system, &first);
+        }
+        let words = vec![format!("{scheme:?}"), settings.due.to_string(), invariants];
+        SetUp { words, numbers, start: first.flat(), list, acts: acting }
+    }
+
+    fn restore(&self, k: usize, run: Restored<X::State>) -> Result<Run<X::State>, Error> {
+        (self.member)(k).accompanied(()).restore(run)
+    }
+}
+
+/// Where members of any kind are kept: nowhere, or in a [store](Each::store).
+#[diagnostic::on_unimplemented(
+    message = "these simulations cannot be kept in a store",
+    note = "states are kept whose numbers are `f64`: of laws, and of scenes"
+)]
+pub trait Keeps<L, X: Setup<L>, S, O> {
+    /// The place, open.
+    #[doc(hidden)]
+    fn open<'a>(&self, plan: &'a OneByOne<'a, L, X, S, O>) -> Opened<'a, X::State>;
+}
+
+impl<L, X: Setup<L>, S, O> Keeps<L, X, S, O> for Nowhere {
+    fn open<'a>(&self, _: &'a OneByOne<'a, L, X, S, O>) -> Opened<'a, X::State> {
+        Ok(Box::new(Nowhere))
     }
 }

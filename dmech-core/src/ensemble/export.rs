@@ -48,7 +48,7 @@ impl<X: Columns> Columns for End<X> {
     }
 }
 
-impl<X: Clone> EnsembleRun<X> {
+impl<X: Clone + Columns> EnsembleRun<X> {
     /// Writes a row for each member, as [`Run::write`](crate::Run::write) does for each state: its number, then its last state; NaN of a
     /// member that failed. `Csv::new(file)`, `Npy::new(file)`. Of no members nothing is written.
     ///
@@ -73,13 +73,23 @@ impl<X: Clone> EnsembleRun<X> {
     /// ```
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Those of the writer; [`InvalidInput`](io::ErrorKind::InvalidInput) where members have unequal numbers of bodies.
     pub fn write(&self, mut sink: impl Sink<End<X>>) -> io::Result<()> {
         let mut rows = self.members().enumerate().map(|(k, member)| {
             let run = member.unwrap_or_else(Interrupted::run);
             End { k, last: run.last().clone(), failed: member.is_err() }
         });
         let Some(first) = rows.next() else { return Ok(()) };
+        let columns = |state: &X| {
+            let mut columns = 0;
+            state.numbers(&mut |_| columns += 1);
+            columns
+        };
+        let mut lengths = self.members().map(|member| columns(member.unwrap_or_else(Interrupted::run).last()));
+        if lengths.any(|length| length != columns(&first.last)) {
+            let why = "members of unequal numbers of bodies have no common columns";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, why));
+        }
         sink.begin(&first)?;
         sink.write(&first)?;
         rows.try_for_each(|row| sink.write(&row))?;

@@ -14,6 +14,9 @@ use crate::ride::{LANES, rows};
 /// The most members in a block.
 pub(super) const BLOCK: usize = 512;
 
+/// The most in a block of such as move one by one.
+const FEW: usize = 8;
+
 /// More threads than any machine has use for: a system refuses them at some number, and a program would end.
 const MOST: usize = 1024;
 
@@ -55,6 +58,11 @@ impl Blocks {
         let few = if threads == 1 { members } else { members / (8 * threads) };
         let size = few.next_multiple_of(LANES).clamp(LANES, BLOCK);
         Blocks { members, size, large: false }
+    }
+
+    /// The same of members that move one by one, each perhaps for long: what is on its way is a few.
+    pub(super) fn one_by_one(members: usize, threads: usize) -> Self {
+        Blocks { members, size: (members / (8 * threads)).clamp(1, FEW), large: false }
     }
 
     /// The same of members of so many coordinates.

@@ -1,23 +1,26 @@
 //! Members of one law.
 
+use core::ops::Range;
+
 use super::Ensemble;
 use super::company::Companies;
+use super::in_order::Blocks;
 use super::plan::Plan;
-use super::rides::Rides;
+use super::rides::{Block, Outcome, Rides};
+#[cfg(any(feature = "ranks", feature = "store"))]
+use super::told::{Flat, Named, Said, SetUp, Told, acts, whole};
+#[cfg(any(feature = "ranks", feature = "store"))]
+use crate::error::Error;
 use crate::law::Fields;
+#[cfg(any(feature = "ranks", feature = "store"))]
+use crate::law::Numbers;
 use crate::run::{Attend, Simulation};
+#[cfg(any(feature = "ranks", feature = "store"))]
+use crate::run::{Restored, Run};
+use crate::span::Span;
 use crate::state::State;
-
-/// A member of an ensemble before it moves.
-pub(super) type Moving<E, L, const D: usize> =
-    Simulation<L, State<D>, <E as Members<L, D>>::Scheme, <E as Members<L, D>>::Attend>;
-
-/// The same without what accompanies it.
-pub(super) type Bare<E, L, const D: usize> = Simulation<L, State<D>, <E as Members<L, D>>::Scheme>;
-
-/// What is to be done with all of them.
-pub(super) type PlanOf<'a, E, L, const D: usize> =
-    Plan<'a, L, <E as Members<L, D>>::Scheme, <E as Members<L, D>>::Attend, D>;
+#[cfg(any(feature = "ranks", feature = "store"))]
+use crate::system::Particle;
 
 /// An ensemble that has all that its members need: laws, starts, masses, and a scheme that moves them.
 #[diagnostic::on_unimplemented(
@@ -66,4 +69,99 @@ where
     fn member(&self, k: usize) -> Simulation<L, State<D>, S, C::Attend> {
         self.bare(k).accompanied(self.company.of(k))
     }
+}
+
+/// Members of one law, as they move.
+pub(super) struct OneLaw<'a, L, S, O, const D: usize> {
+    pub(super) members: usize,
+    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S, O> + Sync),
+    /// One without what accompanies it: for those who only ask what it is.
+    #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
+    pub(super) bare: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S> + Sync),
+    /// What all have in common.
+    #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
+    pub(super) common: &'a Simulation<(), (), S>,
+    pub(super) span: Span,
+    /// How many side by side.
+    pub(super) lanes: usize,
+}
+
+impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Plan<State<D>>
+    for OneLaw<'_, L, S, O, D>
+{
+    fn members(&self) -> usize {
+        self.members
+    }
+
+    fn blocks(&self, threads: usize) -> Blocks {
+        Blocks::of(self.members, threads).of_coordinates(D)
+    }
+
+    fn go(&self, members: Range<usize>) -> Vec<Outcome<State<D>>> {
+        S::ride(&Block { members, member: self.member, span: self.span, lanes: self.lanes })
+    }
+}
+
+#[cfg(any(feature = "ranks", feature = "store"))]
+impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Told<State<D>>
+    for OneLaw<'_, L, S, O, D>
+{
+    fn whole(&self) -> Vec<(&'static str, Said)> {
+        let number = |x: Option<f64>| x.map_or(Said::Nothing, Said::Number);
+        let scheme = &self.common.scheme;
+        let mut whole = whole::<_, S, O>(self.members, self.span, self.columns().numbers[1..].join(", "));
+        whole.extend([
+            ("tolerance", number(scheme.tolerance())),
+            ("dt", number(self.common.settings.dt)),
+            ("options", Said::Words(format!("{scheme:?}"))),
+            ("looks", Said::Words(self.common.due().to_string())),
+            ("invariants", Said::Words(L::INVARIANTS.join(", "))),
+        ]);
+        whole
+    }
+
+    /// The mass, and the numbers of the law; those are named by the first member.
+    fn columns(&self) -> Named {
+        let (mut names, count) = (Vec::new(), <L::Numbers as Numbers>::COUNT);
+        if self.members > 0 {
+            if let Some(written) = (self.bare)(0).law.written() {
+                written.fields(&mut |name, _| names.push(name));
+            }
+            if names.len() + D == count {
+                names.extend(["masses"; D]);
+            }
+        }
+        let places: Vec<String> = (0..count).map(|i| i.to_string()).collect();
+        if names.len() != count {
+            names = places.iter().map(String::as_str).collect();
+        }
+        Named { words: &[], numbers: named("mass", &names) }
+    }
+
+    fn set_up(&self, k: usize) -> SetUp {
+        let Simulation { law, start, settings, .. } = (self.bare)(k);
+        let numbers = [&[settings.mass], law.numbers().list().as_slice()].concat();
+        let acts = acts(&Particle::with_mass(law, settings.mass), &start);
+        SetUp { words: Vec::new(), numbers, start: start.flat(), list: Vec::new(), acts }
+    }
+
+    fn restore(&self, k: usize, run: Restored<State<D>>) -> Result<Run<State<D>>, Error> {
+        (self.bare)(k).restore(run)
+    }
+}
+
+/// Names of columns: one, then those of a law's fields, none twice; SQLite does not tell large letters from small ones.
+#[cfg(any(feature = "ranks", feature = "store"))]
+fn named(first: &str, fields: &[&str]) -> Vec<String> {
+    let mut names = vec![first.to_owned()];
+    for (i, name) in fields.iter().enumerate() {
+        let is_list = fields.iter().filter(|other| *other == name).count() > 1;
+        let place = fields[..i].iter().filter(|other| *other == name).count();
+        let mut column = if is_list { format!("law_{name}_{place}") } else { format!("law_{name}") };
+        while names.iter().any(|other| other.eq_ignore_ascii_case(&column)) {
+            column.push('_');
+        }
+        names.push(column);
+    }
+    names
 }

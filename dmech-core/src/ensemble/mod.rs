@@ -20,6 +20,8 @@ mod steps;
 #[cfg(feature = "store")]
 mod store;
 mod sweep;
+#[cfg(any(feature = "ranks", feature = "store"))]
+mod told;
 
 #[cfg(feature = "store")]
 use std::path::PathBuf;
@@ -27,15 +29,20 @@ use std::sync::Arc;
 
 pub use crate::ride::LANES;
 pub use company::{Companies, Company, Joined, NoCompany, Starts, With};
-pub use each::Each;
+pub use each::{Each, Keeps};
 pub use export::End;
 pub use lanes::Together;
 pub use members::Members;
+pub use plan::Nowhere;
 #[cfg(feature = "ranks")]
-pub use ranks::{Ranked, Ranks};
+pub use ranks::{Ranked, Ranks, Travels};
 pub use rides::{Block, Outcome, Rides};
 pub use run::{Checksum, EnsembleRun};
 pub use steps::InLanes;
+#[cfg(feature = "store")]
+pub use store::InFile;
+#[cfg(any(feature = "ranks", feature = "store"))]
+pub use told::Flat;
 
 use in_order::Hands;
 
@@ -151,7 +158,7 @@ impl Ensemble {
 
     /// So many simulations of any kind, each moved alone, over all cores: scenes among them. What they record is kept.
     pub fn each<F>(members: usize, member: F) -> Each<F> {
-        Each { member, members, hands: Hands::ALL, shown: Shown::default() }
+        Each { member, members, hands: Hands::ALL, shown: Shown::default(), keep: Nowhere }
     }
 }
 

@@ -3,26 +3,20 @@
 use core::ops::Range;
 
 use super::in_order::{Aides, Blocks, Direct, Hands, in_order};
-use super::rides::{Block, Outcome, Rides};
+use super::rides::Outcome;
 use crate::error::Error;
-use crate::law::Fields;
-use crate::run::{Attend, Follow, Simulation};
-use crate::span::Span;
-use crate::state::State;
+use crate::run::{Follow, Shown};
 
-/// What is to be done.
-pub(super) struct Plan<'a, L, S, O, const D: usize> {
-    pub(super) members: usize,
-    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S, O> + Sync),
-    /// One without what accompanies it: for those who only ask what it is.
-    #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
-    pub(super) bare: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S> + Sync),
-    /// What all have in common.
-    #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
-    pub(super) common: &'a Simulation<(), (), S>,
-    pub(super) span: Span,
-    /// How many side by side.
-    pub(super) lanes: usize,
+/// What is to be done with members, of whatever kind. Everything that follows is compiled once for each kind of state.
+pub(super) trait Plan<X>: Sync {
+    /// How many there are.
+    fn members(&self) -> usize;
+
+    /// In which blocks so many threads move them.
+    fn blocks(&self, threads: usize) -> Blocks;
+
+    /// Moves some in a row.
+    fn go(&self, members: Range<usize>) -> Vec<Outcome<X>>;
 }
 
 /// Members in rows.
@@ -31,53 +25,34 @@ pub(super) type Ranges = Vec<Range<usize>>;
 /// Members that were moved, each with its number, in order.
 pub(super) type Moved<X> = Vec<(usize, Outcome<X>)>;
 
-impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> Plan<'_, L, S, O, D> {
-    fn block(&self, members: Range<usize>) -> Block<'_, L, S, O, D> {
-        Block { members, member: self.member, span: self.span, lanes: self.lanes }
-    }
-
-    /// Moves some.
-    pub(super) fn go(&self, rows: Ranges) -> Moved<State<D>> {
-        rows.into_iter().flat_map(|row| row.clone().zip(S::ride(&self.block(row)))).collect()
-    }
-
-    /// Moves all members, and hands them over as they arrive.
-    pub(super) fn run<A>(&self, hands: Hands, mut arrival: Arrival<'_, State<D>>, aides: &mut A) -> Result<(), Error>
-    where
-        A: Aides<Ranges, Moved<State<D>>>,
-    {
-        let threads = hands.threads();
-        let blocks = Blocks::of(self.members, threads * aides.processes()).of_coordinates(D);
-        let outcome = in_order(blocks, threads, |rows| self.go(rows), &mut arrival, aides);
-        arrival.follow.end(arrival.seen, outcome.is_ok());
-        outcome
-    }
-
-    /// What accompanies each member, as far as it can be told without having it made: that may open files.
-    #[cfg(any(feature = "ranks", feature = "store"))]
-    pub(super) fn company(&self) -> String {
-        let observed = if O::OBSERVES { ", observed" } else { "" };
-        format!("{} events and {} watched quantities{observed}", O::EVENTS, O::QUANTITIES)
-    }
-
-    /// Moves one.
-    #[cfg(feature = "ranks")]
-    pub(super) fn alone(&self, k: usize) -> Outcome<State<D>> {
-        self.block(k..k + 1).alone(k)
+impl<X> dyn Plan<X> + '_ {
+    /// Moves some in several rows.
+    pub(super) fn go_all(&self, rows: Ranges) -> Moved<X> {
+        rows.into_iter().flat_map(|row| row.clone().zip(self.go(row))).collect()
     }
 }
 
 /// Where members are kept before they are seen.
-pub(super) trait Keep<X> {
+pub trait Keep<X> {
     /// Those that are not there.
-    fn missing(&self, members: Range<usize>) -> Ranges;
+    fn missing(&self, members: Range<usize>) -> Vec<Range<usize>>;
 
     /// Keeps those that were moved, and puts what was there between them.
+    ///
+    /// # Errors
+    /// [`Error`] of the place.
     fn keep(&mut self, members: Range<usize>, moved: Moved<X>) -> Result<Vec<Outcome<X>>, Error>;
+
+    /// All are there.
+    ///
+    /// # Errors
+    /// Likewise.
+    fn close(self: Box<Self>) -> Result<(), Error>;
 }
 
 /// They are kept nowhere.
-pub(super) struct Nowhere;
+#[derive(Clone, Copy, Debug)]
+pub struct Nowhere;
 
 impl<X> Keep<X> for Nowhere {
     fn missing(&self, members: Range<usize>) -> Ranges {
@@ -87,18 +62,59 @@ impl<X> Keep<X> for Nowhere {
     fn keep(&mut self, _: Range<usize>, moved: Moved<X>) -> Result<Vec<Outcome<X>>, Error> {
         Ok(moved.into_iter().map(|(_, outcome)| outcome).collect())
     }
+
+    fn close(self: Box<Self>) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+/// Where members are kept, if it can be opened.
+pub(super) type Opened<'a, X> = Result<Box<dyn Keep<X> + 'a>, Error>;
+
+/// Moves all members and hands them over in their order, as they arrive; those who help are told of the end.
+pub(super) fn sweep<X: Send, A: Aides<Ranges, Moved<X>>>(
+    plan: &dyn Plan<X>,
+    (hands, shown): (Hands, Shown),
+    keep: Opened<'_, X>,
+    see: &mut dyn FnMut(usize, Outcome<X>),
+    mut aides: A,
+) -> Result<(), Error> {
+    let follow = Follow::new(shown, plan.members() as u64);
+    let outcome = match keep {
+        Ok(keep) => Arrival { keep, see, follow, seen: 0 }.all(plan, hands, &mut aides),
+        Err(refused) => {
+            follow.end(0, false);
+            Err(refused)
+        }
+    };
+    let ended = aides.end(outcome.is_err());
+    outcome.and(ended)
 }
 
 /// The members on their way to where they are kept and seen.
-pub(super) struct Arrival<'a, X> {
-    pub(super) keep: &'a mut dyn Keep<X>,
-    pub(super) see: &'a mut dyn FnMut(usize, Outcome<X>),
-    pub(super) follow: Follow,
+struct Arrival<'a, 'b, X> {
+    keep: Box<dyn Keep<X> + 'a>,
+    see: &'b mut dyn FnMut(usize, Outcome<X>),
+    follow: Follow,
     /// How many were seen.
-    pub(super) seen: u64,
+    seen: u64,
 }
 
-impl<X: Send> Direct for Arrival<'_, X> {
+impl<X: Send> Arrival<'_, '_, X> {
+    fn all<A>(mut self, plan: &dyn Plan<X>, hands: Hands, aides: &mut A) -> Result<(), Error>
+    where
+        A: Aides<Ranges, Moved<X>>,
+    {
+        let threads = hands.threads();
+        let blocks = plan.blocks(threads * aides.processes());
+        let outcome = in_order(blocks, threads, |rows| plan.go_all(rows), &mut self, aides);
+        self.follow.end(self.seen, outcome.is_ok());
+        outcome?;
+        self.keep.close()
+    }
+}
+
+impl<X: Send> Direct for Arrival<'_, '_, X> {
     type Job = Ranges;
     type Result = Moved<X>;
 

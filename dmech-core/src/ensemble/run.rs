@@ -132,6 +132,20 @@ impl Checksum {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }
     }
+
+    /// Adds numbers, and how many they are.
+    #[cfg(any(feature = "ranks", feature = "store"))]
+    pub(super) fn list(&mut self, numbers: &[f64]) {
+        self.word(numbers.len() as u64);
+        numbers.iter().for_each(|x| self.word(x.to_bits()));
+    }
+
+    /// Adds letters, and how many they are.
+    #[cfg(any(feature = "ranks", feature = "store"))]
+    pub(super) fn text(&mut self, text: &str) {
+        self.word(text.len() as u64);
+        text.bytes().for_each(|byte| self.word(byte.into()));
+    }
 }
 
 /// How many members, how many failed, and the largest deviation of each invariant.

@@ -25,7 +25,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     }
 }
 
-impl<F> Each<F> {
+impl<F, K> Each<F, K> {
     /// Shows a bar on the standard error, as [`Ensemble::with_progress`].
     pub fn with_progress(self, title: impl Into<Cow<'static, str>>) -> Self {
         self.with_progress_bar(bar("members").with_message(title))

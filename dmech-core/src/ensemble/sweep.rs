@@ -1,16 +1,15 @@
-//! Moving all members of an ensemble.
+//! Moving all members of one law.
 
 use std::time::Instant;
 
-use super::in_order::{Aides, Nobody};
-use super::members::{Bare, Members, Moving, PlanOf};
-use super::plan::{Arrival, Moved, Nowhere, Plan, Ranges};
+use super::in_order::Nobody;
+use super::members::{Members, OneLaw};
+use super::plan::{Nowhere, Opened, sweep};
 #[cfg(feature = "store")]
 use super::store::Stored;
 use super::{Ensemble, EnsembleRun, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::Follow;
 use crate::span::Span;
 use crate::state::State;
 
@@ -50,7 +49,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     where
         Self: Members<Y, D>,
     {
-        self.go(&self.plan(Span::Until(end), &|k| self.member(k), &|k| self.bare(k))?, &mut see, Nobody)
+        self.go(Span::Until(end), &mut see)
     }
 
     fn collect<Y: Fields<D>, const D: usize>(self, span: Span) -> Result<EnsembleRun<State<D>>, Error>
@@ -58,20 +57,27 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Self: Members<Y, D>,
     {
         let (clock, mut members) = (Instant::now(), Vec::with_capacity(self.members));
-        self.go(
-            &self.plan(span, &|k| self.member(k), &|k| self.bare(k))?,
-            &mut |_, member| members.push(member),
-            Nobody,
-        )?;
+        self.go(span, &mut |_, member| members.push(member))?;
         Ok(EnsembleRun::new(members, clock.elapsed()))
     }
 
-    pub(super) fn plan<'a, Y: Fields<D>, const D: usize>(
-        &'a self,
+    fn go<Y: Fields<D>, const D: usize>(
+        &self,
         span: Span,
-        member: &'a (dyn Fn(usize) -> Moving<Self, Y, D> + Sync),
-        bare: &'a (dyn Fn(usize) -> Bare<Self, Y, D> + Sync),
-    ) -> Result<PlanOf<'a, Self, Y, D>, Error>
+        see: &mut dyn FnMut(usize, Outcome<State<D>>),
+    ) -> Result<(), Error>
+    where
+        Self: Members<Y, D>,
+    {
+        self.planned(span, |plan| sweep(plan, (self.hands, self.beside.shown.clone()), self.open(plan), see, Nobody))
+    }
+
+    /// What is to be done, unless all of it is refused.
+    pub(super) fn planned<Y: Fields<D>, T, const D: usize>(
+        &self,
+        span: Span,
+        then: impl FnOnce(&PlanOf<'_, Self, Y, D>) -> Result<T, Error>,
+    ) -> Result<T, Error>
     where
         Self: Members<Y, D>,
     {
@@ -80,46 +86,28 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         // What every member would be refused for is one error.
         common.settings.due.check_for_any()?;
         span.check(dt)?;
-        Ok(Plan { members: self.members, member, bare, common, span, lanes: self.hands.lanes })
+        let (member, bare) = (|k| self.member(k), |k| self.bare(k));
+        then(&OneLaw { members: self.members, member: &member, bare: &bare, common, span, lanes: self.hands.lanes })
     }
 
-    /// Moves all members; those who help are told of the end.
-    pub(super) fn go<Y: Fields<D>, const D: usize>(
+    /// Where they are kept.
+    pub(super) fn open<'a, Y: Fields<D>, const D: usize>(
         &self,
-        plan: &PlanOf<'_, Self, Y, D>,
-        see: &mut dyn FnMut(usize, Outcome<State<D>>),
-        mut aides: impl Aides<Ranges, Moved<State<D>>>,
-    ) -> Result<(), Error>
+        plan: &'a PlanOf<'a, Self, Y, D>,
+    ) -> Opened<'a, State<D>>
     where
         Self: Members<Y, D>,
     {
-        let outcome = self.arrive(plan, see, &mut aides);
-        let ended = aides.end(outcome.is_err());
-        outcome.and(ended)
-    }
-
-    fn arrive<Y: Fields<D>, const D: usize>(
-        &self,
-        plan: &PlanOf<'_, Self, Y, D>,
-        see: &mut dyn FnMut(usize, Outcome<State<D>>),
-        aides: &mut impl Aides<Ranges, Moved<State<D>>>,
-    ) -> Result<(), Error>
-    where
-        Self: Members<Y, D>,
-    {
-        let follow = Follow::new(self.beside.shown.clone(), self.members as u64);
         #[cfg(feature = "store")]
         if let Some(path) = &self.beside.path {
-            let mut stored = match Stored::open(path, plan) {
-                Ok(stored) => stored,
-                Err(refused) => {
-                    follow.end(0, false);
-                    return Err(refused);
-                }
-            };
-            plan.run(self.hands, Arrival { keep: &mut stored, see, follow, seen: 0 }, aides)?;
-            return stored.close();
+            return Stored::open(path, plan);
         }
-        plan.run(self.hands, Arrival { keep: &mut Nowhere, see, follow, seen: 0 }, aides)
+        #[cfg(not(feature = "store"))]
+        let _ = plan;
+        Ok(Box::new(Nowhere))
     }
 }
+
+/// What is to be done with all of them.
+pub(super) type PlanOf<'a, E, L, const D: usize> =
+    OneLaw<'a, L, <E as Members<L, D>>::Scheme, <E as Members<L, D>>::Attend, D>;

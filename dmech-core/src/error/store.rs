@@ -138,6 +138,26 @@ pub enum StoreError {
         /// In the ensemble.
         here: f64,
     },
+    /// Something that is said of a member in words: the options of its scheme, when it is looked at, the invariants of its law.
+    #[error("member {member} has other {column}: `{store}` in the store")]
+    Words {
+        /// The first member that differs.
+        member: u64,
+        /// The column of the table `member`.
+        column: &'static str,
+        /// In the store.
+        store: Name,
+    },
+    /// A member is set up from other numbers than in the store: of bodies, of bonds, of the fields of its laws.
+    #[error(
+        "member {member} is made of other numbers than in the store: the {name} are not as many, or others stand there"
+    )]
+    Numbers {
+        /// The first member that differs.
+        member: u64,
+        /// The first of them, as the table `number` names it, or `bodies`.
+        name: &'static str,
+    },
     /// The law itself: with the same numbers something else acts.
     #[error(
         "the laws differ: where member {member} starts and beside it they do not give the same potential and force to the bit"

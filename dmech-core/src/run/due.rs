@@ -1,5 +1,7 @@
 //! Which states are recorded.
 
+use core::fmt;
+
 use crate::error::Error;
 use crate::span::moves_on;
 
@@ -12,6 +14,16 @@ pub(crate) enum Due {
     At(Vec<f64>),
     /// The first, and those at equal distances in time.
     Apart(f64),
+}
+
+impl fmt::Display for Due {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Due::Every(n) => write!(f, "after every {n} steps"),
+            Due::Apart(dt) => write!(f, "every {dt:?} of time"),
+            Due::At(times) => write!(f, "at t = {times:?}"),
+        }
+    }
 }
 
 impl Due {

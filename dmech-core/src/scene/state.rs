@@ -104,3 +104,23 @@ impl<const D: usize> Columns for SceneState<D> {
         self.q.iter().chain(&self.v).flatten().for_each(|&x| see(x));
     }
 }
+
+/// Where a list is shorter, as in a state that is refused, NaN stands in it.
+#[cfg(any(feature = "ranks", feature = "store"))]
+impl<const D: usize> crate::ensemble::Flat for SceneState<D> {
+    const DIMENSION: usize = D;
+    const LISTED: bool = true;
+
+    fn flat(&self) -> Vec<f64> {
+        let lists = [&self.q, &self.v];
+        let bodies = self.q.len().max(self.v.len());
+        let body = |i: usize| lists.into_iter().flat_map(move |list| list.get(i).copied().unwrap_or([f64::NAN; D]));
+        core::iter::once(self.t).chain((0..bodies).flat_map(body)).collect()
+    }
+
+    fn of_flat(numbers: &[f64]) -> Self {
+        let bodies = numbers[1..].chunks_exact(2 * D);
+        let list = |from: usize| bodies.clone().map(|body| core::array::from_fn(|i| body[from + i])).collect();
+        SceneState { t: numbers[0], q: list(0), v: list(D) }
+    }
+}

@@ -2,32 +2,25 @@
 
 use std::thread::sleep;
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
 use super::message::{Arrived, Order, Report, SetUp, read, write};
 use super::{PATIENCE, Ranks};
-use crate::ensemble::Rides;
 use crate::ensemble::plan::{Moved, Plan, Ranges};
 use crate::ensemble::share::{Board, with_hands};
 use crate::error::Error;
-use crate::law::Fields;
-use crate::run::Attend;
-use crate::state::State;
 
 /// Moves members for the first rank until that has all.
-pub(super) fn assist<R, L, S, O, const D: usize>(
+pub(super) fn assist<R: Ranks + ?Sized, X: Clone + Send + Serialize + DeserializeOwned>(
     ranks: &R,
-    plan: &Plan<'_, L, S, O, D>,
+    plan: &dyn Plan<X>,
     threads: usize,
     set_up: SetUp,
-) -> Result<(), Error>
-where
-    R: Ranks + ?Sized,
-    L: Fields<D>,
-    S: Rides<L, D> + Sync,
-    O: Attend<State<D>>,
-{
-    let tell = |report: &Report<D>| ranks.send(0, &write(report));
+) -> Result<(), Error> {
+    let tell = |report: &Report<X>| ranks.send(0, &write(report));
     tell(&Report::Here { set_up, hands: threads });
-    let all_is_well = with_hands(threads, |rows| plan.go(rows), |board| obey(ranks, board, &tell));
+    let all_is_well = with_hands(threads, |rows| plan.go_all(rows), |board| obey(ranks, board, &tell));
     tell(&Report::Bye);
     while ranks.receive().is_none_or(|(rank, bytes)| !matches!(read(rank, &bytes), Ok(Order::Leave))) {
         sleep(PATIENCE);
@@ -36,10 +29,10 @@ where
 }
 
 /// Whether the first rank has all.
-fn obey<R: Ranks + ?Sized, const D: usize>(
+fn obey<R: Ranks + ?Sized, X: Clone>(
     ranks: &R,
-    board: &Board<Ranges, Moved<State<D>>>,
-    tell: &impl Fn(&Report<D>),
+    board: &Board<Ranges, Moved<X>>,
+    tell: &impl Fn(&Report<X>),
 ) -> Result<bool, Error> {
     loop {
         while let Some((block, moved)) = board.take_any() {

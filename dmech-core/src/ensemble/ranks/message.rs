@@ -3,22 +3,20 @@
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::ensemble::plan::{Moved, Plan, Ranges};
-use crate::ensemble::{Checksum, Outcome, Rides};
+use crate::ensemble::plan::{Moved, Ranges};
+use crate::ensemble::told::{Said, Told};
+use crate::ensemble::{Checksum, Outcome};
 use crate::error::Error;
-use crate::law::{Fields, Numbers};
-use crate::run::{Attend, Interrupted, Restored};
-use crate::span::Span;
-use crate::state::State;
+use crate::run::{Interrupted, Restored};
 
 /// To the first rank.
 #[derive(Debug, Serialize, Deserialize)]
-#[serde(bound = "State<D>: Serialize + DeserializeOwned")]
-pub(super) enum Report<const D: usize> {
+#[serde(bound = "X: Serialize + DeserializeOwned")]
+pub(super) enum Report<X> {
     /// It is there, with so many threads, and has this ensemble.
     Here { set_up: SetUp, hands: usize },
     /// What came of a block.
-    Moved { block: usize, members: Vec<(usize, Arrived<D>)> },
+    Moved { block: usize, members: Vec<(usize, Arrived<X>)> },
     /// It has heard of the end: no more comes from it.
     Bye,
 }
@@ -66,16 +64,16 @@ impl Lengths {
 
 /// A member on its way home.
 #[derive(Debug, Serialize, Deserialize)]
-#[serde(bound = "State<D>: Serialize + DeserializeOwned")]
-pub(super) enum Arrived<const D: usize> {
-    Whole(Restored<State<D>>),
-    Failed(Restored<State<D>>, Error),
+#[serde(bound = "X: Serialize + DeserializeOwned")]
+pub(super) enum Arrived<X> {
+    Whole(Restored<X>),
+    Failed(Restored<X>, Error),
     /// Refused, or in its first step: the first rank learns as soon by itself.
     Again,
 }
 
-impl<const D: usize> Arrived<D> {
-    pub(super) fn of(outcome: &Outcome<State<D>>) -> Self {
+impl<X: Clone> Arrived<X> {
+    pub(super) fn of(outcome: &Outcome<X>) -> Self {
         match outcome {
             Ok(run) => Arrived::Whole(run.to_restore()),
             Err(failed) if failed.run().steps() == 0 => Arrived::Again,
@@ -84,64 +82,45 @@ impl<const D: usize> Arrived<D> {
             Err(failed) => Arrived::Failed(failed.run().to_restore(), failed.cause()),
         }
     }
-
-    /// What became of the member with this number.
-    pub(super) fn outcome<L, S, O>(self, k: usize, plan: &Plan<'_, L, S, O, D>) -> Result<Outcome<State<D>>, Error>
-    where
-        L: Fields<D>,
-        S: Rides<L, D> + Sync,
-        O: Attend<State<D>>,
-    {
-        Ok(match self {
-            Arrived::Whole(run) => Ok((plan.bare)(k).restore(run)?),
-            Arrived::Failed(run, cause) => Err(Interrupted::new((plan.bare)(k).restore(run)?, cause)),
-            Arrived::Again => plan.alone(k),
-        })
-    }
 }
 
 /// Reads what came of some members.
-pub(super) fn home<L, S, O, const D: usize>(
-    members: Vec<(usize, Arrived<D>)>,
-    plan: &Plan<'_, L, S, O, D>,
-) -> Result<Moved<State<D>>, Error>
-where
-    L: Fields<D>,
-    S: Rides<L, D> + Sync,
-    O: Attend<State<D>>,
-{
-    members.into_iter().map(|(k, member)| Ok((k, member.outcome(k, plan)?))).collect()
+pub(super) fn home<X>(members: Vec<(usize, Arrived<X>)>, plan: &dyn Told<X>) -> Result<Moved<X>, Error> {
+    let mut moved = Moved::with_capacity(members.len());
+    for (k, member) in members {
+        match member {
+            Arrived::Whole(run) => moved.push((k, Ok(plan.restore(k, run)?))),
+            Arrived::Failed(run, cause) => moved.push((k, Err(Interrupted::new(plan.restore(k, run)?, cause)))),
+            Arrived::Again => moved.extend((k..k + 1).zip(plan.go(k..k + 1))),
+        }
+    }
+    Ok(moved)
 }
 
-/// What tells an ensemble from another: members, scheme, how far, what is recorded, and the numbers of the first and the last.
+/// What tells an ensemble from another: what is said of the whole, and the set-ups of the first and the last member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct SetUp(u64);
 
 impl SetUp {
-    pub(super) fn of<L, S, O, const D: usize>(plan: &Plan<'_, L, S, O, D>) -> Self
-    where
-        L: Fields<D>,
-        S: Rides<L, D> + Sync,
-        O: Attend<State<D>>,
-    {
+    pub(super) fn of<X>(plan: &dyn Told<X>) -> Self {
         let mut sum = Checksum::default();
-        let words = format!("{} {:?} {:?} {}", S::NAME, plan.common.scheme, plan.common.due(), plan.company());
-        words.bytes().for_each(|byte| sum.word(byte.into()));
-        sum.word(plan.members as u64);
-        sum.word(D as u64);
-        let dt = plan.common.settings.dt.unwrap_or(f64::NAN).to_bits();
-        let span = match plan.span {
-            Span::Steps(steps) => [0, steps],
-            Span::Until(end) => [1, end.to_bits()],
-        };
-        [dt, span[0], span[1]].into_iter().for_each(|word| sum.word(word));
-        for k in [0, plan.members.wrapping_sub(1)].into_iter().filter(|&k| k < plan.members) {
-            let simulation = (plan.bare)(k);
-            let State { t, q, v } = simulation.start;
-            let numbers = simulation.law.numbers().list();
-            let all = numbers.iter().chain([&simulation.settings.mass, &t]).chain(&q).chain(&v);
-            all.for_each(|x| sum.word(x.to_bits()));
+        for (key, said) in plan.whole() {
+            sum.text(key);
+            match said {
+                Said::Nothing => {}
+                Said::Count(n) => sum.word(n),
+                Said::Number(x) => sum.word(x.to_bits()),
+                Said::Words(words) => sum.text(&words),
+            }
         }
+        let columns = plan.columns();
+        columns.words.iter().for_each(|name| sum.text(name));
+        columns.numbers.iter().for_each(|name| sum.text(name));
+        let members = plan.members();
+        [0, members.wrapping_sub(1)]
+            .into_iter()
+            .filter(|&k| k < members)
+            .for_each(|k| sum.word(plan.set_up(k).seal(k)));
         SetUp(sum.value())
     }
 }

@@ -10,10 +10,20 @@ use std::time::{Duration, Instant};
 use assist::assist;
 use message::SetUp;
 use relay::Relay;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
-use super::{Ensemble, EnsembleRun, Members, Outcome};
+use super::each::OneByOne;
+use super::in_order::Hands;
+use super::plan::{Opened, sweep};
+use super::told::{Flat, Told};
+use super::{Each, Ensemble, EnsembleRun, Keeps, Members, Outcome};
+use crate::checkpoint::Saved;
 use crate::error::Error;
 use crate::law::Fields;
+use crate::run::{Attend, Shown, Simulation};
+use crate::scheme::Scheme;
+use crate::setup::Setup;
 use crate::span::Span;
 use crate::state::State;
 
@@ -67,15 +77,23 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     }
 }
 
-impl<L, X, S, M, C, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M, C>, R> {
+impl<F, K> Each<F, K> {
+    /// Moved by all ranks: [`Ensemble::ranks`], of simulations of any kind whose numbers are `f64` (feature `ranks`). Each rank makes the
+    /// members that it moves, and the first those that come home.
+    pub fn ranks<R: Ranks + ?Sized>(self, ranks: &R) -> Ranked<'_, Self, R> {
+        Ranked { ensemble: self, ranks }
+    }
+}
+
+impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     /// [`Ensemble::run`]: in the first rank what has come of all members, `None` in the others.
     ///
     /// # Errors
     /// As [`Ensemble::run`]; [`Error::OtherEnsemble`] in the first rank where a rank has another ensemble, and in the others
     /// [`Error::FirstRank`] where the first has failed.
-    pub fn run<Y: Fields<D>, const D: usize>(self, steps: u64) -> Result<Option<EnsembleRun<State<D>>>, Error>
+    pub fn run<M, X: Clone>(self, steps: u64) -> Result<Option<EnsembleRun<X>>, Error>
     where
-        Ensemble<L, X, S, M, C>: Members<Y, D>,
+        E: Travels<M, X>,
     {
         self.collect(Span::Steps(steps))
     }
@@ -84,9 +102,9 @@ impl<L, X, S, M, C, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M, C>, R> {
     ///
     /// # Errors
     /// As [`run`](Ranked::run).
-    pub fn run_until<Y: Fields<D>, const D: usize>(self, end: f64) -> Result<Option<EnsembleRun<State<D>>>, Error>
+    pub fn run_until<M, X: Clone>(self, end: f64) -> Result<Option<EnsembleRun<X>>, Error>
     where
-        Ensemble<L, X, S, M, C>: Members<Y, D>,
+        E: Travels<M, X>,
     {
         self.collect(Span::Until(end))
     }
@@ -95,41 +113,74 @@ impl<L, X, S, M, C, R: Ranks + ?Sized> Ranked<'_, Ensemble<L, X, S, M, C>, R> {
     ///
     /// # Errors
     /// As [`run`](Ranked::run).
-    pub fn for_each_until<Y: Fields<D>, const D: usize>(
-        self,
-        end: f64,
-        mut see: impl FnMut(usize, Outcome<State<D>>),
-    ) -> Result<(), Error>
+    pub fn for_each_until<M, X: Clone>(self, end: f64, mut see: impl FnMut(usize, Outcome<X>)) -> Result<(), Error>
     where
-        Ensemble<L, X, S, M, C>: Members<Y, D>,
+        E: Travels<M, X>,
     {
-        self.go(Span::Until(end), &mut see)
+        self.ensemble.travel(self.ranks, Span::Until(end), &mut see)
     }
 
-    fn collect<Y: Fields<D>, const D: usize>(self, span: Span) -> Result<Option<EnsembleRun<State<D>>>, Error>
+    fn collect<M, X: Clone>(self, span: Span) -> Result<Option<EnsembleRun<X>>, Error>
     where
-        Ensemble<L, X, S, M, C>: Members<Y, D>,
+        E: Travels<M, X>,
     {
         let (clock, mut members) = (Instant::now(), Vec::new());
-        self.go(span, &mut |_, member| members.push(member))?;
+        self.ensemble.travel(self.ranks, span, &mut |_, member| members.push(member))?;
         Ok((self.ranks.rank() == 0).then(|| EnsembleRun::new(members, clock.elapsed())))
     }
+}
 
-    fn go<Y: Fields<D>, const D: usize>(
-        &self,
-        span: Span,
-        see: &mut dyn FnMut(usize, Outcome<State<D>>),
-    ) -> Result<(), Error>
-    where
-        Ensemble<L, X, S, M, C>: Members<Y, D>,
-    {
-        let Ranked { ensemble, ranks } = self;
-        let (member, bare) = (|k| ensemble.member(k), |k| ensemble.bare(k));
-        let plan = ensemble.plan(span, &member, &bare)?;
-        let set_up = SetUp::of(&plan);
-        if ranks.rank() > 0 {
-            return assist(*ranks, &plan, ensemble.hands.threads(), set_up);
-        }
-        ensemble.go(&plan, see, Relay::new(*ranks, &plan, set_up))
+/// An ensemble whose members, of the kind M with states X, ranks can move together: one that can be run, with states that can be sent.
+#[diagnostic::on_unimplemented(
+    message = "this ensemble cannot be run on ranks yet",
+    note = "it needs `.law(|k| …)`, `.start(|k| …)` and `.scheme(…)`; of `Ensemble::each` simulations of laws or scenes whose numbers are `f64`"
+)]
+pub trait Travels<M, X> {
+    /// Moves all members; the first rank sees them.
+    #[doc(hidden)]
+    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X>) -> Result<(), Error>;
+}
+
+/// Sees members in their order.
+type See<'a, X> = &'a mut dyn FnMut(usize, Outcome<X>);
+
+impl<L, X, S, M, C, Y: Fields<D>, const D: usize> Travels<Y, State<D>> for Ensemble<L, X, S, M, C>
+where
+    Self: Members<Y, D>,
+{
+    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, State<D>>) -> Result<(), Error> {
+        self.planned(span, |plan| {
+            together(ranks, plan, (self.hands, self.beside.shown.clone()), || self.open(plan), see)
+        })
     }
+}
+
+#[diagnostic::do_not_recommend]
+impl<F, K, L, X, S, O> Travels<(L, X, S, O), X::State> for Each<F, K>
+where
+    F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
+    X: Setup<L, State: Flat + Serialize + DeserializeOwned, System: Saved>,
+    S: Scheme<X::System>,
+    O: Attend<X::State>,
+    K: Keeps<L, X, S, O>,
+{
+    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X::State>) -> Result<(), Error> {
+        let plan = OneByOne { members: self.members, member: &self.member, span };
+        together(ranks, &plan, (self.hands, self.shown.clone()), || self.keep.open(&plan), see)
+    }
+}
+
+/// The first rank hands out and sees what comes, the others move what they are given.
+fn together<'a, R: Ranks + ?Sized, X: Clone + Send + Serialize + DeserializeOwned>(
+    ranks: &R,
+    plan: &dyn Told<X>,
+    (hands, shown): (Hands, Shown),
+    open: impl FnOnce() -> Opened<'a, X>,
+    see: See<'_, X>,
+) -> Result<(), Error> {
+    let set_up = SetUp::of(plan);
+    if ranks.rank() > 0 {
+        return assist(ranks, plan, hands.threads(), set_up);
+    }
+    sweep(plan, (hands, shown), open(), see, Relay::new(ranks, plan, set_up))
 }

@@ -3,21 +3,21 @@
 use std::collections::VecDeque;
 use std::thread::sleep;
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
 use super::message::{Lengths, Order, Report, SetUp, home, read, write};
 use super::{PATIENCE, Ranks};
-use crate::ensemble::Rides;
 use crate::ensemble::in_order::Aides;
-use crate::ensemble::plan::{Moved, Plan, Ranges};
+use crate::ensemble::plan::{Moved, Ranges};
 use crate::ensemble::share::Board;
+use crate::ensemble::told::Told;
 use crate::error::Error;
-use crate::law::Fields;
-use crate::run::Attend;
-use crate::state::State;
 
 /// The other ranks, as the first sees them.
-pub(super) struct Relay<'a, R: ?Sized, L, S, O, const D: usize> {
+pub(super) struct Relay<'a, R: ?Sized, X> {
     ranks: &'a R,
-    plan: &'a Plan<'a, L, S, O, D>,
+    plan: &'a dyn Told<X>,
     set_up: SetUp,
     /// Ranks that are there, and threads that they have.
     here: usize,
@@ -28,18 +28,12 @@ pub(super) struct Relay<'a, R: ?Sized, L, S, O, const D: usize> {
     gone: usize,
 }
 
-impl<'a, R, L, S, O, const D: usize> Relay<'a, R, L, S, O, D>
-where
-    R: Ranks + ?Sized,
-    L: Fields<D>,
-    S: Rides<L, D> + Sync,
-    O: Attend<State<D>>,
-{
-    pub(super) fn new(ranks: &'a R, plan: &'a Plan<'a, L, S, O, D>, set_up: SetUp) -> Self {
+impl<'a, R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Relay<'a, R, X> {
+    pub(super) fn new(ranks: &'a R, plan: &'a dyn Told<X>, set_up: SetUp) -> Self {
         Relay { ranks, plan, set_up, here: 1, hands: 0, asking: VecDeque::new(), gone: 0 }
     }
 
-    fn next(&self) -> Result<Option<(usize, Report<D>)>, Error> {
+    fn next(&self) -> Result<Option<(usize, Report<X>)>, Error> {
         let Some((rank, bytes)) = self.ranks.receive() else { return Ok(None) };
         Ok(Some((rank, read(rank, &bytes)?)))
     }
@@ -56,13 +50,7 @@ where
     }
 }
 
-impl<R, L, S, O, const D: usize> Aides<Ranges, Moved<State<D>>> for Relay<'_, R, L, S, O, D>
-where
-    R: Ranks + ?Sized,
-    L: Fields<D>,
-    S: Rides<L, D> + Sync,
-    O: Attend<State<D>>,
-{
+impl<R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Aides<Ranges, Moved<X>> for Relay<'_, R, X> {
     const PATIENCE: Option<core::time::Duration> = Some(PATIENCE);
 
     fn processes(&self) -> usize {
@@ -73,7 +61,7 @@ where
         self.hands
     }
 
-    fn attend(&mut self, board: &Board<Ranges, Moved<State<D>>>) -> Result<(), Error> {
+    fn attend(&mut self, board: &Board<Ranges, Moved<X>>) -> Result<(), Error> {
         while let Some((rank, report)) = self.next()? {
             match report {
                 Report::Here { set_up, hands } => self.greet(rank, set_up, hands)?,

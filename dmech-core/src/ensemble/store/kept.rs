@@ -7,16 +7,13 @@ use std::time::Duration;
 use rusqlite::types::Value;
 use rusqlite::{Connection, OpenFlags};
 
-use super::layout::Layout;
+use super::layout::{Layout, TABLES};
 use super::record::{Members, read};
-use super::set_up::SetUp;
 use super::settings::set;
-use crate::ensemble::plan::{Moved, Plan};
-use crate::ensemble::{Checksum, Outcome, Rides};
+use crate::ensemble::plan::Moved;
+use crate::ensemble::told::{Flat, Told};
+use crate::ensemble::{Checksum, Outcome};
 use crate::error::{Error, StoreError};
-use crate::law::Fields;
-use crate::run::Attend;
-use crate::state::State;
 
 /// How long somebody else who writes is waited for.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -32,7 +29,7 @@ pub(super) struct Store {
 
 impl Store {
     /// Opens the store of an ensemble, or makes it.
-    pub(super) fn open(path: &Path, ensemble: &dyn SetUp) -> Result<Self, StoreError> {
+    pub(super) fn open<X: Flat>(path: &Path, ensemble: &dyn Told<X>) -> Result<Self, StoreError> {
         // SQLite takes the beginning of a database for an empty one.
         let length = std::fs::metadata(path).map_or(0, |file| file.len());
         if (1..SMALLEST).contains(&length) {
@@ -47,10 +44,11 @@ impl Store {
             return Err(StoreError::Damaged);
         }
         let tables: i64 = database.query_row("SELECT COUNT(*) FROM sqlite_master", [], |row| row.get(0))?;
-        let known =
-            "SELECT COUNT(*) FROM sqlite_master WHERE name IN ('sweep', 'member', 'last', 'drift', 'event', 'state')";
-        let known: i64 = database.query_row(known, [], |row| row.get(0))?;
-        if tables > 0 && known != 6 {
+        let known_by = "SELECT EXISTS (SELECT * FROM sqlite_master WHERE name = ?)";
+        let known = TABLES.into_iter().try_fold(true, |known, name| {
+            Ok::<_, StoreError>(known & database.query_row(known_by, [name], |row| row.get::<_, bool>(0))?)
+        });
+        if tables > 0 && !known? {
             return Err(StoreError::NotAnEnsemble);
         }
         // Others may read while this writes, and what is committed outlives the process. The loss of power may take the last blocks, not
@@ -58,7 +56,7 @@ impl Store {
         let journal: String = database.query_row("PRAGMA journal_mode = WAL", [], |row| row.get(0))?;
         let synchronous = if journal.eq_ignore_ascii_case("wal") { "NORMAL" } else { "FULL" };
         database.execute_batch(&format!("PRAGMA synchronous = {synchronous}"))?;
-        let layout = ensemble.layout();
+        let layout = Layout::of::<X>(ensemble.columns());
         if tables > 0 {
             ensemble.compare(&database, &layout)?;
         } else {
@@ -81,17 +79,12 @@ impl Store {
     }
 
     /// Writes what was moved, and puts what was done between it.
-    pub(super) fn hand_over<L, S, O, const D: usize>(
+    pub(super) fn hand_over<X: Flat>(
         &self,
-        plan: &Plan<'_, L, S, O, D>,
+        plan: &dyn Told<X>,
         members: Range<usize>,
-        moved: Moved<State<D>>,
-    ) -> Result<Vec<Outcome<State<D>>>, Error>
-    where
-        L: Fields<D>,
-        S: Rides<L, D> + Sync,
-        O: Attend<State<D>>,
-    {
+        moved: Moved<X>,
+    ) -> Result<Vec<Outcome<X>>, Error> {
         let mut stored = Vec::new();
         if moved.len() < members.len() {
             read(&self.database, &self.layout, members.clone(), &mut |k, run| stored.push((k, run)))
@@ -105,16 +98,16 @@ impl Store {
         members
             .map(|k| match (moved.next_if(|&(of, _)| of == k), stored.next_if(|&(of, _)| of == k)) {
                 (Some((_, outcome)), _) => Ok(outcome),
-                (None, Some((_, run))) => Ok(Ok((plan.bare)(k).restore(run)?)),
+                (None, Some((_, run))) => Ok(Ok(plan.restore(k, run)?)),
                 (None, None) => Err(Error::Store(StoreError::Changed { table: "last", member: k as u64 })),
             })
             .collect()
     }
 
     /// Writes members, all of them or none.
-    fn write<const D: usize>(&self, moved: &[(usize, Outcome<State<D>>)]) -> Result<(), StoreError> {
+    fn write<X: Flat>(&self, moved: &[(usize, Outcome<X>)]) -> Result<(), StoreError> {
         let transaction = self.database.unchecked_transaction()?;
-        let mut members = Members::new(&self.database, &self.layout)?;
+        let mut members = Members::new::<X>(&self.database, &self.layout)?;
         moved.iter().try_for_each(|(k, member)| members.write(*k, member))?;
         drop(members);
         Ok(transaction.commit()?)

@@ -1,93 +1,123 @@
 //! The tables of a store, as SQL.
 
+use crate::ensemble::told::{Flat, Named};
+use crate::name::Name;
+
 /// What the columns depend on.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
-    /// Coordinates.
-    pub(super) dimension: usize,
-    /// The columns of the law's fields.
-    pub(super) fields: Vec<String>,
+    /// Coordinates of a body.
+    dimension: usize,
+    /// Bodies have rows of their own.
+    listed: bool,
+    /// What each member has by name.
+    pub(super) columns: Named,
 }
 
-/// The columns of a drift, as it has them itself; what follows from them is beside, for those who look.
-const DRIFT: &str = "start, last, max_abs, samples, mean_t, mean_x, moment_tt, moment_tx";
-const LAST: &str = "stopped, steps, evaluations, iterations, rough, nanoseconds, shortest, longest, bits, seal";
+/// The tables that every store has.
+pub(super) const TABLES: [&str; 6] = ["sweep", "member", "last", "drift", "event", "state"];
+
+/// Columns of one type.
+fn of(kind: &str, names: impl IntoIterator<Item = impl AsRef<str>>) -> String {
+    names.into_iter().map(|name| format!("\"{}\" {kind}, ", name.as_ref())).collect()
+}
 
 impl Layout {
-    /// Columns for fields of these names, none twice; SQLite does not tell large letters from small ones.
-    pub(super) fn of(dimension: usize, names: &[&str]) -> Self {
-        let mut fields: Vec<String> = Vec::with_capacity(names.len());
-        for (i, name) in names.iter().enumerate() {
-            let is_list = names.iter().filter(|other| *other == name).count() > 1;
-            let place = names[..i].iter().filter(|other| *other == name).count();
-            let mut column = if is_list { format!("law_{name}_{place}") } else { format!("law_{name}") };
-            while fields.iter().any(|other| other.eq_ignore_ascii_case(&column)) {
-                column.push('_');
-            }
-            fields.push(column);
+    pub(super) fn of<X: Flat>(columns: Named) -> Self {
+        Layout { dimension: X::DIMENSION, listed: X::LISTED, columns }
+    }
+
+    /// Whether members have lists of further numbers.
+    pub(super) fn has_lists(&self) -> bool {
+        !self.columns.words.is_empty()
+    }
+
+    /// The names of the numbers of a body.
+    pub(super) fn body(&self) -> Vec<String> {
+        ["q", "v"].into_iter().flat_map(|x| (0..self.dimension).map(move |i| format!("{x}{i}"))).collect()
+    }
+
+    /// The name of a number of a state, by its place among all of them.
+    pub(super) fn number(&self, place: usize) -> Name {
+        let (body, names) = (place.wrapping_sub(1) / (2 * self.dimension), self.body());
+        match place {
+            0 => Name::of(&["t"]),
+            _ if self.listed => Name::of(&[&names[(place - 1) % names.len()], " of body ", &body.to_string()]),
+            _ => Name::of(&[&names[place - 1]]),
         }
-        Layout { dimension, fields }
     }
 
-    /// The names of the numbers of a state.
-    fn state(&self) -> Vec<String> {
-        let vectors = ["q", "v"].into_iter().flat_map(|x| (0..self.dimension).map(move |i| format!("{x}{i}")));
-        core::iter::once("t".to_owned()).chain(vectors).collect()
+    /// The tables with a row, or more, for each member.
+    fn tables(&self) -> impl Iterator<Item = &'static str> + '_ {
+        let lists = ["number"].into_iter().filter(|_| self.has_lists());
+        TABLES.into_iter().skip(1).chain(lists).chain(["body"].into_iter().filter(|_| self.listed))
     }
 
-    /// The names of the numbers of a member: its mass, its law, its start.
-    pub(super) fn member(&self) -> Vec<String> {
-        let start = self.state();
-        core::iter::once("mass".to_owned()).chain(self.fields.iter().cloned()).chain(start).collect()
+    /// The columns of a table with their types, in the order in which they are written and read; a comma after each.
+    fn columns(&self, table: &str) -> String {
+        let body = of("REAL", self.body());
+        // Where bodies have rows of their own, how many there are.
+        let state = if self.listed { "t REAL, bodies INTEGER, ".to_owned() } else { format!("t REAL, {body}") };
+        let met = if self.listed { "a INTEGER, b INTEGER, " } else { "" };
+        let Named { words, numbers } = &self.columns;
+        match table {
+            "member" => {
+                let (words, numbers) = (of("TEXT", words.iter()), of("REAL", numbers));
+                format!("k INTEGER, {words}{numbers}{state}acts INTEGER, bits BLOB, seal INTEGER, ")
+            }
+            "last" => format!(
+                "k INTEGER, failed TEXT, {state}stopped INTEGER, steps INTEGER, evaluations INTEGER, iterations INTEGER, \
+                 rough INTEGER, nanoseconds INTEGER, shortest REAL, longest REAL, bits BLOB, seal INTEGER, "
+            ),
+            // As a drift has them itself; what follows from them is beside, for those who look.
+            "drift" => "k INTEGER, number INTEGER, start REAL, last REAL, max_abs REAL, samples REAL, mean_t REAL, mean_x REAL, \
+                 moment_tt REAL, moment_tx REAL, bits BLOB, max_relative REAL, slope REAL, invariant TEXT, "
+                .to_owned(),
+            "event" => format!("k INTEGER, n INTEGER, which INTEGER, rising INTEGER, {met}{state}bits BLOB, "),
+            "number" => "k INTEGER, n INTEGER, name TEXT, value REAL, bits BLOB, ".to_owned(),
+            "body" => format!("k INTEGER, what TEXT, n INTEGER, body INTEGER, {body}bits BLOB, "),
+            _ => format!("k INTEGER, n INTEGER, {state}bits BLOB, "),
+        }
+    }
+
+    /// The names of the columns.
+    fn names(&self, table: &str) -> Vec<String> {
+        let columns = self.columns(table);
+        columns.split_terminator(", ").map(|column| column.split(' ').next().unwrap_or(column).to_owned()).collect()
+    }
+
+    /// What tells the rows of a table apart.
+    fn key(table: &str) -> &'static str {
+        match table {
+            "member" | "last" => "k",
+            "drift" => "k, number",
+            "body" => "what, k, n, body",
+            _ => "k, n",
+        }
     }
 
     /// All tables, empty.
     pub(super) fn create(&self) -> String {
-        let real = |columns: &[String]| columns.iter().map(|name| format!("\"{name}\" REAL, ")).collect::<String>();
-        let (member, state) = (real(&self.member()), real(&self.state()));
-        let drift = DRIFT.split(", ").map(|name| format!("{name} REAL, ")).collect::<String>();
-        format!(
-            "CREATE TABLE sweep (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
-             CREATE TABLE member (k INTEGER PRIMARY KEY, {member} acts INTEGER, bits BLOB, seal INTEGER);
-             CREATE TABLE last (
-                 k INTEGER PRIMARY KEY, failed TEXT, {state} stopped INTEGER, steps INTEGER, evaluations INTEGER, iterations INTEGER, rough INTEGER,
-                 nanoseconds INTEGER, shortest REAL, longest REAL, bits BLOB, seal INTEGER
-             );
-             CREATE TABLE drift (
-                 k INTEGER, number INTEGER, invariant TEXT, {drift} bits BLOB, max_relative REAL, slope REAL, PRIMARY KEY (k, number)
-             ) WITHOUT ROWID;
-             CREATE TABLE event (
-                 k INTEGER, n INTEGER, which INTEGER, rising INTEGER, {state} bits BLOB, PRIMARY KEY (k, n)
-             ) WITHOUT ROWID;
-             CREATE TABLE state (k INTEGER, n INTEGER, {state} bits BLOB, PRIMARY KEY (k, n)) WITHOUT ROWID;"
-        )
-    }
-
-    fn columns(&self, table: &str) -> String {
-        let list = |names: &[String]| names.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
-        match table {
-            "member" => format!("k, {}, acts, bits, seal", list(&self.member())),
-            "last" => format!("k, failed, {}, {LAST}", list(&self.state())),
-            "drift" => format!("k, number, {DRIFT}, bits, max_relative, slope, invariant"),
-            "event" => format!("k, n, which, rising, {}, bits", list(&self.state())),
-            _ => format!("k, n, {}, bits", list(&self.state())),
-        }
+        let create = |table| {
+            let (columns, key) = (self.columns(table), Layout::key(table));
+            let rows = if key == "k" { "" } else { " WITHOUT ROWID" };
+            format!("CREATE TABLE {table} ({columns}PRIMARY KEY ({key})){rows};\n")
+        };
+        let sweep = "CREATE TABLE sweep (key TEXT PRIMARY KEY, value) WITHOUT ROWID;\n".to_owned();
+        core::iter::once(sweep).chain(self.tables().map(create)).collect()
     }
 
     /// Writes a row, also over one.
     pub(super) fn insert(&self, table: &str) -> String {
-        let columns = self.columns(table);
-        let places = vec!["?"; columns.split(", ").count()].join(", ");
-        format!("INSERT OR REPLACE INTO {table} ({columns}) VALUES ({places})")
+        let columns = self.names(table);
+        let places = vec!["?"; columns.len()].join(", ");
+        format!("INSERT OR REPLACE INTO {table} ({}) VALUES ({places})", columns.join(", "))
     }
 
-    /// The rows of members from one number to another, in order.
+    /// The rows of members from one number to another, in order; of bodies those of one kind of state.
     pub(super) fn select(&self, table: &str) -> String {
-        let order = match table {
-            "drift" => ", number",
-            "event" | "state" => ", n",
-            _ => "",
-        };
-        format!("SELECT {} FROM {table} WHERE k >= ? AND k < ? ORDER BY k{order}", self.columns(table))
+        let (columns, key) = (self.names(table).join(", "), Layout::key(table));
+        let what = if table == "body" { "what = ? AND " } else { "" };
+        format!("SELECT {columns} FROM {table} WHERE {what}k >= ? AND k < ? ORDER BY {key}")
     }
 }

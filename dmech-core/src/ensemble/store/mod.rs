@@ -3,6 +3,7 @@
 mod kept;
 mod layout;
 mod moving;
+mod places;
 mod record;
 mod set_up;
 mod settings;
@@ -10,11 +11,18 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(super) use moving::Stored;
 
-use super::{Beside, Ensemble};
+use super::each::OneByOne;
+use super::plan::Opened;
+use super::told::Flat;
+use super::{Beside, Each, Ensemble, Keeps, Nowhere};
+use crate::checkpoint::Saved;
+use crate::run::{Attend, Columns};
+use crate::scheme::Scheme;
+use crate::setup::Setup;
 
 impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// Keeps the members in a file, as they come, and goes on from it: a sweep that was killed, at whatever moment, moves those that are
@@ -78,5 +86,70 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     pub fn store(self, path: impl AsRef<Path>) -> Self {
         let path = Some(path.as_ref().to_owned());
         Ensemble { beside: Beside { path, ..self.beside }, ..self }
+    }
+}
+
+/// In the type of simulations that are kept in a [store](Each::store).
+#[derive(Clone, Debug)]
+pub struct InFile(PathBuf);
+
+impl<F> Each<F, Nowhere> {
+    /// Keeps the members in a file, as they come, and goes on from it: [`Ensemble::store`], of simulations of any kind whose numbers are
+    /// `f64` (feature `store`).
+    ///
+    /// The tables are those of an ensemble of one law, with what each member has of its own:
+    ///
+    /// | table | what | columns |
+    /// |---|---|---|
+    /// | `member` | set-ups | `k`, `options` of the scheme, `looks`, `invariants`, `dt`, `tolerance`, `mass`, the start |
+    /// | `number` | what else there is | `k`, `n`, `name`, `value`: fields of laws, masses, pins, bonds, data of the bodies, box, cut-off |
+    /// | `body` | bodies of a scene | `k`, `what` (`start`, `last`, `event`, `state`), `n`, `body`, `q0` …, `v0` … |
+    ///
+    /// Where bodies have rows of their own, the other tables tell the time and how many there are.
+    ///
+    /// ```no_run
+    /// # #[cfg(feature = "scene")] {
+    /// use dmech_core::prelude::*;
+    /// # fn sweep<L>(moon: impl Fn(usize) -> Scene<2, (), L> + Sync) -> Result<(), Error>
+    /// # where L: dmech_core::scene::Term<2, (), Ready: dmech_core::scheme::WithoutVelocities> {
+    /// let sweep = Ensemble::each(10_000, |k| Simulation::scene(moon(k)).scheme(Nystrom::order6()).dt(0.01).record_every(1000))
+    ///     .store("moons.sqlite");
+    /// // Killed and started again, it goes on.
+    /// let run = sweep.run_until(1e4)?;
+    /// println!("{run}");
+    /// # Ok(())
+    /// # }
+    /// # }
+    /// ```
+    ///
+    /// ```sql
+    /// SELECT k, q0, q1 FROM body WHERE what = 'last' AND body = 2;
+    /// ```
+    ///
+    /// **What is the same**: schemes with their options, steps, starts, masses, pins, every number of the laws that can be had, and what
+    /// acts on all bodies where they start and displaced from there. Of a law written by hand no fields are known, nor of a function that
+    /// drives a body: what matters at neither place is not noticed. So it is with events, watched quantities and observers, of which the
+    /// number is compared, and with a scheme of one's own beyond what its `Debug` shows.
+    ///
+    /// **The function is asked for every member before the first is moved**, again when that is moved, and once when it is read. A stream
+    /// to a file that the function creates would be emptied each time: open such files to be appended to.
+    ///
+    /// # Errors
+    /// As [`Ensemble::store`]. Members on their way are eight at most for each thread.
+    pub fn store(self, path: impl AsRef<Path>) -> Each<F, InFile> {
+        let Each { member, members, hands, shown, .. } = self;
+        Each { member, members, hands, shown, keep: InFile(path.as_ref().to_owned()) }
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<L, X, S, O> Keeps<L, X, S, O> for InFile
+where
+    X: Setup<L, State: Flat + Columns, System: Saved>,
+    S: Scheme<X::System>,
+    O: Attend<X::State>,
+{
+    fn open<'a>(&self, plan: &'a OneByOne<'a, L, X, S, O>) -> Opened<'a, X::State> {
+        Stored::open(&self.0, plan)
     }
 }

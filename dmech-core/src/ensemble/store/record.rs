@@ -6,35 +6,14 @@ use std::time::Duration;
 use rusqlite::Connection;
 
 use super::layout::Layout;
+use super::places::{Bodies, Head, Placed, rows};
 use super::table::{Reader, Seal, Writer};
 use crate::ensemble::Outcome;
+use crate::ensemble::told::Flat;
 use crate::error::StoreError;
-use crate::invariant::{Drift, Invariant, OwnDrifts};
+use crate::invariant::{Drift, Drifts, Invariant, OwnDrifts};
 use crate::run::{Crossing, Event, Interrupted, Restored, Work};
-use crate::state::State;
 use crate::words::{Word, word};
-
-const KNOWN: usize = Invariant::ALL.len();
-
-fn flat<const D: usize>(state: &State<D>) -> Vec<f64> {
-    [state.t].iter().chain(&state.q).chain(&state.v).copied().collect()
-}
-
-fn state<const D: usize>(row: &mut Reader<'_>) -> Option<State<D>> {
-    let mut state = State::new([0.0; D], [0.0; D]);
-    row.numbers(core::slice::from_mut(&mut state.t))?;
-    row.numbers(&mut state.q)?;
-    row.numbers(&mut state.v)?;
-    Some(state)
-}
-
-/// Replaces a state by its bits, if it was written so.
-fn with_bits<const D: usize>(row: &mut Reader<'_>, state: State<D>) -> Option<State<D>> {
-    let mut numbers = flat(&state);
-    row.bits(&mut numbers)?;
-    let [q, v] = [1, 1 + D].map(|from| core::array::from_fn(|i| numbers[from + i]));
-    Some(State { t: numbers[0], q, v })
-}
 
 /// Those that there are, each with its number and its name: of all laws, then of this one and those that were watched.
 fn drifts<X>(run: &Restored<X>) -> impl Iterator<Item = (usize, String, Drift)> + '_ {
@@ -48,24 +27,25 @@ fn rising<X>(event: &Event<X>) -> u64 {
 }
 
 /// What says whether all that belongs to a member is as it was written.
-fn seal<const D: usize>(k: usize, run: &Restored<State<D>>) -> i64 {
+fn seal<X: Flat>(k: u64, run: &Restored<X>) -> i64 {
     let mut seal = Seal::default();
-    seal.count(k as u64);
-    seal.numbers(&flat(&run.last));
+    seal.count(k);
+    seal.numbers(&run.last.flat());
     let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
     let counts = [run.stopped.into(), steps, evaluations, iterations, rough, elapsed.as_nanos() as u64];
     counts.into_iter().for_each(|n| seal.count(n));
     range.iter().for_each(|range| seal.numbers(range));
     for (number, name, drift) in drifts(run) {
         seal.count(number as u64);
-        name.bytes().for_each(|byte| seal.count(byte.into()));
+        seal.text(&name);
         seal.numbers(&drift.fields());
     }
     for event in &run.events {
         [event.which() as u64, rising(event)].into_iter().for_each(|n| seal.count(n));
-        seal.numbers(&flat(event.state()));
+        event.bodies().into_iter().flatten().for_each(|body| seal.count(body as u64));
+        seal.numbers(&event.state().flat());
     }
-    run.states.iter().for_each(|state| seal.numbers(&flat(state)));
+    run.states.iter().for_each(|state| seal.numbers(&state.flat()));
     seal.value()
 }
 
@@ -75,30 +55,34 @@ pub(super) struct Members<'a> {
     drift: Writer<'a>,
     event: Writer<'a>,
     state: Writer<'a>,
+    bodies: Bodies<'a>,
 }
 
 impl<'a> Members<'a> {
-    pub(super) fn new(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
+    pub(super) fn new<X: Flat>(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
         let writer = |table| Writer::new(database, &layout.insert(table));
-        Ok(Members { last: writer("last")?, drift: writer("drift")?, event: writer("event")?, state: writer("state")? })
+        let [last, drift, event, state] = [writer("last")?, writer("drift")?, writer("event")?, writer("state")?];
+        Ok(Members { last, drift, event, state, bodies: Bodies::new::<X>(database, layout)? })
     }
 
     /// Writes a member.
-    pub(super) fn write<const D: usize>(&mut self, k: usize, member: &Outcome<State<D>>) -> Result<(), StoreError> {
+    pub(super) fn write<X: Flat>(&mut self, k: usize, member: &Outcome<X>) -> Result<(), StoreError> {
         let run = member.as_ref().unwrap_or_else(Interrupted::run).to_restore();
-        let (k, row, last) = (k as u64, &mut self.last, flat(&run.last));
+        let (k, row, last) = (k as u64, &mut self.last, run.last.flat());
+        let head = Head::of::<X>(&last);
         row.count(k)?;
         row.put(member.as_ref().err().map(|failed| failed.cause().to_string()))?;
-        row.numbers(&last)?;
+        head.put::<X>(row)?;
         let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
         let nanoseconds = elapsed.as_nanos() as u64;
         let counts = [run.stopped.into(), steps, evaluations, iterations, rough, nanoseconds];
         counts.into_iter().try_for_each(|n| row.count(n))?;
         row.put(range.map(|[shortest, _]| shortest))?;
         row.put(range.map(|[_, longest]| longest))?;
-        row.bits(&last)?;
-        row.put(seal(k as usize, &run))?;
+        head.put_bits(row)?;
+        row.put(seal(k, &run))?;
         row.end()?;
+        self.bodies.write::<X>(k, "last", 0, &last)?;
         for (number, name, drift) in drifts(&run) {
             let (row, fields) = (&mut self.drift, drift.fields());
             row.count(k)?;
@@ -110,102 +94,109 @@ impl<'a> Members<'a> {
             row.end()?;
         }
         for (n, event) in run.events.iter().enumerate() {
-            let (row, numbers) = (&mut self.event, flat(event.state()));
+            let (row, numbers) = (&mut self.event, event.state().flat());
+            let head = Head::of::<X>(&numbers);
             [k, n as u64, event.which() as u64, rising(event)].into_iter().try_for_each(|n| row.count(n))?;
-            row.numbers(&numbers)?;
-            row.bits(&numbers)?;
+            if X::LISTED {
+                let body = |i: usize| event.bodies().map(|bodies| bodies[i] as i64);
+                [0, 1].into_iter().try_for_each(|i| row.put(body(i)))?;
+            }
+            head.put::<X>(row)?;
+            head.put_bits(row)?;
             row.end()?;
+            self.bodies.write::<X>(k, "event", n as u64, &numbers)?;
         }
         for (n, state) in run.states.iter().enumerate() {
-            let (row, numbers) = (&mut self.state, flat(state));
+            let (row, numbers) = (&mut self.state, state.flat());
+            let head = Head::of::<X>(&numbers);
             row.count(k)?;
             row.count(n as u64)?;
-            row.numbers(&numbers)?;
-            row.bits(&numbers)?;
+            head.put::<X>(row)?;
+            head.put_bits(row)?;
             row.end()?;
+            self.bodies.write::<X>(k, "state", n as u64, &numbers)?;
         }
         Ok(())
     }
 }
 
 /// Reads members that did not fail, and hands each over with its number, in order.
-pub(super) fn read<const D: usize>(
+pub(super) fn read<X: Flat>(
     database: &Connection,
     layout: &Layout,
     members: Range<usize>,
-    take: &mut dyn FnMut(usize, Restored<State<D>>),
+    take: &mut dyn FnMut(usize, Restored<X>),
 ) -> Result<(), StoreError> {
-    let (from, to) = (members.start as i64, members.end as i64);
-    let mut drifts = rows(database, &layout.select("drift"), [from, to], "drift", drift_of)?.into_iter().peekable();
-    let mut events = rows(database, &layout.select("event"), [from, to], "event", happened)?.into_iter().peekable();
-    let mut states = rows(database, &layout.select("state"), [from, to], "state", recorded)?.into_iter().peekable();
-    for (k, (mut run, failed, sealed)) in rows(database, &layout.select("last"), [from, to], "last", end)? {
+    let placed = |what| Placed::read::<X>(database, layout, what, &members);
+    let (mut ends, mut passed, mut seen) = (placed("last")?, placed("event")?, placed("state")?);
+    let mut drifts = rows(database, layout, "drift", None, &members, drift_of)?.into_iter().peekable();
+    let mut events = rows(database, layout, "event", None, &members, happened::<X>)?.into_iter().peekable();
+    let mut states = rows(database, layout, "state", None, &members, recorded::<X>)?.into_iter().peekable();
+    for (k, end) in rows(database, layout, "last", None, &members, end::<X>)? {
         let changed = StoreError::Changed { table: "last", member: k };
+        let place = |placed: &mut Placed, n, head| {
+            let flat = placed.flat(k, n, head).map_err(|member| StoreError::Changed { table: "body", member })?;
+            Ok::<_, StoreError>(X::of_flat(&flat))
+        };
+        let End { last, failed, stopped, work, seal: sealed } = end;
+        let last = place(&mut ends, 0, last)?;
+        let (mut all, mut own): (Drifts, _) = (Default::default(), OwnDrifts::default());
+        let (mut happened, mut recorded) = (Vec::new(), Vec::new());
         while let Some((_, (number, name, drift))) = drifts.next_if(|&(of, _)| of == k) {
-            match run.drifts.get_mut(number) {
+            match all.get_mut(number) {
                 Some(place) => *place = Some(drift),
-                None => run.own.add(name, drift),
+                None => own.add(name, drift),
             }
         }
-        while let Some((_, event)) = events.next_if(|&(of, _)| of == k) {
-            run.events.push(event);
+        while let Some((_, Happened { n, which, crossing, bodies, head })) = events.next_if(|&(of, _)| of == k) {
+            let state = place(&mut passed, n, head)?;
+            happened.push(Event::new(which, state, crossing, bodies));
         }
-        while let Some((_, state)) = states.next_if(|&(of, _)| of == k) {
-            run.states.push(state);
+        while let Some((_, (n, head))) = states.next_if(|&(of, _)| of == k) {
+            recorded.push(place(&mut seen, n, head)?);
         }
-        let number = usize::try_from(k).map_err(|_| changed)?;
-        if sealed != seal(number, &run) {
+        let run = Restored { last, states: recorded, events: happened, stopped, drifts: all, own, work };
+        if sealed != seal(k, &run) {
             return Err(changed);
         }
         if !failed {
-            take(number, run);
+            take(usize::try_from(k).map_err(|_| changed)?, run);
         }
     }
     // What belongs to nobody.
     let left = drifts.next().map(|(k, _)| ("drift", k));
     let left = left.or_else(|| events.next().map(|(k, _)| ("event", k)));
     let left = left.or_else(|| states.next().map(|(k, _)| ("state", k)));
+    let left = left.or_else(|| [ends, passed, seen].iter_mut().find_map(|placed| Some(("body", placed.left()?))));
     left.map_or(Ok(()), |(table, member)| Err(StoreError::Changed { table, member }))
 }
 
-/// The rows of members, each with the number of its member.
-fn rows<T>(
-    database: &Connection,
-    select: &str,
-    members: [i64; 2],
-    table: &'static str,
-    read: impl Fn(&mut Reader<'_>) -> Option<T>,
-) -> Result<Vec<(u64, T)>, StoreError> {
-    let mut statement = database.prepare_cached(select)?;
-    let (mut rows, mut all) = (statement.query(members)?, Vec::new());
-    while let Some(row) = rows.next()? {
-        let mut row = Reader::new(row);
-        let member = row.count().ok_or(StoreError::Changed { table, member: 0 })?;
-        all.push((member, read(&mut row).ok_or(StoreError::Changed { table, member })?));
-    }
-    Ok(all)
+/// The row of the end of a member.
+struct End {
+    last: Head,
+    failed: bool,
+    stopped: bool,
+    work: Work,
+    seal: i64,
 }
 
-/// The row of the end of a member, whether it failed, and its seal.
-fn end<const D: usize>(row: &mut Reader<'_>) -> Option<(Restored<State<D>>, bool, i64)> {
+fn end<X: Flat>(row: &mut Reader<'_>) -> Option<End> {
     let failed = row.is_some()?;
-    let last = state(row)?;
+    let last = Head::read::<X>(row)?;
     let mut counts = [0; 6];
     for n in &mut counts {
         *n = row.count()?;
     }
     let mut range = [0.0; 2];
     row.numbers(&mut range)?;
-    let last = with_bits(row, last)?;
-    let sealed = row.count()?.cast_signed();
+    let last = last.read_bits(row)?;
+    let seal = row.count()?.cast_signed();
     let [stopped, steps, evaluations, iterations, rough, nanoseconds] = counts;
     let stopped = stopped != 0;
     let elapsed = Duration::from_nanos(nanoseconds);
     let range = (!range[0].is_nan()).then_some(range);
     let work = Work { steps, evaluations, iterations, rough, elapsed, range };
-    let (states, events, drifts, own) = (Vec::new(), Vec::new(), [None; KNOWN], OwnDrifts::default());
-    let run = Restored { last, states, events, stopped, drifts, own, work };
-    Some((run, failed, sealed))
+    Some(End { last, failed, stopped, work, seal })
 }
 
 fn drift_of(row: &mut Reader<'_>) -> Option<(usize, Word, Drift)> {
@@ -222,16 +213,26 @@ fn drift_of(row: &mut Reader<'_>) -> Option<(usize, Word, Drift)> {
     agrees.then_some((number, name, drift))
 }
 
-fn happened<const D: usize>(row: &mut Reader<'_>) -> Option<Event<State<D>>> {
-    row.count()?;
-    let (which, rising) = (usize::try_from(row.count()?).ok()?, row.count()? != 0);
-    let state = state(row)?;
-    let crossing = if rising { Crossing::Rising } else { Crossing::Falling };
-    Some(Event::new(which, with_bits(row, state)?, crossing, None))
+/// The row of an event.
+struct Happened {
+    n: u64,
+    which: usize,
+    crossing: Crossing,
+    bodies: Option<[usize; 2]>,
+    head: Head,
 }
 
-fn recorded<const D: usize>(row: &mut Reader<'_>) -> Option<State<D>> {
-    row.count()?;
-    let state = state(row)?;
-    with_bits(row, state)
+fn happened<X: Flat>(row: &mut Reader<'_>) -> Option<Happened> {
+    let n = row.count()?;
+    let (which, rising) = (usize::try_from(row.count()?).ok()?, row.count()? != 0);
+    let crossing = if rising { Crossing::Rising } else { Crossing::Falling };
+    let met = if X::LISTED { [row.count_if_any()?, row.count_if_any()?] } else { [None; 2] };
+    let bodies = if let [Some(a), Some(b)] = met { Some([a as usize, b as usize]) } else { None };
+    let head = Head::read::<X>(row)?.read_bits(row)?;
+    Some(Happened { n, which, crossing, bodies, head })
+}
+
+fn recorded<X: Flat>(row: &mut Reader<'_>) -> Option<(u64, Head)> {
+    let n = row.count()?;
+    Some((n, Head::read::<X>(row)?.read_bits(row)?))
 }

@@ -1,197 +1,167 @@
 //! What an ensemble is set up from, and whether a store has the same.
 
+use core::ops::Range;
+
+use rusqlite::Connection;
 use rusqlite::types::Value;
-use rusqlite::{Connection, params};
 
 use super::layout::Layout;
-use super::settings::{FORMAT, get, reach, set};
+use super::places::{Bodies, Head, Placed, rows};
+use super::settings::{get, set};
 use super::table::{Reader, Seal, Writer};
-use crate::ensemble::Rides;
-use crate::ensemble::plan::Plan;
+use crate::ensemble::told::{Flat, Named, SetUp, Told};
 use crate::error::StoreError;
-use crate::law::{Field, Fields, Numbers, Potential};
 use crate::name::Name;
-use crate::run::{Attend, Due, Simulation};
-use crate::span::Span;
-use crate::state::State;
+use crate::words::word;
 
-/// The numbers of a member, and what acts on it.
-pub(super) struct Member {
+/// Members whose rows are read at once.
+const MANY: usize = 256;
+
+/// The row of a member, but for its bodies and the list of its numbers.
+struct Row {
+    words: Vec<String>,
     numbers: Vec<f64>,
-    acts: i64,
+    start: Head,
+    acts: u64,
+    seal: u64,
 }
 
-impl Member {
-    /// Of a row, and the seal that stands there.
-    fn read(row: &mut Reader<'_>, count: usize) -> Option<(Self, i64)> {
-        let mut numbers = vec![0.0; count];
-        row.numbers(&mut numbers)?;
-        let acts = row.count()?.cast_signed();
-        row.bits(&mut numbers)?;
-        Some((Member { numbers, acts }, row.count()?.cast_signed()))
-    }
-
-    fn seal(&self, k: usize) -> i64 {
-        let mut seal = Seal::default();
-        seal.count(k as u64);
-        seal.numbers(&self.numbers);
-        seal.count(self.acts.cast_unsigned());
-        seal.value()
-    }
+fn row<X: Flat>(row: &mut Reader<'_>, columns: &Named) -> Option<Row> {
+    let words = columns.words.iter().map(|_| Some(row.text()?.to_owned())).collect::<Option<_>>()?;
+    let mut numbers = vec![0.0; columns.numbers.len()];
+    row.numbers(&mut numbers)?;
+    let (mut start, acts) = (Head::read::<X>(row)?, row.count()?);
+    let own = numbers.len();
+    numbers.append(&mut start.numbers);
+    row.bits(&mut numbers)?;
+    start.numbers = numbers.split_off(own);
+    Some(Row { words, numbers, start, acts, seal: row.count()? })
 }
 
-/// An ensemble as a store sees it, whatever the law and the scheme.
-pub(super) trait SetUp {
-    /// How many members there are.
-    fn members(&self) -> usize;
-
-    /// The columns; those of the law are named by the first member.
-    fn layout(&self) -> Layout;
-
-    /// What a member begins with.
-    fn member(&self, k: usize) -> Member;
-
-    /// What is said of the whole, in the order in which it is compared.
-    fn settings(&self, layout: &Layout) -> Vec<(&'static str, Value)>;
-
-    /// How far it goes.
-    fn span(&self) -> Span;
-
-    /// The name of the scheme.
-    fn scheme(&self) -> &'static str;
+fn number(row: &mut Reader<'_>) -> Option<(&'static str, f64)> {
+    row.count()?;
+    let (name, mut value) = (word(row.text()?), [0.0]);
+    row.numbers(&mut value)?;
+    row.bits(&mut value)?;
+    Some((name, value[0]))
 }
 
-impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> SetUp for Plan<'_, L, S, O, D> {
-    fn members(&self) -> usize {
-        self.members
-    }
-
-    fn layout(&self) -> Layout {
-        let mut names = Vec::new();
-        let numbers = <L::Numbers as Numbers>::COUNT;
-        if self.members > 0 {
-            if let Some(written) = (self.bare)(0).law.written() {
-                written.fields(&mut |name, _| names.push(name));
-            }
-            if names.len() + D == numbers {
-                names.extend(["masses"; D]);
-            }
-        }
-        if names.len() == numbers {
-            return Layout::of(D, &names);
-        }
-        let names: Vec<String> = (0..numbers).map(|i| i.to_string()).collect();
-        Layout::of(D, &names.iter().map(String::as_str).collect::<Vec<_>>())
-    }
-
-    fn member(&self, k: usize) -> Member {
-        let Simulation { law, start: State { t, q, v }, settings, .. } = (self.bare)(k);
-        let numbers = [&[settings.mass], law.numbers().list().as_slice(), &[t], &q, &v].concat();
-        let field = law.field(settings.mass, t);
-        let mut seal = Seal::default();
-        // Beside the start too, where nothing is zero by symmetry.
-        let beside = core::array::from_fn(|i| q[i] + 0.5 * v[i] + 0.0625 * (i + 1) as f64);
-        for place in [q, beside] {
-            let acting = field.slope(place, v).map(|x| if x.is_nan() { f64::NAN } else { x });
-            let potential = field.potential(place);
-            seal.numbers(&[if potential.is_nan() { f64::NAN } else { potential }]);
-            seal.numbers(&acting);
-        }
-        Member { numbers, acts: seal.value() }
-    }
-
-    fn settings(&self, layout: &Layout) -> Vec<(&'static str, Value)> {
-        let count = |n: usize| Value::Integer(n as i64);
-        let number = |x: Option<f64>| x.map_or(Value::Null, Value::Real);
-        let scheme = &self.common.scheme;
-        let [steps, end] = reach(self.span);
-        let looks = match self.common.due() {
-            Due::Every(n) => format!("after every {n} steps"),
-            Due::Apart(dt) => format!("every {dt:?} of time"),
-            Due::At(times) => format!("at t = {times:?}"),
-        };
-        vec![
-            ("format", Value::Integer(FORMAT)),
-            ("members", count(self.members)),
-            ("dimension", count(D)),
-            ("scheme", Value::Text(S::NAME.to_owned())),
-            ("order", count(S::ORDER as usize)),
-            ("tolerance", number(scheme.tolerance())),
-            ("dt", number(self.common.settings.dt)),
-            ("options", Value::Text(format!("{scheme:?}"))),
-            ("steps", steps),
-            ("end", end),
-            ("looks", Value::Text(looks)),
-            ("fields", Value::Text(layout.fields.join(", "))),
-            ("invariants", Value::Text(L::INVARIANTS.join(", "))),
-            ("company", Value::Text(self.company())),
-        ]
-    }
-
-    fn span(&self) -> Span {
-        self.span
-    }
-
-    fn scheme(&self) -> &'static str {
-        S::NAME
-    }
-}
-
-impl dyn SetUp + '_ {
+impl<X: Flat> dyn Told<X> + '_ {
     /// Writes the set-up of all members into an empty database, whole or not at all.
     pub(super) fn begin(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
         let transaction = database.unchecked_transaction()?;
         database.execute_batch(&layout.create())?;
-        for (key, value) in self.settings(layout) {
+        for (key, value) in self.settings() {
             set(database, key, &value)?;
         }
         let mut all = Seal::default();
         let mut row = Writer::new(database, &layout.insert("member"))?;
+        let mut list = if layout.has_lists() { Some(Writer::new(database, &layout.insert("number"))?) } else { None };
+        let mut bodies = Bodies::new::<X>(database, layout)?;
         for k in 0..self.members() {
-            let member = self.member(k);
-            row.count(k as u64)?;
+            let member = self.set_up(k);
+            let (seal, head, k) = (member.seal(k), Head::of::<X>(&member.start), k as u64);
+            row.count(k)?;
+            member.words.iter().try_for_each(|word| row.put(word))?;
             row.numbers(&member.numbers)?;
-            row.put(member.acts)?;
-            row.bits(&member.numbers)?;
-            let seal = member.seal(k);
-            row.put(seal)?;
+            head.put::<X>(&mut row)?;
+            row.count(member.acts)?;
+            row.bits(&[member.numbers, head.numbers].concat())?;
+            row.count(seal)?;
             row.end()?;
-            all.count(seal.cast_unsigned());
+            bodies.write::<X>(k, "start", 0, &member.start)?;
+            for (n, &(name, value)) in member.list.iter().enumerate() {
+                let Some(row) = &mut list else { break };
+                row.count(k)?;
+                row.count(n as u64)?;
+                row.put(name)?;
+                row.numbers(&[value])?;
+                row.bits(&[value])?;
+                row.end()?;
+            }
+            all.count(seal);
         }
-        drop(row);
+        drop((row, list, bodies));
         set(database, "set_up", &Value::Text(format!("{:016x}", all.value())))?;
         Ok(transaction.commit()?)
     }
 
     /// Refuses a store of another ensemble, with what differs.
     pub(super) fn compare(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
-        self.compare_settings(database, layout)?;
-        let columns = layout.member();
+        self.compare_settings(database)?;
         let mut all = Seal::default();
-        let mut statement = database.prepare(&layout.select("member"))?;
-        let mut rows = statement.query(params![0, i64::MAX])?;
-        for k in 0..self.members() {
-            let changed = StoreError::Changed { table: "member", member: k as u64 };
-            let here = self.member(k);
-            let mut row = Reader::new(rows.next()?.ok_or(changed)?);
-            let number = row.count();
-            let (stored, seal) = Member::read(&mut row, columns.len()).ok_or(changed)?;
-            if number != Some(k as u64) || seal != stored.seal(k) {
-                return Err(changed);
-            }
-            let mut numbers = columns.iter().zip(stored.numbers.iter().zip(&here.numbers));
-            if let Some((column, (&store, &here))) = numbers.find(|(_, (a, b))| a.to_bits() != b.to_bits()) {
-                return Err(StoreError::Member { member: k as u64, column: Name::of(&[column]), store, here });
-            }
-            if stored.acts != here.acts {
-                return Err(StoreError::Acts { member: k as u64 });
-            }
-            all.count(seal.cast_unsigned());
+        for from in (0..self.members()).step_by(MANY) {
+            let members = from..self.members().min(from + MANY);
+            self.compare_some(database, layout, members, &mut all)?;
         }
         let whole = Value::Text(format!("{:016x}", all.value()));
-        if rows.next()?.is_some() || get(database, "set_up")? != Some(whole) {
+        let more = rows(database, layout, "member", None, &(self.members()..i64::MAX as usize), |_| Some(()))?;
+        if !more.is_empty() || get(database, "set_up")? != Some(whole) {
             return Err(StoreError::Setting { key: "set_up" });
         }
         Ok(())
     }
+
+    fn compare_some(
+        &self,
+        database: &Connection,
+        layout: &Layout,
+        members: Range<usize>,
+        all: &mut Seal,
+    ) -> Result<(), StoreError> {
+        let columns = &layout.columns;
+        let mut stored = rows(database, layout, "member", None, &members, |it| row::<X>(it, columns))?.into_iter();
+        let lists = if layout.has_lists() { rows(database, layout, "number", None, &members, number)? } else { vec![] };
+        let (mut lists, mut starts) =
+            (lists.into_iter().peekable(), Placed::read::<X>(database, layout, "start", &members)?);
+        for k in members {
+            let changed = StoreError::Changed { table: "member", member: k as u64 };
+            let (number, Row { words, numbers, start, acts, seal }) = stored.next().ok_or(changed)?;
+            let start = starts.flat(number, 0, start);
+            let start = start.map_err(|member| StoreError::Changed { table: "member", member })?;
+            let list = core::iter::from_fn(|| lists.next_if(|&(of, _)| of == number)).map(|(_, it)| it).collect();
+            let store = SetUp { words, numbers, start, list, acts };
+            if number != k as u64 || seal != store.seal(k) {
+                return Err(changed);
+            }
+            if let Some(difference) = difference(k as u64, layout, &store, &self.set_up(k)) {
+                return Err(difference);
+            }
+            all.count(seal);
+        }
+        starts.left().map_or(Ok(()), |member| Err(StoreError::Changed { table: "member", member }))
+    }
+}
+
+/// What differs first between the set-up of a member in the store and the one here.
+fn difference(member: u64, layout: &Layout, store: &SetUp, here: &SetUp) -> Option<StoreError> {
+    let mut words = layout.columns.words.iter().zip(store.words.iter().zip(&here.words));
+    if let Some((&column, (store, _))) = words.find(|(_, (store, here))| store != here) {
+        return Some(StoreError::Words { member, column, store: Name::of(&[store]) });
+    }
+    let of = |column, store, here| StoreError::Member { member, column, store, here };
+    let apart = |store: &[f64], here: &[f64]| store.iter().zip(here).position(|(a, b)| a.to_bits() != b.to_bits());
+    if let Some(i) = apart(&store.numbers, &here.numbers) {
+        return Some(of(Name::of(&[&layout.columns.numbers[i]]), store.numbers[i], here.numbers[i]));
+    }
+    if store.start.len() != here.start.len() {
+        return Some(StoreError::Numbers { member, name: "bodies" });
+    }
+    if let Some(i) = apart(&store.start, &here.start) {
+        return Some(of(layout.number(i), store.start[i], here.start[i]));
+    }
+    let mut lists = store.list.iter().zip(&here.list);
+    if let Some((&(name, store), &(other, here))) = lists.find(|((a, x), (b, y))| a != b || x.to_bits() != y.to_bits())
+    {
+        return Some(if name == other {
+            of(Name::of(&[name]), store, here)
+        } else {
+            StoreError::Numbers { member, name }
+        });
+    }
+    if store.list.len() != here.list.len() {
+        let longer = if store.list.len() > here.list.len() { &store.list } else { &here.list };
+        return Some(StoreError::Numbers { member, name: longer[store.list.len().min(here.list.len())].0 });
+    }
+    (store.acts != here.acts).then_some(StoreError::Acts { member })
 }

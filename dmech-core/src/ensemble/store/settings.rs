@@ -3,14 +3,13 @@
 use rusqlite::types::Value;
 use rusqlite::{Connection, OptionalExtension};
 
-use super::layout::Layout;
-use super::set_up::SetUp;
+use crate::ensemble::told::{Flat, Said, Told};
 use crate::error::{Reach, StoreError};
 use crate::name::Name;
-use crate::span::Span;
+use crate::words::word;
 
 /// The form of a store, to be raised when a table changes.
-pub(super) const FORMAT: i64 = 2;
+pub(super) const FORMAT: i64 = 3;
 
 /// Writes a value of the whole.
 pub(super) fn set(database: &Connection, key: &str, value: &Value) -> Result<(), StoreError> {
@@ -23,35 +22,46 @@ pub(super) fn get(database: &Connection, key: &str) -> Result<Option<Value>, Sto
     Ok(database.query_row("SELECT value FROM sweep WHERE key = ?", [key], |row| row.get(0)).optional()?)
 }
 
-impl dyn SetUp + '_ {
+/// As SQLite has it.
+fn value(said: Said) -> Value {
+    match said {
+        Said::Nothing => Value::Null,
+        Said::Count(n) => Value::Integer(n.cast_signed()),
+        Said::Number(x) => Value::Real(x),
+        Said::Words(words) => Value::Text(words),
+    }
+}
+
+impl<X: Flat> dyn Told<X> + '_ {
+    /// What is said of the whole, in the order in which it is compared.
+    pub(super) fn settings(&self) -> Vec<(&'static str, Value)> {
+        let whole = self.whole().into_iter().map(|(key, said)| (key, value(said)));
+        core::iter::once(("format", Value::Integer(FORMAT))).chain(whole).collect()
+    }
+
     /// Refuses a store of another ensemble, as far as all members have it in common.
-    pub(super) fn compare_settings(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
-        for (key, here) in self.settings(layout) {
+    pub(super) fn compare_settings(&self, database: &Connection) -> Result<(), StoreError> {
+        let settings = self.settings();
+        let said = |of| settings.iter().find(|(key, _)| *key == of).map_or(Value::Null, |(_, value)| value.clone());
+        for (key, here) in &settings {
             let store = get(database, key)?.ok_or(StoreError::Setting { key })?;
-            let same = match (&store, &here) {
+            let same = match (&store, here) {
                 (Value::Null, Value::Real(x)) => x.is_nan(),
                 (store, here) => store == here,
             };
             if same {
                 continue;
             }
-            if let ("steps" | "end", Some(here)) = (key, reached(&reach(self.span()))) {
+            if let ("steps" | "end", Some(here)) = (*key, reached(&["steps", "end"].map(said))) {
                 let store = [get(database, "steps")?, get(database, "end")?].map(|value| value.unwrap_or(Value::Null));
                 return Err(
                     reached(&store).map_or(StoreError::Setting { key }, |store| StoreError::Reach { store, here })
                 );
             }
-            return Err(difference(self.scheme(), key, &store, &here));
+            let scheme = if let Value::Text(name) = said("scheme") { word(&name) } else { "another" };
+            return Err(difference(scheme, key, &store, here));
         }
         Ok(())
-    }
-}
-
-/// Steps, and the end.
-pub(super) fn reach(span: Span) -> [Value; 2] {
-    match span {
-        Span::Steps(steps) => [Value::Integer(steps.cast_signed()), Value::Null],
-        Span::Until(end) => [Value::Null, Value::Real(end)],
     }
 }
 

@@ -16,9 +16,14 @@ impl Seal {
         self.0.word(n);
     }
 
-    /// Takes in numbers, by their bits.
+    /// Takes in numbers, by their bits, and how many they are.
     pub(super) fn numbers(&mut self, numbers: &[f64]) {
-        numbers.iter().for_each(|x| self.0.word(x.to_bits()));
+        self.0.list(numbers);
+    }
+
+    /// Takes in a text.
+    pub(super) fn text(&mut self, text: &str) {
+        self.0.text(text);
     }
 
     /// As SQLite counts.
@@ -91,6 +96,15 @@ impl<'a> Reader<'a> {
         if let ValueRef::Integer(n) = self.next()? { Some(n.cast_unsigned()) } else { None }
     }
 
+    /// A whole number that need not be there; none where something else stands.
+    pub(super) fn count_if_any(&mut self) -> Option<Option<u64>> {
+        match self.next()? {
+            ValueRef::Null => Some(None),
+            ValueRef::Integer(n) => Some(Some(n.cast_unsigned())),
+            _ => None,
+        }
+    }
+
     /// Whether there is something.
     pub(super) fn is_some(&mut self) -> Option<bool> {
         Some(!matches!(self.next()?, ValueRef::Null))
@@ -113,14 +127,16 @@ impl<'a> Reader<'a> {
         Some(())
     }
 
-    /// The same numbers once more, if they were written so.
+    /// The same numbers once more, if they were written so; none where they are others, but for what SQLite does not keep.
     pub(super) fn bits(&mut self, numbers: &mut [f64]) -> Option<()> {
         match self.next()? {
             ValueRef::Null => Some(()),
             ValueRef::Blob(bytes) if bytes.len() == 8 * numbers.len() => {
                 let (eights, _) = bytes.as_chunks();
-                numbers.iter_mut().zip(eights).for_each(|(x, &eight)| *x = f64::from_le_bytes(eight));
-                Some(())
+                numbers.iter_mut().zip(eights).try_for_each(|(x, &eight)| {
+                    let kept = core::mem::replace(x, f64::from_le_bytes(eight));
+                    (kept == *x || kept.is_nan() && x.is_nan()).then_some(())
+                })
             }
             _ => None,
         }

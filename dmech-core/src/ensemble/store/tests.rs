@@ -3,11 +3,12 @@
 use super::Stored;
 use super::kept::Store;
 use crate::ensemble::in_order::{Hands, Nobody};
-use crate::ensemble::plan::{Arrival, Plan};
+use crate::ensemble::members::OneLaw;
+use crate::ensemble::plan::{Plan, sweep};
 use crate::ensemble::{Checksum, Outcome};
 use crate::error::{Error, StoreError};
 use crate::law::{Conservative, Field, Fields, Potential};
-use crate::run::{Follow, Shown, Simulation};
+use crate::run::{Shown, Simulation};
 use crate::scheme::Leapfrog;
 use crate::span::Span;
 use crate::state::State;
@@ -61,8 +62,8 @@ fn a_full_disk_is_told_and_takes_nothing() {
     let common = Simulation::of((), ()).scheme(Leapfrog).dt(0.01);
     let member = |k: usize| common.clone().moving(Spring { k: 1.0 + 0.1 * k as f64 }, State::new([1.0], [0.0]));
     let plan =
-        Plan { members: MEMBERS, member: &member, bare: &member, common: &common, span: Span::Steps(5), lanes: 8 };
-    let go = |row| plan.go(vec![row]);
+        OneLaw { members: MEMBERS, member: &member, bare: &member, common: &common, span: Span::Steps(5), lanes: 8 };
+    let go = |row: core::ops::Range<usize>| row.clone().zip(plan.go(row)).collect::<Vec<_>>();
     let store = Store::open(&file, &plan).unwrap();
     let pages: i64 = store.database.query_row("PRAGMA page_count", [], |row| row.get(0)).unwrap();
     store.database.query_row(&format!("PRAGMA max_page_count = {}", pages + 20), [], |_| Ok(())).unwrap();
@@ -83,10 +84,8 @@ fn a_full_disk_is_told_and_takes_nothing() {
     assert_eq!(Store::open(&file, &plan).unwrap().done(MEMBERS).unwrap(), expected);
     let mut sums = [Checksum::default(); 2];
     go(0..MEMBERS).iter().for_each(|(_, outcome)| sums[0].add(outcome.as_ref()));
-    let (mut stored, follow) = (Stored::open(&file, &plan).unwrap(), Follow::new(Shown::default(), MEMBERS as u64));
     let see = &mut |_, outcome: Outcome<State<1>>| sums[1].add(outcome.as_ref());
-    plan.run(Hands::ALL, Arrival { keep: &mut stored, see, follow, seen: 0 }, &mut Nobody).unwrap();
-    stored.close().unwrap();
+    sweep(&plan, (Hands::ALL, Shown::default()), Stored::open(&file, &plan), see, Nobody).unwrap();
     std::fs::remove_file(&file).unwrap();
     assert_eq!(sums[0], sums[1]);
 }

@@ -1,0 +1,126 @@
+//! What tells an ensemble from another.
+
+use super::Checksum;
+use super::plan::Plan;
+use crate::checkpoint::{Fingerprint, Saved};
+use crate::error::Error;
+use crate::method::Method;
+use crate::run::{Attend, Restored, Run};
+use crate::span::Span;
+
+/// A state as a list of numbers: its time, then position and velocity of one body after another.
+pub trait Flat: Clone + Send {
+    /// Coordinates of a body.
+    const DIMENSION: usize;
+    /// How many bodies there are is known when it runs; else there is one.
+    const LISTED: bool;
+
+    /// All numbers.
+    fn flat(&self) -> Vec<f64>;
+
+    /// The state of these numbers.
+    fn of_flat(numbers: &[f64]) -> Self;
+}
+
+/// Members that can be told from others, and put together from what became of them.
+pub(super) trait Told<X>: Plan<X> {
+    /// What is said of all of them, in the order in which it is compared.
+    fn whole(&self) -> Vec<(&'static str, Said)>;
+
+    /// The names of the words and numbers that each has, beside the numbers of its start.
+    fn columns(&self) -> Named;
+
+    /// What a member is set up from.
+    fn set_up(&self, k: usize) -> SetUp;
+
+    /// The run of a member that was moved before.
+    ///
+    /// # Errors
+    /// [`Error`] of a member that is refused.
+    fn restore(&self, k: usize, run: Restored<X>) -> Result<Run<X>, Error>;
+}
+
+/// Something that is said of an ensemble.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Said {
+    /// Nothing.
+    Nothing,
+    /// A count.
+    Count(u64),
+    /// A number.
+    Number(f64),
+    /// Words.
+    Words(String),
+}
+
+/// What each member has by name.
+#[derive(Clone, Debug)]
+pub(super) struct Named {
+    /// Words; where there are any, members have lists of further numbers.
+    pub words: &'static [&'static str],
+    /// Numbers.
+    pub numbers: Vec<String>,
+}
+
+/// What a member is set up from.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SetUp {
+    /// Words, one for each column.
+    pub words: Vec<String>,
+    /// Numbers, one for each column.
+    pub numbers: Vec<f64>,
+    /// Where it starts.
+    pub start: Vec<f64>,
+    /// Further numbers, each by name, as many as this member has.
+    pub list: Vec<(&'static str, f64)>,
+    /// What acts where it starts and beside.
+    pub acts: u64,
+}
+
+impl SetUp {
+    /// A checksum of all of it.
+    pub(super) fn seal(&self, k: usize) -> u64 {
+        let mut seal = Checksum::default();
+        seal.word(k as u64);
+        self.words.iter().for_each(|word| seal.text(word));
+        seal.list(&self.numbers);
+        seal.list(&self.start);
+        seal.word(self.list.len() as u64);
+        for (name, x) in &self.list {
+            seal.text(name);
+            seal.word(x.to_bits());
+        }
+        seal.word(self.acts);
+        seal.value()
+    }
+}
+
+/// What acts on a system in a state, and beside it.
+pub(super) fn acts<Y: Saved>(system: &Y, state: &Y::State) -> u64 {
+    Fingerprint::of(system, Y::time(state), system.vectors(state)).bits()
+}
+
+/// What is said of all members of a kind that a scheme moves: they have these numbers by name, and are accompanied by something.
+pub(super) fn whole<X: Flat, S: Method, O: Attend<X>>(
+    members: usize,
+    span: Span,
+    fields: String,
+) -> Vec<(&'static str, Said)> {
+    let [steps, end] = match span {
+        Span::Steps(steps) => [Said::Count(steps), Said::Nothing],
+        Span::Until(end) => [Said::Nothing, Said::Number(end)],
+    };
+    // As far as it can be told without having it made: that may open files.
+    let observed = if O::OBSERVES { ", observed" } else { "" };
+    let company = format!("{} events and {} watched quantities{observed}", O::EVENTS, O::QUANTITIES);
+    vec![
+        ("members", Said::Count(members as u64)),
+        ("dimension", Said::Count(X::DIMENSION as u64)),
+        ("fields", Said::Words(fields)),
+        ("scheme", Said::Words(S::NAME.to_owned())),
+        ("order", Said::Count(S::ORDER.into())),
+        ("steps", steps),
+        ("end", end),
+        ("company", Said::Words(company)),
+    ]
+}

@@ -165,4 +165,8 @@ few! {
     Rope, 4: few::rope;
     Creatures, 6: few::creatures;
     Ions, 6: few::ions;
+    Molecules, 8: few::molecules;
+    Clusters, 12: few::clusters;
+    Beads, 4: few::beads;
+    Packs, 6: few::packs;
 }

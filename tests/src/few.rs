@@ -1,7 +1,7 @@
 //! Few bodies, as a scene and as one law: laws of every kind that a scene tells apart.
 
-use dmech::models::pairs::{Charge, Coulomb};
-use dmech::scene::{FewBodies, OnChain, OnEach, OnPairs, Scene, Term};
+use dmech::models::pairs::{Charge, Coulomb, Spring};
+use dmech::scene::{FewBodies, OnBonds, OnChain, OnEach, OnPairs, Scene, Term};
 
 /// What the terms `L` make of N bodies in D dimensions, which carry `P`.
 pub type Few<L, P, const D: usize, const N: usize, const K: usize> = FewBodies<<L as Term<D, P>>::Ready, D, N, K>;
@@ -160,4 +160,86 @@ pub fn ions(k: usize) -> Scene<2, Charge, OfIons> {
         .body_with(0.8, [-0.5, -0.9], [0.0, -0.2], Charge { q: 1.2 + 0.1 * a })
         .field(Trap { k: 1.1 + 0.2 * a, b: 0.9 })
         .pairs(Coulomb { k: 0.8 })
+}
+
+/// Bonds: a list.
+type List = &'static [(usize, usize)];
+
+/// A bond whose two ends differ, that diverges where they meet.
+#[derive(Clone, Copy, Debug)]
+pub struct Bond {
+    pub k: f64,
+    pub length: f64,
+}
+
+#[dmech::law]
+impl Bond {
+    #[pair]
+    fn energy(&self, d: [f64; 2], ma: f64, mb: f64) -> f64 {
+        let r = (d[0] * d[0] + d[1] * d[1]).sqrt();
+        0.5 * self.k * (r - self.length) * (r - self.length) + 0.05 * ma / r + 0.1 * mb * d[0]
+    }
+}
+
+pub type Molecules = Few<((), OnBonds<Bond>), (), 2, 4, 8>;
+
+/// Those of four bodies: a ring, a star, one bond, none, and two of which each is listed from its end.
+pub const LISTS: [List; 5] =
+    [&[(0, 1), (1, 2), (2, 3), (3, 0)], &[(1, 0), (1, 2), (3, 1)], &[(2, 0)], &[], &[(3, 2), (1, 0)]];
+
+/// Four bodies, of which those that are not linked may be in one place.
+pub fn molecules(k: usize) -> Scene<2, (), ((), OnBonds<Bond>)> {
+    let (a, list) = (part(k, 0.37), LISTS[k % LISTS.len()]);
+    let fourth = if list.len() < 2 { [1.1, 0.1] } else { [0.1, 0.9 + 0.1 * a] };
+    Scene::new()
+        .body(1.0, [0.0, 0.1 * a], [0.1, -0.2])
+        .body(0.7 + 0.2 * a, [1.1, 0.1], [-0.1, 0.3 * a])
+        .body(1.6, [1.2, 1.0], [0.2, 0.1])
+        .body(0.9, fourth, [-0.1, 0.3 * a])
+        .bonds(Bond { k: 6.0 + a, length: 0.9 + 0.1 * a }, list.iter().copied())
+        .at_time(0.25 * part(k, 0.71))
+}
+
+type OfClusters = (((), OnPairs<Pull>), OnBonds<Spring>);
+
+pub type Clusters = Few<OfClusters, (), 3, 4, 12>;
+
+/// Four in space that all pull on each other, and are linked.
+pub fn clusters(k: usize) -> Scene<3, (), OfClusters> {
+    let (a, list) = (part(k, 0.19), LISTS[k / 16 % LISTS.len()]);
+    Scene::new()
+        .body(1.2, [0.0, 0.1 * a, 0.4], [0.1, -0.2, 0.0])
+        .body(0.7, [1.1, 0.1, 0.0], [-0.1, 0.3 * a, 0.2])
+        .body(1.5, [1.2, 1.0, -0.1], [0.2, 0.1, 0.1])
+        .body(0.8 + 0.1 * a, [0.1, 1.1, 0.3], [-0.1, 0.3, -0.2])
+        .pairs(Pull { g: 0.3, eps: 0.3 })
+        .bonds(Spring { k: 3.0 + a, length: 1.0 }, list.iter().copied())
+}
+
+type OfBeads = (((), OnBonds<Link>), OnEach<Floor>);
+
+pub type Beads = Few<OfBeads, (), 1, 4, 4>;
+
+/// Four on a line that fall, linked as the list says.
+pub fn beads(k: usize) -> Scene<1, (), OfBeads> {
+    let a = part(k, 0.43);
+    let bodies = (0..4).fold(Scene::new(), |scene, i| {
+        let x = f64::from(i);
+        scene.body(0.6 + 0.2 * x, [0.2 + x + 0.1 * (x * x).sin()], [-0.4 + 0.1 * a * x])
+    });
+    let list = LISTS[(k + k / 16) % LISTS.len()].iter().copied();
+    bodies.bonds(Link { k: 5.0 + a, omega: 1.1 }, list).field(Floor { k: 40.0 + 10.0 * a, c: 0.1 })
+}
+
+pub type Packs = Few<((), OnBonds<Chase>), Creature, 2, 3, 6>;
+
+/// Three, some of which run after each other.
+pub fn packs(k: usize) -> Scene<2, Creature, ((), OnBonds<Chase>)> {
+    let a = part(k, 0.67);
+    let lists: [List; 4] = [&[(0, 1), (1, 2)], &[(1, 0), (0, 2)], &[], &[(2, 0), (0, 1), (1, 2)]];
+    Scene::new()
+        .body_with(1.0, [0.0, 0.1], [0.1, 0.2 * a], Creature { fear: 0.3, hunger: 1.1 })
+        .body_with(1.9, [1.0 + 0.3 * a, 0.0], [-0.2, 0.0], Creature { fear: 1.7, hunger: 0.2 })
+        .body_with(0.7, [0.2, 1.3], [0.0, -0.3], Creature { fear: 0.4, hunger: 0.9 + 0.2 * a })
+        .bonds(Chase { k: 0.4 + 0.1 * a, c: 0.5 }, lists[k % lists.len()].iter().copied())
 }

@@ -1,6 +1,7 @@
 //! A scene whose number of bodies is known when it is compiled, as one law.
 
 mod among;
+mod links;
 mod terms;
 mod whole;
 
@@ -73,10 +74,10 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> core::fm
 impl<const D: usize, P, L: Term<D, P>> Scene<D, P, L> {
     /// The scene of N bodies as one law of K = N D coordinates, for few bodies, two to some twenty: [`FewBodies`].
     ///
-    /// Laws are those that `#[dmech::law]` writes, on each body, on all pairs and along the chain; what is looked up while bodies
-    /// move, as a cut-off, a box or a list of bonds, remains with the scene. What a simulation of the scene would refuse is refused
-    /// when the law is run, and so are another number of bodies ([`SceneError::NotSoMany`]) and bodies that are pinned, driven or test
-    /// bodies ([`SceneError::NotFree`]).
+    /// Laws are those that `#[dmech::law]` writes, on each body, on all pairs, along the chain and along bonds, of which the members of
+    /// an ensemble may have each its own list, of 24 bodies at most; a cut-off and a box remain with the scene. What a simulation of
+    /// the scene would refuse is refused when the law is run, and so are another number of bodies ([`SceneError::NotSoMany`]) and bodies
+    /// that are pinned, driven or test bodies ([`SceneError::NotFree`]).
     pub fn as_law<const N: usize, const K: usize>(self) -> FewBodies<L::Ready, D, N, K>
     where
         L::Ready: AmongFew<D, N>,

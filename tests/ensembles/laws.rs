@@ -169,4 +169,8 @@ few! {
     Clusters, 12: few::clusters;
     Beads, 4: few::beads;
     Packs, 6: few::packs;
+    Fluid, 12: few::fluid;
+    Loops, 6: few::loops;
+    Tied, 8: few::tied;
+    Hung, 8: few::hung;
 }

@@ -6,7 +6,9 @@ use dmech::models::pairs::{Gravity, Spring};
 use dmech::prelude::*;
 use dmech::scene::{AmongFew, FewBodies};
 
-use dmech_tests::few::{Bond, LISTS, Link, beads, clusters, creatures, ions, molecules, packs, rope, stars};
+use dmech_tests::few::{
+    Bond, LISTS, Link, beads, clusters, creatures, fluid, hung, ions, loops, molecules, packs, rope, stars, tied,
+};
 
 /// Runs both, and compares where they end, what they must keep, and how well they keep it.
 macro_rules! alike {
@@ -59,6 +61,82 @@ fn the_same_motion_where_bonds_are_listed() {
     }
 }
 
+#[test]
+fn the_same_motion_in_a_box() {
+    alike! {
+        "fluid": fluid, [1, 2, 7], 4, 12, [
+            Leapfrog, Nystrom::order6(), ForceGradient::order4(), Implicit, DiscreteGradient, Gauss::order16()
+        ], 0.005, within 1e-10;
+        "loops": loops, 0..3, 3, 6, [
+            Leapfrog, Nystrom::order6(), Kanatani, Implicit, DiscreteGradient, Composed::order4(DiscreteGradient)
+        ], 0.01, within 1e-10;
+    }
+}
+
+#[test]
+fn the_same_motion_where_bodies_are_pinned() {
+    alike! {
+        "tied": tied, 0..5, 4, 8, [
+            Leapfrog, CompensatedLeapfrog, Nystrom::order6(), ForceGradient::order4(), Kanatani, Implicit, DiscreteGradient,
+            Gauss::order16()
+        ], 0.01, within 1e-11;
+        "hung": hung, 0..5, 4, 8, [Explicit, Implicit, DiscreteGradient, Gauss::order16()], 0.01, within 1e-11;
+    }
+}
+
+/// A body that is pinned is where it was, to the bit, under every scheme, and whoever sets it moving is told.
+#[test]
+fn what_is_pinned_stays() {
+    macro_rules! stays {
+        ($($scheme:expr),*) => {$(for held in [0, 3] {
+            let law = tied(held).as_law::<4, 8>();
+            let run = Simulation::new(law, law.start()).mass(1.3).scheme($scheme).dt(0.01).run(300).unwrap();
+            let [start, end] = [law.start(), *run.last()].map(|state| state.bodies::<2>());
+            assert_eq!((end.q[held], end.v[held]), (start.q[held], [0.0; 2]), "{}", run.report().scheme());
+            let moved = |i: usize| end.q[i] != start.q[i];
+            assert!((0..4).filter(|&i| moved(i)).count() == 3, "{}", run.report().scheme());
+            for momentum in [Invariant::LinearMomentum, Invariant::AngularMomentum] {
+                assert!(run.drift(momentum).is_none());
+            }
+        })*};
+    }
+    stays!(
+        Leapfrog,
+        CompensatedLeapfrog,
+        Composed::order6(Leapfrog),
+        Nystrom::order6(),
+        ForceGradient::order4(),
+        RungeKuttaNystrom::order12(),
+        Relaxed::order6(),
+        Kanatani,
+        Implicit,
+        DiscreteGradient,
+        Composed::order6(DiscreteGradient),
+        Gauss::order16(),
+        LineIntegral::order6(),
+        Explicit,
+        Boris
+    );
+    let law = tied(2).as_law::<4, 8>();
+    let mut start = law.start();
+    start.v[5] = 0.1;
+    let refused = SceneError::PinnedMoves { body: 2, speed: 0.1 };
+    let run = Simulation::new(law, start).scheme(Leapfrog).dt(0.01).run(10);
+    assert_eq!(run.unwrap_err().cause(), refused.into());
+    let mut stepper = Simulation::new(Some(law), law.start()).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    assert_eq!(stepper.set_state(start).unwrap_err(), refused.into());
+    // In more digits, where a quotient by an infinite mass is one of two parts.
+    let State { q, v, .. } = law.start();
+    let start = State::of(q.map(DoubleDouble::from), v.map(DoubleDouble::from));
+    for run in [
+        Simulation::new(law, start).scheme(Gauss::order16()).dt(0.01).run(30).unwrap(),
+        Simulation::new(law, start).scheme(DiscreteGradient).dt(0.01).run(30).unwrap(),
+    ] {
+        assert_eq!([4, 5].map(|i| run.last().q[i].to_f64()), [q[4], q[5]]);
+        assert!(run.drift(Invariant::Energy).unwrap().max_abs() < 1e-26 && run.last().q[0] != start.q[0]);
+    }
+}
+
 /// Steps that follow the motion find the same time scale: as many of them, to the same place.
 #[test]
 fn the_same_time_scale_as_that_of_the_scene() {
@@ -80,6 +158,10 @@ fn the_same_time_scale_as_that_of_the_scene() {
         molecules, 0..5, 4, 8, Gauss::order16(), 1e-9;
         clusters, [5, 20], 4, 12, DiscreteGradient, 1e-2;
         packs, 0..4, 3, 6, Gauss::order16(), 1e-9;
+        tied, 0..5, 4, 8, Nystrom::order6(), 1e-8;
+        hung, 0..5, 4, 8, Gauss::order16(), 1e-9;
+        loops, 0..3, 3, 6, Nystrom::order6(), 1e-7;
+        fluid, [1, 2], 4, 12, Nystrom::order6(), 1e-7;
     }
 }
 
@@ -186,9 +268,11 @@ fn derivatives_are_those_of_the_sums() {
         derivatives(&clusters(5).as_law::<4, 12>()),
         derivatives(&beads(1).as_law::<4, 4>()),
         derivatives(&packs(1).as_law::<3, 6>()),
+        derivatives(&loops(1).as_law::<3, 6>()),
+        derivatives(&fluid(1).as_law::<4, 12>()),
     ];
     println!("{compared:?} derivatives that are not 0");
-    assert_eq!(compared, [72, 24, 108, 78, 96, 80, 288, 24, 84]);
+    assert_eq!(compared, [72, 24, 108, 78, 96, 80, 288, 24, 84, 72, 216]);
 }
 
 /// Twice as many digits, which a scene has not.
@@ -265,7 +349,8 @@ fn what_cannot_be_a_law_says_why() {
     assert_eq!(cause(bodies(2).pairs(pairs)), SceneError::NotSoMany { bodies: 2, declared: 3 }.into());
     assert_eq!(cause(Scene::new().pairs(pairs)), SceneError::Empty.into());
     let still = bodies(2).body(1.0, [3.0, 3.0], [0.0; 2]);
-    assert_eq!(cause(still.clone().pin(2).pairs(pairs)), SceneError::NotFree { body: 2 }.into());
+    assert_eq!(cause(still.clone().pin(3).pairs(pairs)), SceneError::Pin { body: 3, bodies: 3 }.into());
+    assert_eq!(cause(still.clone().pin(1).pairs(pairs)), SceneError::PinnedMoves { body: 1, speed: 0.1 }.into());
     assert_eq!(cause(still.drive(2, |t| ([t, 0.0], [1.0, 0.0])).pairs(pairs)), SceneError::NotFree { body: 2 }.into());
     assert_eq!(
         cause(bodies(2).test_body(1.0, [3.0; 2], [0.0; 2]).pairs(pairs)),
@@ -289,4 +374,13 @@ fn what_cannot_be_a_law_says_why() {
     assert_eq!(of_bonds(&[(0, 1), (1, 1)]), SceneError::SelfBond { body: 1 }.into());
     assert_eq!(of_bonds(&[(0, 1), (2, 1), (1, 0)]), SceneError::DuplicateBond { a: 1, b: 0 }.into());
     assert_eq!(of_bonds(&[(0, 3)]), SceneError::Bond { a: 0, b: 3, bodies: 3 }.into());
+
+    let in_box = |length: f64, cutoff: f64| {
+        let scene = bodies(3).pairs(pairs).cutoff(cutoff).periodic([length, 9.0]);
+        let law = scene.as_law::<3, 6>();
+        Simulation::new(law, law.start()).scheme(Leapfrog).dt(0.01).run(10).unwrap_err().cause()
+    };
+    assert_eq!(in_box(-1.0, 0.4), SceneError::Length { component: 0, length: -1.0 }.into());
+    assert_eq!(in_box(9.0, 0.0), SceneError::Cutoff { cutoff: 0.0 }.into());
+    assert_eq!(in_box(2.0, 1.1), SceneError::CutoffInBox { cutoff: 1.1, component: 0, length: 2.0 }.into());
 }

@@ -13,7 +13,7 @@ pub type Places<const D: usize, const N: usize, R> = [[R; D]; N];
 /// Terms of a scene that can act among N bodies as one law.
 #[diagnostic::on_unimplemented(
     message = "this scene cannot be one law of {N} bodies",
-    note = "that takes laws of `#[dmech::law]` on each body, `.pairs(law)`, `.chain(law)` and `.bonds(law, list)`, without `.cutoff(r)`"
+    note = "that takes laws of `#[dmech::law]`, on each body or along links: `.field(law)`, `.pairs(law)`, `.chain(law)`, `.bonds(law, list)`"
 )]
 pub trait AmongFew<const D: usize, const N: usize>: Acts<D> {
     /// What is read of the laws and of the bodies.

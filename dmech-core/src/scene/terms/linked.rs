@@ -36,7 +36,7 @@ pub struct Linked<X, T> {
 pub struct LinkedReady<X: Reads<P>, T, P, B> {
     pub(in crate::scene) law: X,
     pub(in crate::scene) links: T,
-    pub(super) space: B,
+    pub(in crate::scene) space: B,
     pub(super) acting: Acting,
     pub(in crate::scene) numbers: NumberColumns<X::Numbers>,
     data: PhantomData<fn() -> P>,

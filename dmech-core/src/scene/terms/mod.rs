@@ -34,6 +34,7 @@ pub use pairs::Pairs;
 pub(in crate::scene) use staged::{ActsAtStages, BodyAtStages, Moments};
 pub(in crate::scene) use stiffness::link_stiffness;
 pub use sweep::Kicked;
+pub(in crate::scene) use way::Way;
 
 use core::any::{Any, TypeId};
 

@@ -235,7 +235,7 @@ impl<R: Real> Frequency<R> {
     }
 
     /// This where `alone` holds, `both` elsewhere.
-    fn where_alone(self, alone: R::Mask, both: Frequency<R>) -> Frequency<R> {
+    pub(crate) fn where_alone(self, alone: R::Mask, both: Frequency<R>) -> Frequency<R> {
         Frequency {
             power: R::either(alone, self.power, both.power),
             rise: R::either(alone, self.rise, both.rise),
@@ -321,7 +321,7 @@ impl<const D: usize, R: Real> Stiffness<D, R> {
     }
 
     #[inline(always)]
-    fn map(&self, f: impl Fn(R) -> R) -> Self {
+    pub(crate) fn map(&self, f: impl Fn(R) -> R) -> Self {
         Stiffness { by_position: self.by_position.map(|row| row.map(&f)), damping: f(self.damping) }
     }
 

@@ -5,7 +5,8 @@ use dmech::prelude::*;
 use dmech::scheme::Adaptive;
 
 use crate::laws::{
-    Bottle, Contact, Creatures, Damped, Driven, Each, Ions, Many, Orbit, Pair, Plummer, Rope, Saddle, Stars,
+    Beads, Bottle, Clusters, Contact, Creatures, Damped, Driven, Each, Fluid, Hung, Ions, Loops, Many, Molecules,
+    Orbit, Packs, Pair, Plummer, Rope, Saddle, Stars, Tied,
 };
 
 /// More than twice as many as ride side by side, and no multiple of any power of two.
@@ -92,15 +93,17 @@ table! {
 }
 
 table! {
-    leapfrog_of_few: Leapfrog, [Stars];
-    nystrom_of_few: Nystrom::order6(), [Stars];
-    force_gradient_of_few: ForceGradient::order4(), [Stars];
-    runge_kutta_nystrom_of_few: RungeKuttaNystrom::order12(), [Stars];
-    explicit_of_few: Explicit, [Creatures, Rope];
-    boris_of_few: Boris, [Ions, Rope];
-    implicit_of_few: Implicit, [Stars, Rope, Creatures, Ions];
-    discrete_gradient_of_few: Composed::order4(DiscreteGradient), [Stars, Rope, Creatures, Ions];
-    gauss_of_few: Gauss::order16(), [Stars, Rope, Creatures, Ions];
+    leapfrog_of_few: Leapfrog, [Stars, Molecules, Clusters, Fluid, Loops, Tied];
+    nystrom_of_few: Nystrom::order6(), [Stars, Molecules, Fluid];
+    force_gradient_of_few: ForceGradient::order4(), [Stars, Molecules];
+    runge_kutta_nystrom_of_few: RungeKuttaNystrom::order12(), [Stars, Clusters];
+    explicit_of_few: Explicit, [Creatures, Rope, Packs, Hung];
+    boris_of_few: Boris, [Ions, Rope, Beads];
+    implicit_of_few: Implicit, [Stars, Rope, Creatures, Ions, Molecules, Packs, Loops, Tied];
+    discrete_gradient_of_few: Composed::order4(DiscreteGradient), [Stars, Rope, Creatures, Ions, Clusters];
+    discrete_gradient_of_molecules: DiscreteGradient, [Molecules, Beads, Packs, Tied, Hung];
+    discrete_gradient_in_boxes: DiscreteGradient, [Fluid, Loops];
+    gauss_of_few: Gauss::order16(), [Stars, Rope, Creatures, Ions, Molecules, Tied];
 }
 
 /// A look after every step, and none but at the end.
@@ -138,6 +141,11 @@ fn adaptive() {
     let driven = |settings| Settings { dt: Some(0.1), end: 3.0, ..settings };
     as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", driven);
     as_alone::<Rope, _, 4>(Adaptive::new(Composed::order4(DiscreteGradient), 1e-4), "rope", driven);
+    as_alone::<Molecules, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "molecules", driven);
+    as_alone::<Packs, _, 6>(Adaptive::new(DiscreteGradient, 1e-3), "packs", driven);
+    as_alone::<Tied, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "tied", driven);
+    as_alone::<Hung, _, 8>(Adaptive::new(Gauss::order16(), 1e-8), "hung", driven);
+    as_alone::<Loops, _, 6>(Adaptive::new(Nystrom::order6(), 1e-6), "loops", driven);
 }
 
 /// Each coordinate of each member with a mass of its own: two bodies on a plane that pull on each other.

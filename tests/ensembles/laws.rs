@@ -165,4 +165,12 @@ few! {
     Rope, 4: few::rope;
     Creatures, 6: few::creatures;
     Ions, 6: few::ions;
+    Molecules, 8: few::molecules;
+    Clusters, 12: few::clusters;
+    Beads, 4: few::beads;
+    Packs, 6: few::packs;
+    Fluid, 12: few::fluid;
+    Loops, 6: few::loops;
+    Tied, 8: few::tied;
+    Hung, 8: few::hung;
 }

@@ -6,12 +6,14 @@ use dmech::models::pairs::{Gravity, Spring};
 use dmech::prelude::*;
 use dmech::scene::{AmongFew, FewBodies};
 
-use dmech_tests::few::{creatures, ions, rope, stars};
+use dmech_tests::few::{
+    Bond, LISTS, Link, beads, clusters, creatures, fluid, hung, ions, loops, molecules, packs, rope, stars, tied,
+};
 
 /// Runs both, and compares where they end, what they must keep, and how well they keep it.
 macro_rules! alike {
-    ($($name:literal: $scene:expr, $n:literal, $k:literal, [$($scheme:expr),*], $dt:expr, within $bound:expr;)*) => {$($(
-        let scene = $scene;
+    ($($name:literal: $scene:path, $members:expr, $n:literal, $k:literal, [$($scheme:expr),*], $dt:expr, within $bound:expr;)*) => {$($(for k in $members {
+        let scene = $scene(k);
         let law = scene.clone().as_law::<$n, $k>();
         let start = law.start();
         let scene = Simulation::scene(scene).scheme($scheme).dt($dt).run_until(start.t + 3.0).unwrap();
@@ -20,8 +22,8 @@ macro_rules! alike {
         let scheme = scene.report().scheme();
         let pairs = end.q.as_flattened().iter().zip(of_scene.q.as_flattened());
         let apart = pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-        println!("{}, {scheme}: {apart:.1e} apart", $name);
-        assert!(apart < $bound && scene.steps() == law.steps(), "{}, {scheme}: {apart:e}", $name);
+        println!("{} {k}, {scheme}: {apart:.1e} apart", $name);
+        assert!(apart < $bound && scene.steps() == law.steps(), "{} {k}, {scheme}: {apart:e}", $name);
         for invariant in Invariant::ALL {
             let [of_scene, of_law] = [scene.report(), law.report()].map(|report| report.kept(invariant));
             assert_eq!(of_scene, of_law, "{}, {scheme}: {invariant}", $name);
@@ -30,21 +32,166 @@ macro_rules! alike {
             assert!(of_law.max_abs() < bound, "{}, {scheme}, {invariant}: {of_scene:?} and {of_law:?}", $name);
             assert!((of_law.start() - of_scene.start()).abs() < 1e-14 * (1.0 + of_scene.start().abs()), "{invariant}");
         }
-    )*)*};
+    })*)*};
 }
 
 #[test]
 fn the_same_motion_as_that_of_the_scene() {
     alike! {
-        "stars": stars(1), 3, 6, [
+        "stars": stars, [1], 3, 6, [
             Leapfrog, CompensatedLeapfrog, Composed::order6(Leapfrog), Nystrom::order6(), ForceGradient::order4(),
             RungeKuttaNystrom::order12(), Relaxed::order6(), Kanatani, Implicit, DiscreteGradient,
             Composed::order6(DiscreteGradient), Gauss::order16(), LineIntegral::order6(), Explicit
         ], 0.02, within 2e-13;
-        "rope": rope(2), 4, 4, [Boris, Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.01, within 1e-12;
-        "creatures": creatures(3), 3, 6, [Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.02, within 1e-12;
-        "ions": ions(4), 3, 6, [Boris, Composed::order4(Boris), Implicit, DiscreteGradient, Gauss::order16()], 0.02, within 1e-12;
+        "rope": rope, [2], 4, 4, [Boris, Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.01, within 1e-12;
+        "creatures": creatures, [3], 3, 6, [Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.02, within 1e-12;
+        "ions": ions, [4], 3, 6, [Boris, Composed::order4(Boris), Implicit, DiscreteGradient, Gauss::order16()], 0.02, within 1e-12;
     }
+}
+
+#[test]
+fn the_same_motion_where_bonds_are_listed() {
+    alike! {
+        "molecules": molecules, 0..5, 4, 8, [
+            Leapfrog, Nystrom::order6(), ForceGradient::order4(), Kanatani, Implicit, DiscreteGradient, Gauss::order16()
+        ], 0.01, within 1e-12;
+        "clusters": clusters, [5, 20, 36], 4, 12, [RungeKuttaNystrom::order12(), Composed::order4(DiscreteGradient)], 0.02, within 1e-12;
+        "beads": beads, [1, 2, 3], 4, 4, [Boris, Implicit, DiscreteGradient], 0.01, within 1e-12;
+        "packs": packs, 0..4, 3, 6, [Explicit, Implicit, DiscreteGradient, Gauss::order16()], 0.02, within 1e-12;
+    }
+}
+
+#[test]
+fn the_same_motion_in_a_box() {
+    alike! {
+        "fluid": fluid, [1, 2, 7], 4, 12, [
+            Leapfrog, Nystrom::order6(), ForceGradient::order4(), Implicit, DiscreteGradient, Gauss::order16()
+        ], 0.005, within 1e-10;
+        "loops": loops, 0..3, 3, 6, [
+            Leapfrog, Nystrom::order6(), Kanatani, Implicit, DiscreteGradient, Composed::order4(DiscreteGradient)
+        ], 0.01, within 1e-10;
+    }
+}
+
+#[test]
+fn the_same_motion_where_bodies_are_pinned() {
+    alike! {
+        "tied": tied, 0..5, 4, 8, [
+            Leapfrog, CompensatedLeapfrog, Nystrom::order6(), ForceGradient::order4(), Kanatani, Implicit, DiscreteGradient,
+            Gauss::order16()
+        ], 0.01, within 1e-11;
+        "hung": hung, 0..5, 4, 8, [Explicit, Implicit, DiscreteGradient, Gauss::order16()], 0.01, within 1e-11;
+    }
+}
+
+/// A body that is pinned is where it was, to the bit, under every scheme, and whoever sets it moving is told.
+#[test]
+fn what_is_pinned_stays() {
+    macro_rules! stays {
+        ($($scheme:expr),*) => {$(for held in [0, 3] {
+            let law = tied(held).as_law::<4, 8>();
+            let run = Simulation::new(law, law.start()).mass(1.3).scheme($scheme).dt(0.01).run(300).unwrap();
+            let [start, end] = [law.start(), *run.last()].map(|state| state.bodies::<2>());
+            assert_eq!((end.q[held], end.v[held]), (start.q[held], [0.0; 2]), "{}", run.report().scheme());
+            let moved = |i: usize| end.q[i] != start.q[i];
+            assert!((0..4).filter(|&i| moved(i)).count() == 3, "{}", run.report().scheme());
+            for momentum in [Invariant::LinearMomentum, Invariant::AngularMomentum] {
+                assert!(run.drift(momentum).is_none());
+            }
+        })*};
+    }
+    stays!(
+        Leapfrog,
+        CompensatedLeapfrog,
+        Composed::order6(Leapfrog),
+        Nystrom::order6(),
+        ForceGradient::order4(),
+        RungeKuttaNystrom::order12(),
+        Relaxed::order6(),
+        Kanatani,
+        Implicit,
+        DiscreteGradient,
+        Composed::order6(DiscreteGradient),
+        Gauss::order16(),
+        LineIntegral::order6(),
+        Explicit,
+        Boris
+    );
+    let law = tied(2).as_law::<4, 8>();
+    let mut start = law.start();
+    start.v[5] = 0.1;
+    let refused = SceneError::PinnedMoves { body: 2, speed: 0.1 };
+    let run = Simulation::new(law, start).scheme(Leapfrog).dt(0.01).run(10);
+    assert_eq!(run.unwrap_err().cause(), refused.into());
+    let mut stepper = Simulation::new(Some(law), law.start()).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    assert_eq!(stepper.set_state(start).unwrap_err(), refused.into());
+    // In more digits, where a quotient by an infinite mass is one of two parts.
+    let State { q, v, .. } = law.start();
+    let start = State::of(q.map(DoubleDouble::from), v.map(DoubleDouble::from));
+    for run in [
+        Simulation::new(law, start).scheme(Gauss::order16()).dt(0.01).run(30).unwrap(),
+        Simulation::new(law, start).scheme(DiscreteGradient).dt(0.01).run(30).unwrap(),
+    ] {
+        assert_eq!([4, 5].map(|i| run.last().q[i].to_f64()), [q[4], q[5]]);
+        assert!(run.drift(Invariant::Energy).unwrap().max_abs() < 1e-26 && run.last().q[0] != start.q[0]);
+    }
+}
+
+/// Steps that follow the motion find the same time scale: as many of them, to the same place.
+#[test]
+fn the_same_time_scale_as_that_of_the_scene() {
+    macro_rules! paced {
+        ($($scene:path, $members:expr, $n:literal, $k:literal, $scheme:expr, $tolerance:expr;)*) => {$(for k in $members {
+            let law = $scene(k).as_law::<$n, $k>();
+            let end = law.start().t + 3.0;
+            let scene = Simulation::scene($scene(k)).scheme($scheme).adaptive($tolerance).dt(0.3).run_until(end).unwrap();
+            let law = Simulation::new(law, law.start()).scheme($scheme).adaptive($tolerance).dt(0.3).run_until(end).unwrap();
+            let (end, of_scene) = (law.last().bodies::<{ $k / $n }>(), scene.last());
+            let pairs = end.q.as_flattened().iter().zip(of_scene.q.as_flattened());
+            let apart = pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            println!("{} {k}: {} steps, {apart:.1e} apart", stringify!($scene), law.steps());
+            assert!(apart < 1e-10 && scene.steps() == law.steps(), "{k}: {apart:e}, {} steps", scene.steps());
+        })*};
+    }
+    paced! {
+        molecules, 0..5, 4, 8, Nystrom::order6(), 1e-8;
+        molecules, 0..5, 4, 8, Gauss::order16(), 1e-9;
+        clusters, [5, 20], 4, 12, DiscreteGradient, 1e-2;
+        packs, 0..4, 3, 6, Gauss::order16(), 1e-9;
+        tied, 0..5, 4, 8, Nystrom::order6(), 1e-8;
+        hung, 0..5, 4, 8, Gauss::order16(), 1e-9;
+        loops, 0..3, 3, 6, Nystrom::order6(), 1e-7;
+        fluid, [1, 2], 4, 12, Nystrom::order6(), 1e-7;
+    }
+}
+
+/// Sums are formed in the order of the bodies: listed links are a chain, and all pairs, to the bit.
+#[test]
+fn bonds_of_all_neighbours_are_a_chain() {
+    fn line<const N: usize>() -> Scene<1> {
+        (0..N).fold(Scene::new(), |scene, i| {
+            let x = i as f64;
+            scene.body(0.6 + 0.01 * x, [x + 0.1 * (x * x).sin()], [0.3 * x.sin()])
+        })
+    }
+    fn end<A: AmongFew<1, N>, const N: usize>(law: FewBodies<A, 1, N, N>) -> State<N> {
+        *Simulation::new(law, law.start()).scheme(DiscreteGradient).dt(0.03).run(50).unwrap().last()
+    }
+    fn check<const N: usize>() {
+        let (link, spring) = (Link { k: 4.0, omega: 0.9 }, Spring { k: 0.4, length: 1.0 });
+        let chain = end(line::<N>().chain(link).as_law::<N, N>());
+        let mut neighbours: Vec<_> = (1..N).map(|b| (b - 1, b)).collect();
+        neighbours.reverse();
+        assert_eq!(end(line::<N>().bonds(link, neighbours).as_law::<N, N>()), chain);
+        let pairs = end(line::<N>().pairs(spring).as_law::<N, N>());
+        let all = (0..N).flat_map(|b| (0..b).map(move |a| (a, b)));
+        assert_eq!(end(line::<N>().bonds(spring, all).as_law::<N, N>()), pairs);
+        assert!(N == 1 || pairs != chain);
+    }
+    check::<1>();
+    check::<2>();
+    check::<5>();
+    check::<24>();
 }
 
 /// Energy, momentum and angular momentum of three bodies in space, by an energy-exact scheme and by a symplectic one.
@@ -116,9 +263,16 @@ fn derivatives_are_those_of_the_sums() {
         derivatives(&rope(2).as_law::<4, 4>()),
         derivatives(&creatures(3).as_law::<3, 6>()),
         derivatives(&ions(4).as_law::<3, 6>()),
+        derivatives(&molecules(0).as_law::<4, 8>()),
+        derivatives(&molecules(1).as_law::<4, 8>()),
+        derivatives(&clusters(5).as_law::<4, 12>()),
+        derivatives(&beads(1).as_law::<4, 4>()),
+        derivatives(&packs(1).as_law::<3, 6>()),
+        derivatives(&loops(1).as_law::<3, 6>()),
+        derivatives(&fluid(1).as_law::<4, 12>()),
     ];
     println!("{compared:?} derivatives that are not 0");
-    assert_eq!(compared, [72, 24, 108, 78]);
+    assert_eq!(compared, [72, 24, 108, 78, 96, 80, 288, 24, 84, 72, 216]);
 }
 
 /// Twice as many digits, which a scene has not.
@@ -130,6 +284,17 @@ fn few_bodies_in_double_double() {
     let run = Simulation::new(law, start).scheme(Gauss::order16()).dt(0.005).record_every(50).run(400).unwrap();
     let drift = run.drift(Invariant::Energy).unwrap();
     assert!(drift.max_abs() < 1e-27, "{drift:?}");
+    for k in 0..LISTS.len() {
+        let law = molecules(k).as_law::<4, 8>();
+        let State { t, q, v } = law.start();
+        let start = State::of(q.map(DoubleDouble::from), v.map(DoubleDouble::from)).at_time(t);
+        let run = Simulation::new(law, start).scheme(Gauss::order16()).dt(0.002).record_every(50).run(200).unwrap();
+        let drift = run.drift(Invariant::Energy).unwrap();
+        assert!(drift.max_abs() < 1e-27, "{k}: {drift:?}");
+        let double = Simulation::new(law, law.start()).scheme(Gauss::order16()).dt(0.002).run(200).unwrap();
+        let apart = (0..8).map(|i| (run.last().q[i].to_f64() - double.last().q[i]).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-13, "{k}: {apart:e}");
+    }
 }
 
 /// A mass beside those of the bodies is that of bodies as much heavier, in the time scale too.
@@ -184,7 +349,8 @@ fn what_cannot_be_a_law_says_why() {
     assert_eq!(cause(bodies(2).pairs(pairs)), SceneError::NotSoMany { bodies: 2, declared: 3 }.into());
     assert_eq!(cause(Scene::new().pairs(pairs)), SceneError::Empty.into());
     let still = bodies(2).body(1.0, [3.0, 3.0], [0.0; 2]);
-    assert_eq!(cause(still.clone().pin(2).pairs(pairs)), SceneError::NotFree { body: 2 }.into());
+    assert_eq!(cause(still.clone().pin(3).pairs(pairs)), SceneError::Pin { body: 3, bodies: 3 }.into());
+    assert_eq!(cause(still.clone().pin(1).pairs(pairs)), SceneError::PinnedMoves { body: 1, speed: 0.1 }.into());
     assert_eq!(cause(still.drive(2, |t| ([t, 0.0], [1.0, 0.0])).pairs(pairs)), SceneError::NotFree { body: 2 }.into());
     assert_eq!(
         cause(bodies(2).test_body(1.0, [3.0; 2], [0.0; 2]).pairs(pairs)),
@@ -195,4 +361,26 @@ fn what_cannot_be_a_law_says_why() {
         SceneError::Mass { body: 2, mass: -1.0 }.into()
     );
     println!("{}", cause(bodies(4).pairs(pairs)));
+
+    let of_bonds = |list: &[(usize, usize)]| {
+        let law = bodies(3).bonds(Bond { k: 1.0, length: 1.0 }, list.iter().copied()).as_law::<3, 6>();
+        let refused = Simulation::new(law, law.start()).scheme(Leapfrog).dt(0.01).run(10).unwrap_err();
+        let good = bodies(3).bonds(Bond { k: 1.0, length: 1.0 }, [(0, 1)]).as_law::<3, 6>();
+        let members = Ensemble::of(3).scene(move |k| if k == 1 { law } else { good }).scheme(Leapfrog).dt(0.01);
+        let members = members.run(10).unwrap();
+        assert_eq!(members.failures().collect::<Vec<_>>(), [(1, refused.cause())]);
+        refused.cause()
+    };
+    assert_eq!(of_bonds(&[(0, 1), (1, 1)]), SceneError::SelfBond { body: 1 }.into());
+    assert_eq!(of_bonds(&[(0, 1), (2, 1), (1, 0)]), SceneError::DuplicateBond { a: 1, b: 0 }.into());
+    assert_eq!(of_bonds(&[(0, 3)]), SceneError::Bond { a: 0, b: 3, bodies: 3 }.into());
+
+    let in_box = |length: f64, cutoff: f64| {
+        let scene = bodies(3).pairs(pairs).cutoff(cutoff).periodic([length, 9.0]);
+        let law = scene.as_law::<3, 6>();
+        Simulation::new(law, law.start()).scheme(Leapfrog).dt(0.01).run(10).unwrap_err().cause()
+    };
+    assert_eq!(in_box(-1.0, 0.4), SceneError::Length { component: 0, length: -1.0 }.into());
+    assert_eq!(in_box(9.0, 0.0), SceneError::Cutoff { cutoff: 0.0 }.into());
+    assert_eq!(in_box(2.0, 1.1), SceneError::CutoffInBox { cutoff: 1.1, component: 0, length: 2.0 }.into());
 }

@@ -60,8 +60,12 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         let first = State::of(ByLane::of(&|lane| &stepper(lane).start.q), ByLane::of(&|lane| &stepper(lane).start.v));
         let watched: Vec<Drifts> = seats.iter().map(|member| member.log.watch.drifts()).collect();
         let drifts = from_fn(|i| {
-            let of_first = watched[0][i].as_ref()?;
-            let of = |lane: usize| watched.get(lane).and_then(|drifts| drifts[i].as_ref()).unwrap_or(of_first);
+            // Where bodies of some members are pinned, others keep their momenta.
+            let momentum =
+                [Invariant::LinearMomentum, Invariant::AngularMomentum].into_iter().find(|&of| of as usize == i);
+            let may = momentum.is_some_and(|momentum| system.conserves(momentum));
+            let of_first = watched[0][i].or(may.then(|| Drift::new(0.0, 0.0)))?;
+            let of = |lane: usize| watched.get(lane).and_then(|drifts| drifts[i].as_ref()).unwrap_or(&of_first);
             Some(ByLane::of(&of))
         });
         let now = States::default();
@@ -158,7 +162,8 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         stepper.evaluations += take(&mut evaluations[lane]) as u64;
         stepper.iterations += take(&mut iterations[lane]) as u64;
         stepper.memory = self.scheme.lane(&self.all, lane);
-        log.watch.set_drifts(self.drifts.each_ref().map(|drift| Some(drift.as_ref()?.lane(lane))));
+        let watched = log.watch.drifts();
+        log.watch.set_drifts(from_fn(|i| watched[i].and(self.drifts[i].as_ref()).map(|drift| drift.lane(lane))));
         if member.every.is_some() {
             log.until_record = self.until_look[lane];
         }

@@ -105,9 +105,9 @@ pub enum SceneError {
         /// Those of the law.
         declared: usize,
     },
-    /// A body that does not move freely, or acts on no other, where the scene is to be a law.
+    /// A body that moves along a given path, or acts on no other, where the scene is to be a law.
     #[error(
-        "body {body} is pinned, driven or a test body: in a law of few bodies each moves freely and acts on all others"
+        "body {body} is driven or a test body: in a law of few bodies each is free or pinned, and acts on all others"
     )]
     NotFree {
         /// The body.

@@ -40,7 +40,7 @@ pub trait Fields<const D: usize>: Law<D> {
 #[diagnostic::on_unimplemented(
     message = "a scene under `{Self}` cannot be one law",
     label = "not a law between bodies in {D} dimensions that `#[dmech::law]` has written",
-    note = "laws by hand, `Option`s of laws and cut-offs remain with the scene: `Simulation::scene(…)`, and for many scenes `Ensemble::each(n, |k| …)`"
+    note = "laws by hand and `Option`s of laws remain with the scene: `Simulation::scene(…)`, and for many scenes `Ensemble::each(n, |k| …)`"
 )]
 pub trait PairFields<const D: usize, P>: PairLaw<D, P> {
     /// `[f64; N]`.

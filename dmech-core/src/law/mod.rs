@@ -127,6 +127,12 @@ pub trait Law<const D: usize, R: Real = f64> {
         None
     }
 
+    /// A coordinate that stays where it is, whatever acts: of a body that is pinned. Its row of all that acts is 0.
+    #[doc(hidden)]
+    fn pinned(&self, _i: usize) -> bool {
+        false
+    }
+
     /// The mass of each coordinate over that of the particle: 1, except in [`Masses`](crate::Masses).
     #[inline(always)]
     fn mass_ratios(&self) -> [f64; D] {

@@ -40,6 +40,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
         self.as_ref()?.refused()
     }
 
+    fn pinned(&self, i: usize) -> bool {
+        self.as_ref().is_some_and(|law| law.pinned(i))
+    }
+
     #[inline(always)]
     fn mass_ratios(&self) -> [f64; D] {
         self.as_ref().map_or([1.0; D], L::mass_ratios)

@@ -72,6 +72,13 @@ pub trait Between<const D: usize, R: Real = f64>: Potential<D, R> {
     /// The force on b from a is opposite to that on a from b.
     const RECIPROCAL: bool = true;
 
+    /// Where it acts at all, if it ends at some distance.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn reaches(&self, _d: [R; D]) -> Option<R::Mask> {
+        None
+    }
+
     /// The force on a from b.
     #[inline(always)]
     fn force(&self, _d: [R; D], _va: [R; D], _vb: [R; D]) -> [R; D] {

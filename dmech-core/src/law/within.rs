@@ -5,7 +5,7 @@ use core::any::{Any, TypeId};
 use dmech_scalar::{Mask, Real};
 
 use super::written::WrittenPair;
-use super::{Between, Numbers, PairLaw, Reads};
+use super::{Between, Numbers, PairFields, PairLaw, Reads};
 use super::{LinearInVelocity, Potential, VelocityIndependent};
 use crate::vector::{dot, scaled, sum};
 
@@ -74,6 +74,26 @@ impl<const D: usize, P, R: Real, X: PairLaw<D, P, R> + 'static> PairLaw<D, P, R>
 
     fn written(&self) -> Option<&dyn WrittenPair<D, P>> {
         self.law.written()
+    }
+}
+
+/// The numbers of the law, and r after them.
+impl<const D: usize, P, X: PairFields<D, P> + 'static> PairFields<D, P> for Within<X> {
+    type Fields = (X::Fields, [f64; 1]);
+    type Moment<R: Real> = Cut<X::Moment<R>, R>;
+
+    fn fields(&self) -> Self::Fields {
+        (self.law.fields(), [self.cutoff])
+    }
+
+    #[inline(always)]
+    fn moment<R: Real>(
+        (law, [r]): (<X::Fields as Numbers>::Of<R>, [R; 1]),
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        t: R,
+    ) -> Self::Moment<R> {
+        Cut { between: X::moment(law, a, b, t), r }
     }
 }
 
@@ -197,6 +217,11 @@ impl<const D: usize, R: Real, B: Between<D, R>> Between<D, R> for Cut<B, R> {
     const POTENTIAL: bool = B::POTENTIAL;
     const FORCED: bool = B::FORCED;
     const RECIPROCAL: bool = B::RECIPROCAL;
+
+    #[inline(always)]
+    fn reaches(&self, d: [R; D]) -> Option<R::Mask> {
+        Some(self.within(d))
+    }
 
     #[inline(always)]
     fn force(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [R; D] {

@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::links::Presence;
 use crate::law::Numbers;
 use crate::look::{Course, Frequency};
 use crate::scene::terms::Acts;
@@ -12,7 +13,7 @@ pub type Places<const D: usize, const N: usize, R> = [[R; D]; N];
 /// Terms of a scene that can act among N bodies as one law.
 #[diagnostic::on_unimplemented(
     message = "this scene cannot be one law of {N} bodies",
-    note = "that takes laws of `#[dmech::law]` on each body, `.pairs(law)` and `.chain(law)`, without `.cutoff(r)` and `.bonds(…)`"
+    note = "that takes laws of `#[dmech::law]`, on each body or along links: `.field(law)`, `.pairs(law)`, `.chain(law)`, `.bonds(law, list)`"
 )]
 pub trait AmongFew<const D: usize, const N: usize>: Acts<D> {
     /// What is read of the laws and of the bodies.
@@ -61,10 +62,12 @@ pub(super) fn add_block<const D: usize, const K: usize, R: Real>(
     out: &mut [[R; K]; K],
     [a, b]: [usize; 2],
     block: &[[R; D]; D],
+    here: impl Presence<R>,
 ) {
     for i in 0..D {
         for j in 0..D {
-            out[D * a + i][D * b + j] += block[i][j];
+            let out = &mut out[D * a + i][D * b + j];
+            *out = here.choose(*out + block[i][j], *out);
         }
     }
 }

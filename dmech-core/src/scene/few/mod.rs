@@ -1,6 +1,7 @@
 //! A scene whose number of bodies is known when it is compiled, as one law.
 
 mod among;
+mod links;
 mod terms;
 mod whole;
 
@@ -12,6 +13,7 @@ use core::array::from_fn;
 use dmech_scalar::Real;
 
 use super::builder::Scene;
+use super::space::Space;
 use super::state::SceneState;
 use super::terms::Term;
 use crate::error::{Error, SceneError};
@@ -28,32 +30,42 @@ use crate::system::{LinearVelocities, WithoutVelocities};
 /// The loops of a [`Scene`] are over as many bodies as there are; here their number is in the type, and a step is code made for it. It
 /// is stepped as other laws are: in any scalar, and side by side with others in the lanes of an [ensemble](crate::Ensemble::scene).
 /// Masses are those of the bodies; a [`mass`](crate::Simulation::mass) beside them multiplies their inertia, and not what laws read of
-/// them. Momenta are sums over the bodies. It is the same motion as that of the scene, in other roundings.
+/// them; that of a pinned body is infinite. Momenta are sums over the bodies. It is the same motion as that of the scene, in other
+/// roundings.
 pub struct FewBodies<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> {
     numbers: A::Numbers,
     masses: [f64; N],
+    pinned: [bool; N],
     first: State<K>,
     refused: Option<Error>,
 }
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodies<A, D, N, K> {
+    /// Masses by which accelerations are forces: infinite, of bodies that are pinned. A quotient by it is 0 to the bit, so that nothing
+    /// is there for pins where there are none. What is summed over the bodies has the masses that were given, at rest.
+    fn inertia(&self) -> [f64; N] {
+        from_fn(|i| if self.pinned[i] { f64::INFINITY } else { self.masses[i] })
+    }
+
     /// Where the bodies of the scene are.
     pub fn start(&self) -> State<K> {
         self.first
     }
 
-    fn of<P, L: Term<D, P, Ready = A>>(scene: Scene<D, P, L>) -> Result<Self, Error> {
+    fn of<P, L: Term<D, P, B, Ready = A>, B: Space<D>>(scene: Scene<D, P, L, B>) -> Result<Self, Error> {
         let Scene { bodies, laws, space } = scene;
         bodies.check()?;
+        space.check()?;
         let acts = laws.prepare(&bodies, space)?;
         let (t, given) = (bodies.t, bodies.masses.len());
         let masses = <[f64; N]>::try_from(bodies.masses);
         let masses = masses.map_err(|_| SceneError::NotSoMany { bodies: given, declared: N })?;
-        if let Some(&body) = bodies.pins.iter().chain(&bodies.tests).min() {
+        if let Some(body) = bodies.drives.bodies().chain(bodies.tests.iter().copied()).min() {
             return Err(SceneError::NotFree { body }.into());
         }
+        let pinned = from_fn(|i| bodies.pins.contains(&i));
         let [q, v] = [bodies.q, bodies.v].map(|list| from_fn(|i| list[i / D][i % D]));
-        Ok(FewBodies { numbers: acts.numbers(), masses, first: State { t, q, v }, refused: None })
+        Ok(FewBodies { numbers: acts.numbers(), masses, pinned, first: State { t, q, v }, refused: None })
     }
 }
 
@@ -66,17 +78,22 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Clone fo
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> core::fmt::Debug for FewBodies<A, D, N, K> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("FewBodies").field("masses", &self.masses).field("start", &self.first).finish_non_exhaustive()
+        let mut shown = f.debug_struct("FewBodies");
+        shown
+            .field("masses", &self.masses)
+            .field("pinned", &self.pinned)
+            .field("start", &self.first)
+            .finish_non_exhaustive()
     }
 }
 
-impl<const D: usize, P, L: Term<D, P>> Scene<D, P, L> {
+impl<const D: usize, P, B: Space<D>, L: Term<D, P, B>> Scene<D, P, L, B> {
     /// The scene of N bodies as one law of K = N D coordinates, for few bodies, two to some twenty: [`FewBodies`].
     ///
-    /// Laws are those that `#[dmech::law]` writes, on each body, on all pairs and along the chain; what is looked up while bodies
-    /// move, as a cut-off, a box or a list of bonds, remains with the scene. What a simulation of the scene would refuse is refused
-    /// when the law is run, and so are another number of bodies ([`SceneError::NotSoMany`]) and bodies that are pinned, driven or test
-    /// bodies ([`SceneError::NotFree`]).
+    /// Laws are those that `#[dmech::law]` writes, on each body, on all pairs, also with a cut-off, along the chain and along bonds, of 24
+    /// bodies at most. Members of an ensemble may have each its own list of bonds, its own box, its own pins. All pairs are looked at,
+    /// also where a cut-off leaves few. What a simulation of the scene would refuse is refused when the law is run, and so are another
+    /// number of bodies ([`SceneError::NotSoMany`]) and bodies that are driven or test bodies ([`SceneError::NotFree`]).
     pub fn as_law<const N: usize, const K: usize>(self) -> FewBodies<L::Ready, D, N, K>
     where
         L::Ready: AmongFew<D, N>,
@@ -85,6 +102,7 @@ impl<const D: usize, P, L: Term<D, P>> Scene<D, P, L> {
         FewBodies::of(self).unwrap_or_else(|cause| FewBodies {
             numbers: Numbers::from_list(|_| f64::NAN),
             masses: [1.0; N],
+            pinned: [false; N],
             first: State::new([0.0; K], [0.0; K]),
             refused: Some(cause),
         })
@@ -126,11 +144,15 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     #[inline(always)]
     fn field(&self, _: R, t: R) -> Whole<A, D, N, K, R> {
         let numbers = A::Numbers::gather(|k| R::from_f64(self.numbers.at(k)));
-        Self::moment((numbers, self.masses.map(R::from_f64)), R::ONE, t)
+        Self::moment((numbers, [self.masses, self.inertia()].map(|list| list.map(R::from_f64))), R::ONE, t)
     }
 
     fn refused(&self) -> Option<Error> {
         self.refused
+    }
+
+    fn pinned(&self, i: usize) -> bool {
+        self.pinned[i / D]
     }
 
     fn mass_ratios(&self) -> [f64; K] {
@@ -139,24 +161,24 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
 }
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K> for FewBodies<A, D, N, K> {
-    type Numbers = (A::Numbers, [f64; N]);
+    type Numbers = (A::Numbers, [[f64; N]; 2]);
     type Moment<R: Real> = Whole<A, D, N, K, R>;
 
     fn numbers(&self) -> Self::Numbers {
-        (self.numbers, self.masses)
+        (self.numbers, [self.masses, self.inertia()])
     }
 
     #[inline(always)]
     fn moment<R: Real>(
-        (numbers, masses): (<A::Numbers as Numbers>::Of<R>, [R; N]),
+        (numbers, [_, inertia]): (<A::Numbers as Numbers>::Of<R>, [[R; N]; 2]),
         _: R,
         t: R,
     ) -> Whole<A, D, N, K, R> {
-        Whole { acts: A::moment(numbers, t), masses, t }
+        Whole { acts: A::moment(numbers, t), inertia, t }
     }
 
     #[inline(always)]
-    fn masses<R: Real>((_, masses): (<A::Numbers as Numbers>::Of<R>, [R; N])) -> [R; K] {
+    fn masses<R: Real>((_, [masses, _]): (<A::Numbers as Numbers>::Of<R>, [[R; N]; 2])) -> [R; K] {
         from_fn(|i| masses[i / D])
     }
 }

@@ -3,13 +3,14 @@
 use core::array::from_fn;
 use core::marker::PhantomData;
 
-use dmech_scalar::Real;
+use dmech_scalar::{Mask, Real};
 
 use super::among::{Among, AmongFew, Places, add_block};
+use super::links::{Always, LinksOfFew, Presence};
 use crate::law::{Between, Field, Fields, Numbers, PairFields, Potential, Reads};
 use crate::look::{Course, Frequency, Stiffness};
-use crate::scene::space::Open;
-use crate::scene::terms::{Acts, EachReady, KnownLinks, LinkedReady, link_stiffness};
+use crate::scene::space::{Images, SpaceOfFew};
+use crate::scene::terms::{Acts, EachReady, LinkedReady, Way, link_stiffness};
 use crate::vector::{difference, scaled, sum};
 
 type Of<N, R> = <N as Numbers>::Of<R>;
@@ -49,32 +50,32 @@ impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for O
     #[inline(always)]
     fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         for i in 0..N {
-            add(&mut out[i], self.on(i).gradient(q[i]));
+            add(&mut out[i], self.on(i).gradient(q[i]), Always);
         }
     }
     #[inline(always)]
     fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
         for i in 0..N {
-            add_block(out, [i, i], &self.on(i).hessian(q[i]));
+            add_block(out, [i, i], &self.on(i).hessian(q[i]), Always);
         }
     }
     #[inline(always)]
     fn add_discrete_gradient(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         for i in 0..N {
-            add(&mut out[i], self.on(i).discrete_gradient(a[i], b[i]));
+            add(&mut out[i], self.on(i).discrete_gradient(a[i], b[i]), Always);
         }
     }
     #[inline(always)]
     fn add_discrete_jacobian<const K: usize>(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut [[R; K]; K]) {
         for i in 0..N {
-            add_block(out, [i, i], &self.on(i).discrete_gradient_jacobian(a[i], b[i]));
+            add_block(out, [i, i], &self.on(i).discrete_gradient_jacobian(a[i], b[i]), Always);
         }
     }
     #[inline(always)]
     fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::FORCED {
             for i in 0..N {
-                add(&mut out[i], self.on(i).force(q[i], v[i], t));
+                add(&mut out[i], self.on(i).force(q[i], v[i], t), Always);
             }
         }
     }
@@ -88,8 +89,8 @@ impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for O
     ) {
         if X::Moment::<R>::FORCED {
             for i in 0..N {
-                add_block(by_q, [i, i], &self.on(i).force_dq(q[i], v[i], t));
-                add_block(by_v, [i, i], &self.on(i).force_dv(q[i], v[i], t));
+                add_block(by_q, [i, i], &self.on(i).force_dq(q[i], v[i], t), Always);
+                add_block(by_v, [i, i], &self.on(i).force_dv(q[i], v[i], t), Always);
             }
         }
     }
@@ -97,74 +98,93 @@ impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for O
         (0..N).fold(Frequency::none(bodies[0].least), |all, i| {
             let mass = bodies[i].per_mass.recip();
             let of = |s, q, v| from_now(s).map_or(Stiffness::NONE, |now| Stiffness::of(&now.on(i), mass, t + s, q, v));
-            all.and(Frequency::of(bodies[i], of))
+            moving(bodies[i].per_mass, all, || Frequency::of(bodies[i], of))
         })
     }
 }
 
-impl<const D: usize, const N: usize, P, X: PairFields<D, P>, T: KnownLinks> AmongFew<D, N>
-    for LinkedReady<X, T, P, Open>
+impl<const D: usize, const N: usize, P, X: PairFields<D, P>, T: LinksOfFew, B: SpaceOfFew<D>> AmongFew<D, N>
+    for LinkedReady<X, T, P, B>
 where
     Self: Acts<D>,
 {
-    type Numbers = (X::Fields, [<X as Reads<P>>::Numbers; N]);
-    type Moment<R: Real> = BetweenFew<X, T, P, D, N, R>;
+    type Numbers = ((X::Fields, [<X as Reads<P>>::Numbers; N]), (T::Numbers<N>, B::Numbers));
+    type Moment<R: Real> = BetweenFew<X, T, P, B, D, N, R>;
 
     fn numbers(&self) -> Self::Numbers {
-        (self.law.fields(), from_fn(|i| self.numbers.of_body(i)))
+        ((self.law.fields(), from_fn(|i| self.numbers.of_body(i))), (self.links.numbers(), self.space.numbers()))
     }
     #[inline(always)]
-    fn moment<R: Real>((law, bodies): Of<Self::Numbers, R>, t: R) -> BetweenFew<X, T, P, D, N, R> {
-        BetweenFew { law, bodies, t, links: PhantomData }
+    fn moment<R: Real>(((law, bodies), (links, space)): Of<Self::Numbers, R>, t: R) -> Self::Moment<R> {
+        BetweenFew { law, bodies, links, space: B::of(space), t, data: PhantomData }
     }
 }
 
 /// A law along links at one moment.
-pub struct BetweenFew<X: PairFields<D, P>, T, P, const D: usize, const N: usize, R: Real> {
+pub struct BetweenFew<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, const N: usize, R: Real>
+{
     law: Of<X::Fields, R>,
     bodies: [Of<<X as Reads<P>>::Numbers, R>; N],
+    links: Of<T::Numbers<N>, R>,
+    space: B::In<R>,
     t: R,
-    links: PhantomData<fn() -> (T, P)>,
+    data: PhantomData<fn() -> P>,
 }
 
-impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: Real> BetweenFew<X, T, P, D, N, R> {
+impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, const N: usize, R: Real>
+    BetweenFew<X, T, P, B, D, N, R>
+{
     #[inline(always)]
     fn between(&self, a: usize, b: usize, t: R) -> X::Moment<R> {
         X::moment(self.law, self.bodies[a], self.bodies[b], t)
     }
+
+    /// q_a − q_b as the space has it.
+    #[inline(always)]
+    fn apart(&self, q: &Places<D, N, R>, a: usize, b: usize) -> [R; D] {
+        self.space.image(difference(q[a], q[b]))
+    }
+
+    #[inline(always)]
+    fn visit(&self, visit: impl FnMut(usize, usize, T::Presence<R>)) {
+        T::visit::<N, R>(&self.links, visit);
+    }
 }
 
-impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: Real> Among<D, N, R>
-    for BetweenFew<X, T, P, D, N, R>
+impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, const N: usize, R: Real> Among<D, N, R>
+    for BetweenFew<X, T, P, B, D, N, R>
 {
     #[inline(always)]
     fn potential(&self, q: &Places<D, N, R>) -> R {
         let mut sum = R::ZERO;
-        T::visit(N, |a, b| sum += self.between(a, b, self.t).potential(difference(q[a], q[b])));
+        self.visit(|a, b, here| {
+            sum = here.choose(sum + self.between(a, b, self.t).potential(self.apart(q, a, b)), sum);
+        });
         sum
     }
     #[inline(always)]
     fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::POTENTIAL {
-            T::visit(N, |a, b| {
-                add_opposite(out, [a, b], self.between(a, b, self.t).gradient(difference(q[a], q[b])));
+            self.visit(|a, b, here| {
+                add_opposite(out, [a, b], self.between(a, b, self.t).gradient(self.apart(q, a, b)), here);
             });
         }
     }
     #[inline(always)]
     fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
         if X::Moment::<R>::POTENTIAL {
-            T::visit(N, |a, b| {
-                add_link(out, [a, b], self.between(a, b, self.t).hessian(difference(q[a], q[b])));
+            self.visit(|a, b, here| {
+                add_link(out, [a, b], self.between(a, b, self.t).hessian(self.apart(q, a, b)), here);
             });
         }
     }
     #[inline(always)]
     fn add_discrete_gradient(&self, from: &Places<D, N, R>, to: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::POTENTIAL {
-            T::visit(N, |a, b| {
+            self.visit(|a, b, here| {
                 let [from, to] = [from, to].map(|q| difference(q[a], q[b]));
-                add_opposite(out, [a, b], self.between(a, b, self.t).discrete_gradient(from, to));
+                let way = Way::new(&self.space, from, to);
+                add_opposite(out, [a, b], way.discrete_gradient(&self.between(a, b, self.t)), here);
             });
         }
     }
@@ -176,23 +196,24 @@ impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: R
         out: &mut [[R; K]; K],
     ) {
         if X::Moment::<R>::POTENTIAL {
-            T::visit(N, |a, b| {
+            self.visit(|a, b, here| {
                 let [from, to] = [from, to].map(|q| difference(q[a], q[b]));
-                add_link(out, [a, b], self.between(a, b, self.t).discrete_gradient_jacobian(from, to));
+                let way = Way::new(&self.space, from, to);
+                add_link(out, [a, b], way.discrete_gradient_jacobian(&self.between(a, b, self.t)), here);
             });
         }
     }
     #[inline(always)]
     fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::FORCED {
-            T::visit(N, |a, b| {
-                let force = |a: usize, b: usize| self.between(a, b, t).force(difference(q[a], q[b]), v[a], v[b]);
+            self.visit(|a, b, here| {
+                let force = |a: usize, b: usize| self.between(a, b, t).force(self.apart(q, a, b), v[a], v[b]);
                 let on_a = force(a, b);
                 if X::Moment::<R>::RECIPROCAL {
-                    add_opposite(out, [a, b], on_a);
+                    add_opposite(out, [a, b], on_a, here);
                 } else {
-                    add(&mut out[a], on_a);
-                    add(&mut out[b], force(b, a));
+                    add(&mut out[a], on_a, here);
+                    add(&mut out[b], force(b, a), here);
                 }
             });
         }
@@ -206,52 +227,88 @@ impl<X: PairFields<D, P>, T: KnownLinks, P, const D: usize, const N: usize, R: R
         [by_q, by_v]: [&mut [[R; K]; K]; 2],
     ) {
         if X::Moment::<R>::FORCED {
-            T::visit(N, |a, b| {
+            self.visit(|a, b, here| {
                 for [a, b] in [[a, b], [b, a]] {
-                    let d = difference(q[a], q[b]);
+                    let d = self.apart(q, a, b);
                     let [by_d, by_va, by_vb] = self.between(a, b, t).force_jacobians(d, v[a], v[b]);
-                    add_block(by_q, [a, a], &by_d);
-                    add_block(by_q, [a, b], &by_d.map(|row| row.map(|x| -x)));
-                    add_block(by_v, [a, a], &by_va);
-                    add_block(by_v, [a, b], &by_vb);
+                    add_block(by_q, [a, a], &by_d, here);
+                    add_block(by_q, [a, b], &by_d.map(|row| row.map(|x| -x)), here);
+                    add_block(by_v, [a, a], &by_va, here);
+                    add_block(by_v, [a, b], &by_vb, here);
                 }
             });
         }
     }
     fn frequency(from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         let mut all = Frequency::none(bodies[0].least);
-        T::visit(N, |a, b| {
+        let Some(now) = from_now(R::ZERO) else { return all };
+        now.visit(|a, b, here| {
             let (on_a, on_b) = (&bodies[a], &bodies[b]);
             let stiffness = |s, d, _| {
                 let Some(now) = from_now(s) else { return Stiffness::NONE };
                 let between = [now.between(a, b, t + s), now.between(b, a, t + s)];
-                link_stiffness(between, s, [on_a, on_b], d)
+                here.stiffness(link_stiffness(between, s, [on_a, on_b], now.space.image(d)))
             };
-            all = all.and(Frequency::between(on_a.relative_to(on_b), stiffness));
+            let link = on_a.relative_to(on_b);
+            let link = Course { q: now.space.image(link.q), ..link };
+            let both = moving(link.per_mass, all, || Frequency::between(link, stiffness));
+            // Steps see what is within reach now, as in a scene.
+            let both = match now.between(a, b, t).reaches(link.q) {
+                Some(near) => all.where_alone(near.not(), both),
+                None => both,
+            };
+            all = here.frequency(both, all);
         });
         all
     }
 }
 
+/// With what moves beside it: not so what is pinned, and what is between two that are.
+#[inline(always)]
+fn moving<R: Real>(per_mass: R, all: Frequency<R>, other: impl FnOnce() -> Frequency<R>) -> Frequency<R> {
+    let still = per_mass.equal(R::ZERO);
+    if still.all() {
+        return all;
+    }
+    let both = all.and(other());
+    if still.any() { all.where_alone(still, both) } else { both }
+}
+
 /// Adds to a body.
 #[inline(always)]
-fn add<const D: usize, R: Real>(to: &mut [R; D], x: [R; D]) {
-    *to = sum(*to, x);
+fn add<const D: usize, R: Real>(to: &mut [R; D], x: [R; D], here: impl Presence<R>) {
+    let sum = sum(*to, x);
+    for k in 0..D {
+        to[k] = here.choose(sum[k], to[k]);
+    }
 }
 
 /// Adds to body a, and its opposite to body b.
 #[inline(always)]
-fn add_opposite<const D: usize, const N: usize, R: Real>(out: &mut Places<D, N, R>, [a, b]: [usize; 2], x: [R; D]) {
-    add(&mut out[a], x);
-    out[b] = difference(out[b], x);
+fn add_opposite<const D: usize, const N: usize, R: Real>(
+    out: &mut Places<D, N, R>,
+    [a, b]: [usize; 2],
+    x: [R; D],
+    here: impl Presence<R>,
+) {
+    add(&mut out[a], x, here);
+    let rest = difference(out[b], x);
+    for k in 0..D {
+        out[b][k] = here.choose(rest[k], out[b][k]);
+    }
 }
 
 /// The derivative of what is on a along d = q_a − q_b, and of its opposite on b.
 #[inline(always)]
-fn add_link<const D: usize, const K: usize, R: Real>(out: &mut [[R; K]; K], [a, b]: [usize; 2], by_d: [[R; D]; D]) {
+fn add_link<const D: usize, const K: usize, R: Real>(
+    out: &mut [[R; K]; K],
+    [a, b]: [usize; 2],
+    by_d: [[R; D]; D],
+    here: impl Presence<R>,
+) {
     let back = by_d.map(|row| scaled(-R::ONE, row));
-    add_block(out, [a, a], &by_d);
-    add_block(out, [b, b], &by_d);
-    add_block(out, [a, b], &back);
-    add_block(out, [b, a], &back);
+    add_block(out, [a, a], &by_d, here);
+    add_block(out, [b, b], &by_d, here);
+    add_block(out, [a, b], &back, here);
+    add_block(out, [b, a], &back, here);
 }

@@ -10,7 +10,8 @@ use crate::vector::scaled;
 /// What acts among few bodies at one moment, the rows of each divided by its mass: that of a particle of mass 1.
 pub struct Whole<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real> {
     pub(super) acts: A::Moment<R>,
-    pub(super) masses: [R; N],
+    /// Those of the bodies; of pinned ones infinite.
+    pub(super) inertia: [R; N],
     pub(super) t: R,
 }
 
@@ -32,7 +33,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
         add(&mut of_bodies);
         let mut all = [R::ZERO; K];
         for i in 0..K {
-            all[i] = of_bodies[i / D][i % D] / self.masses[i / D];
+            all[i] = of_bodies[i / D][i % D] / self.inertia[i / D];
         }
         all
     }
@@ -55,7 +56,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
         let mut all = [[R::ZERO; K]; K];
         add(&mut all);
         for i in 0..K {
-            all[i] = scaled(self.masses[i / D].recip(), all[i]);
+            all[i] = scaled(self.inertia[i / D].recip(), all[i]);
         }
         all
     }
@@ -118,7 +119,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
         let slope = self.slopes(q, v);
         let mut to = v;
         for i in 0..N {
-            let c = c / self.masses[i];
+            let c = c / self.inertia[i];
             for k in 0..D {
                 to[D * i + k] = v[D * i + k] - c * slope[i][k];
             }
@@ -134,12 +135,12 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     fn frequency(from_now: impl Fn(R) -> Option<Self>, mass: R, t: R, course: Course<K, R>) -> Frequency<R> {
         let Course { q, v, fall, least, .. } = course;
         let (q, v, fall): (Places<D, N, R>, Places<D, N, R>, Places<D, N, R>) = (bodies(q), bodies(v), bodies(fall));
-        let Some(Whole { masses, .. }) = from_now(R::ZERO) else { return Frequency::none(least) };
+        let Some(Whole { inertia, .. }) = from_now(R::ZERO) else { return Frequency::none(least) };
         let bodies = core::array::from_fn(|i| Course {
             q: q[i],
             v: v[i],
             fall: fall[i],
-            per_mass: (mass * masses[i]).recip(),
+            per_mass: (mass * inertia[i]).recip(),
             least,
         });
         A::Moment::<R>::frequency(&|s| Some(from_now(s)?.acts), t, &bodies)

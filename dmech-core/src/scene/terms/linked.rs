@@ -35,8 +35,8 @@ pub struct Linked<X, T> {
 #[derive(Clone, Debug)]
 pub struct LinkedReady<X: Reads<P>, T, P, B> {
     pub(in crate::scene) law: X,
-    pub(super) links: T,
-    pub(super) space: B,
+    pub(in crate::scene) links: T,
+    pub(in crate::scene) space: B,
     pub(super) acting: Acting,
     pub(in crate::scene) numbers: NumberColumns<X::Numbers>,
     data: PhantomData<fn() -> P>,

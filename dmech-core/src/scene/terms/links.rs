@@ -137,11 +137,6 @@ pub(super) fn bodies<const D: usize, const S: usize>(q: [&Vectors<D>; S]) -> usi
 }
 
 /// Links that follow from the number of bodies.
-#[diagnostic::on_unimplemented(
-    message = "a scene with links by `{Self}` cannot be one law",
-    label = "links that are listed, or found while bodies move",
-    note = "they remain with the scene: `Simulation::scene(…)`, and for many scenes `Ensemble::each(n, |k| …)`"
-)]
 pub trait KnownLinks: Links {
     /// Visits every link (a, b) in a fixed order.
     fn visit(bodies: usize, visit: impl FnMut(usize, usize));

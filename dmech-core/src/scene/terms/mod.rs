@@ -26,14 +26,15 @@ pub use each::Each;
 pub(in crate::scene) use each::EachReady;
 pub use linked::Linked;
 pub(in crate::scene) use linked::LinkedReady;
-pub(in crate::scene) use links::KnownLinks;
 pub use links::{Bonds, Chain};
+pub(in crate::scene) use links::{KnownLinks, Links};
 pub use moving::Moving;
 pub use near::Near;
 pub use pairs::Pairs;
 pub(in crate::scene) use staged::{ActsAtStages, BodyAtStages, Moments};
 pub(in crate::scene) use stiffness::link_stiffness;
 pub use sweep::Kicked;
+pub(in crate::scene) use way::Way;
 
 use core::any::{Any, TypeId};
 

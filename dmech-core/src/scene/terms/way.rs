@@ -1,7 +1,7 @@
 //! The way of a separation in a step, where its image may become another one.
 
 use crate::law::Potential;
-use crate::scene::space::Space;
+use crate::scene::space::Images;
 use crate::vector::{difference, dot, sum};
 use dmech_scalar::{Mask, Real};
 
@@ -14,14 +14,14 @@ use dmech_scalar::{Mask, Real};
 /// ```
 ///
 /// with the images a and b of both ends and the way Δ itself, so that G·Δ = Φ(b) − Φ(a): the energy is kept.
-pub(super) struct Way<'a, B, const D: usize, R: Real> {
+pub(in crate::scene) struct Way<'a, B, const D: usize, R: Real> {
     space: &'a B,
     from: [R; D],
     to: [R; D],
 }
 
 /// Both ends as images, each with where the other would be if the image stayed.
-struct Images<const D: usize, R: Real> {
+struct Ends<const D: usize, R: Real> {
     moved: [R; D],
     a: [R; D],
     beyond: [R; D],
@@ -31,51 +31,51 @@ struct Images<const D: usize, R: Real> {
     jumps: R::Mask,
 }
 
-impl<'a, const D: usize, R: Real, B: Space<D>> Way<'a, B, D, R> {
+impl<'a, const D: usize, R: Real, B: Images<D, R>> Way<'a, B, D, R> {
     #[inline(always)]
-    pub(super) fn new(space: &'a B, from: [R; D], to: [R; D]) -> Self {
+    pub(in crate::scene) fn new(space: &'a B, from: [R; D], to: [R; D]) -> Self {
         Way { space, from, to }
     }
 
     #[inline(always)]
-    fn images(&self) -> Images<D, R> {
+    fn ends(&self) -> Ends<D, R> {
         let (a, b, moved) = (self.space.image(self.from), self.space.image(self.to), difference(self.to, self.from));
         let (beyond, before) = (sum(a, moved), difference(b, moved));
         let mut jumps = R::ONE.less(R::ZERO);
-        for (k, length) in self.space.lengths().into_iter().flatten().enumerate() {
-            jumps = jumps.or(R::from_f64(0.5 * length).less((beyond[k] - b[k]).abs()));
+        for k in 0..D {
+            jumps = jumps.or(self.space.half(k).less((beyond[k] - b[k]).abs()));
         }
-        Images { moved, a, beyond, before, b, jumps }
+        Ends { moved, a, beyond, before, b, jumps }
     }
 
     /// ∇̄Φ.
     #[inline(always)]
-    pub(super) fn discrete_gradient(&self, law: &impl Potential<D, R>) -> [R; D] {
+    pub(in crate::scene) fn discrete_gradient(&self, law: &impl Potential<D, R>) -> [R; D] {
         if !B::PERIODIC {
             return law.discrete_gradient(self.from, self.to);
         }
-        let images = self.images();
-        let plain = law.discrete_gradient(images.a, images.b);
-        if images.jumps.any() { images.choose(plain, images.secant(law)) } else { plain }
+        let ends = self.ends();
+        let plain = law.discrete_gradient(ends.a, ends.b);
+        if ends.jumps.any() { ends.choose(plain, ends.secant(law)) } else { plain }
     }
 
     /// ∂∇̄Φ/∂(the end).
     #[inline(always)]
-    pub(super) fn discrete_gradient_jacobian(&self, law: &impl Potential<D, R>) -> [[R; D]; D] {
+    pub(in crate::scene) fn discrete_gradient_jacobian(&self, law: &impl Potential<D, R>) -> [[R; D]; D] {
         if !B::PERIODIC {
             return law.discrete_gradient_jacobian(self.from, self.to);
         }
-        let images = self.images();
-        let plain = law.discrete_gradient_jacobian(images.a, images.b);
-        if !images.jumps.any() {
+        let ends = self.ends();
+        let plain = law.discrete_gradient_jacobian(ends.a, ends.b);
+        if !ends.jumps.any() {
             return plain;
         }
-        let jumped = images.secant_jacobian(law);
-        core::array::from_fn(|k| images.choose(plain[k], jumped[k]))
+        let jumped = ends.secant_jacobian(law);
+        core::array::from_fn(|k| ends.choose(plain[k], jumped[k]))
     }
 }
 
-impl<const D: usize, R: Real> Images<D, R> {
+impl<const D: usize, R: Real> Ends<D, R> {
     #[inline(always)]
     fn choose(&self, plain: [R; D], jumped: [R; D]) -> [R; D] {
         core::array::from_fn(|k| R::either(self.jumps, jumped[k], plain[k]))

@@ -83,6 +83,11 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         Ok(())
     }
 
+    /// No body is pinned.
+    fn moves_freely(&self) -> bool {
+        !(0..D).any(|i| self.law.pinned(i))
+    }
+
     /// Σ m vᵢ over the bodies.
     fn linear_momentum(&self, state: &State<D, R>, i: usize) -> R {
         let weights = self.law.weights();
@@ -364,6 +369,12 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
                 return Err(Error::State { quantity, value: value.to_f64() });
             }
         }
+        #[cfg(feature = "scene")]
+        for (i, v) in state.v.iter().enumerate() {
+            if self.law.pinned(i) && !v.equal(R::ZERO).all() {
+                return Err(crate::error::SceneError::PinnedMoves { body: i / L::BODY, speed: v.to_f64() }.into());
+            }
+        }
         Ok(())
     }
 
@@ -378,7 +389,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         if let Some(value) = slope.iter().find(|x| !x.finite().all()) {
             return Err(Error::Law { quantity: "force", value: value.to_f64(), time: start.t });
         }
-        if let Some((coordinate, slope)) = lost_force(&field, start.q) {
+        if let Some((coordinate, slope)) = lost_force(&field, start.q, |i| self.law.pinned(i)) {
             return Err(Error::Underflow { coordinate, slope, time: start.t });
         }
         if let Some(written) = self.law.written() {
@@ -398,8 +409,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         match invariant {
             Invariant::Energy | Invariant::DiscreteEnergy => L::AUTONOMOUS && L::Field::<'_>::CONSERVES_ENERGY,
             Invariant::WorkEnergy => true,
-            Invariant::LinearMomentum => L::LINEAR_MOMENTUM,
-            Invariant::AngularMomentum => (L::Field::<'_>::CENTRAL || L::ANGULAR_MOMENTUM) && L::BODY > 1,
+            Invariant::LinearMomentum => L::LINEAR_MOMENTUM && self.moves_freely(),
+            Invariant::AngularMomentum => {
+                (L::Field::<'_>::CENTRAL || L::ANGULAR_MOMENTUM) && L::BODY > 1 && self.moves_freely()
+            }
         }
     }
 

@@ -12,7 +12,13 @@ use crate::law::Potential;
 ///
 /// The slope is that of a difference over a thousandth of the coordinate, told from rounding, from extrema, kinks and
 /// points of inflection, where a gradient may be 0, by being the same on both sides and over half the distance.
-pub(crate) fn lost_force<P: Potential<D, R>, const D: usize, R: Real>(law: &P, q: [R; D]) -> Option<(usize, f64)> {
+///
+/// Of a coordinate that is pinned the gradient is 0 for another reason.
+pub(crate) fn lost_force<P: Potential<D, R>, const D: usize, R: Real>(
+    law: &P,
+    q: [R; D],
+    pinned: impl Fn(usize) -> bool,
+) -> Option<(usize, f64)> {
     let gradient = law.gradient(q);
     if gradient.iter().all(|x| !x.equal(R::ZERO).any()) {
         return None;
@@ -20,7 +26,7 @@ pub(crate) fn lost_force<P: Potential<D, R>, const D: usize, R: Real>(law: &P, q
     let here = law.potential(q).to_f64();
     (0..D).find_map(|i| {
         let x = q[i].to_f64();
-        if x == 0.0 || !gradient[i].equal(R::ZERO).any() {
+        if x == 0.0 || !gradient[i].equal(R::ZERO).any() || pinned(i) {
             return None;
         }
         let rise = |distance: f64| {
@@ -65,11 +71,12 @@ mod tests {
     #[test]
     fn a_slope_without_a_force_is_found() {
         for scale in [1.0, 1e-150, 1e150] {
-            let (coordinate, slope) = lost_force(&Flat(|[x, y]| -1.0 / x.hypot(y)), [0.0, 3.0 * scale]).unwrap();
+            let (coordinate, slope) =
+                lost_force(&Flat(|[x, y]| -1.0 / x.hypot(y)), [0.0, 3.0 * scale], |_| false).unwrap();
             let expected = 1.0 / (9.0 * scale * scale);
             assert!(coordinate == 1 && (slope / expected - 1.0).abs() < 0.01, "{slope:e}, {expected:e}");
         }
-        assert!(lost_force(&Flat(|[x, y]| 4.0 * (x.powi(-12) - x.powi(-6)) + y), [0.9, 0.0]).is_some());
+        assert!(lost_force(&Flat(|[x, y]| 4.0 * (x.powi(-12) - x.powi(-6)) + y), [0.9, 0.0], |_| false).is_some());
     }
 
     /// Where the gradient is 0 by right: a constant, a minimum, a maximum, a saddle, an inflection, the edges of a contact.
@@ -85,7 +92,7 @@ mod tests {
             |[x, y]| (x - 1.0).abs() - (y - 2.0).abs(),
         ];
         for (k, law) in laws.into_iter().enumerate() {
-            assert_eq!(lost_force(&Flat(law), [1.0, 2.0]), None, "law {k}");
+            assert_eq!(lost_force(&Flat(law), [1.0, 2.0], |_| false), None, "law {k}");
         }
     }
 }

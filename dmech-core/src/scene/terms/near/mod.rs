@@ -11,7 +11,8 @@ use rayon::prelude::*;
 
 use self::neighbours::Neighbours;
 use self::row::Row;
-use super::links::{self, Links};
+use super::Pairs;
+use super::links::{self, KnownLinks, Links};
 use super::numbers::NumberColumns;
 use super::sweep::Kernels;
 use crate::error::{Error, SceneError};
@@ -68,6 +69,14 @@ impl Near {
 /// How many chunks: it depends on the number of bodies only, so that sums are formed in the same order on any machine.
 fn chunks(bodies: usize) -> usize {
     (bodies / (CUT / 2)).clamp(1, MOST)
+}
+
+/// Few bodies are all looked at: beyond its reach the law gives nothing.
+impl KnownLinks for Near {
+    #[inline(always)]
+    fn visit(bodies: usize, visit: impl FnMut(usize, usize)) {
+        Pairs::visit(bodies, visit);
+    }
 }
 
 impl Links for Near {

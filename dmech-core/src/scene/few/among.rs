@@ -50,8 +50,8 @@ pub trait Among<const D: usize, const N: usize, R: Real> {
         _out: [&mut [[R; K]; K]; 2],
     ) {
     }
-    /// [`Acts::frequency`], of what acts at times from now, if anything does; now is t.
-    fn frequency(from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R>
+    /// [`Acts::frequency`], of what acts at times from now, if anything does; now is t, when this acts.
+    fn frequency(&self, from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R>
     where
         Self: Sized;
 }
@@ -92,7 +92,7 @@ impl<const D: usize, const N: usize, R: Real> Among<D, N, R> for () {
     fn add_hessian<const K: usize>(&self, _: &Places<D, N, R>, _: &mut [[R; K]; K]) {}
     fn add_discrete_gradient(&self, _: &Places<D, N, R>, _: &Places<D, N, R>, _: &mut Places<D, N, R>) {}
     fn add_discrete_jacobian<const K: usize>(&self, _: &Places<D, N, R>, _: &Places<D, N, R>, _: &mut [[R; K]; K]) {}
-    fn frequency(_: &impl Fn(R) -> Option<()>, _: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+    fn frequency(&self, _: &impl Fn(R) -> Option<()>, _: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         Frequency::none(bodies[0].least)
     }
 }
@@ -152,8 +152,8 @@ impl<const D: usize, const N: usize, R: Real, A: Among<D, N, R>, B: Among<D, N, 
         self.0.add_force_jacobians(q, v, t, [by_q, by_v]);
         self.1.add_force_jacobians(q, v, t, [by_q, by_v]);
     }
-    fn frequency(from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
-        let first = A::frequency(&|s| Some(from_now(s)?.0), t, bodies);
-        first.and(B::frequency(&|s| Some(from_now(s)?.1), t, bodies))
+    fn frequency(&self, from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+        let first = self.0.frequency(&|s| Some(from_now(s)?.0), t, bodies);
+        first.and(self.1.frequency(&|s| Some(from_now(s)?.1), t, bodies))
     }
 }

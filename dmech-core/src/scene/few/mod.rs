@@ -35,18 +35,14 @@ use crate::system::{LinearVelocities, WithoutVelocities};
 pub struct FewBodies<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> {
     numbers: A::Numbers,
     masses: [f64; N],
-    pinned: [bool; N],
+    /// Masses by which accelerations are forces: infinite, of bodies that are pinned. A quotient by it is 0 to the bit, so that nothing
+    /// is there for pins where there are none. What is summed over the bodies has the masses that were given, at rest.
+    inertia: [f64; N],
     first: State<K>,
     refused: Option<Error>,
 }
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodies<A, D, N, K> {
-    /// Masses by which accelerations are forces: infinite, of bodies that are pinned. A quotient by it is 0 to the bit, so that nothing
-    /// is there for pins where there are none. What is summed over the bodies has the masses that were given, at rest.
-    fn inertia(&self) -> [f64; N] {
-        from_fn(|i| if self.pinned[i] { f64::INFINITY } else { self.masses[i] })
-    }
-
     /// Where the bodies of the scene are.
     pub fn start(&self) -> State<K> {
         self.first
@@ -63,9 +59,9 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodie
         if let Some(body) = bodies.drives.bodies().chain(bodies.tests.iter().copied()).min() {
             return Err(SceneError::NotFree { body }.into());
         }
-        let pinned = from_fn(|i| bodies.pins.contains(&i));
+        let inertia = from_fn(|i| if bodies.pins.contains(&i) { f64::INFINITY } else { masses[i] });
         let [q, v] = [bodies.q, bodies.v].map(|list| from_fn(|i| list[i / D][i % D]));
-        Ok(FewBodies { numbers: acts.numbers(), masses, pinned, first: State { t, q, v }, refused: None })
+        Ok(FewBodies { numbers: acts.numbers(), masses, inertia, first: State { t, q, v }, refused: None })
     }
 }
 
@@ -81,7 +77,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> core::fm
         let mut shown = f.debug_struct("FewBodies");
         shown
             .field("masses", &self.masses)
-            .field("pinned", &self.pinned)
+            .field("inertia", &self.inertia)
             .field("start", &self.first)
             .finish_non_exhaustive()
     }
@@ -102,7 +98,7 @@ impl<const D: usize, P, B: Space<D>, L: Term<D, P, B>> Scene<D, P, L, B> {
         FewBodies::of(self).unwrap_or_else(|cause| FewBodies {
             numbers: Numbers::from_list(|_| f64::NAN),
             masses: [1.0; N],
-            pinned: [false; N],
+            inertia: [1.0; N],
             first: State::new([0.0; K], [0.0; K]),
             refused: Some(cause),
         })
@@ -144,7 +140,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     #[inline(always)]
     fn field(&self, _: R, t: R) -> Whole<A, D, N, K, R> {
         let numbers = A::Numbers::gather(|k| R::from_f64(self.numbers.at(k)));
-        Self::moment((numbers, [self.masses, self.inertia()].map(|list| list.map(R::from_f64))), R::ONE, t)
+        Whole { acts: A::moment(numbers, t), inertia: self.inertia.map(R::from_f64), t }
     }
 
     fn refused(&self) -> Option<Error> {
@@ -152,7 +148,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     }
 
     fn pinned(&self, i: usize) -> bool {
-        self.pinned[i / D]
+        self.inertia[i / D] == f64::INFINITY
     }
 
     fn mass_ratios(&self) -> [f64; K] {
@@ -165,7 +161,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K
     type Moment<R: Real> = Whole<A, D, N, K, R>;
 
     fn numbers(&self) -> Self::Numbers {
-        (self.numbers, [self.masses, self.inertia()])
+        (self.numbers, [self.masses, self.inertia])
     }
 
     #[inline(always)]

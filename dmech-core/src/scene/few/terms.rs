@@ -94,7 +94,7 @@ impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for O
             }
         }
     }
-    fn frequency(from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+    fn frequency(&self, from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         (0..N).fold(Frequency::none(bodies[0].least), |all, i| {
             let mass = bodies[i].per_mass.recip();
             let of = |s, q, v| from_now(s).map_or(Stiffness::NONE, |now| Stiffness::of(&now.on(i), mass, t + s, q, v));
@@ -239,21 +239,20 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
             });
         }
     }
-    fn frequency(from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
+    fn frequency(&self, from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         let mut all = Frequency::none(bodies[0].least);
-        let Some(now) = from_now(R::ZERO) else { return all };
-        now.visit(|a, b, here| {
+        self.visit(|a, b, here| {
             let (on_a, on_b) = (&bodies[a], &bodies[b]);
             let stiffness = |s, d, _| {
                 let Some(now) = from_now(s) else { return Stiffness::NONE };
                 let between = [now.between(a, b, t + s), now.between(b, a, t + s)];
-                here.stiffness(link_stiffness(between, s, [on_a, on_b], now.space.image(d)))
+                here.stiffness(link_stiffness(between, s, [on_a, on_b], self.space.image(d)))
             };
             let link = on_a.relative_to(on_b);
-            let link = Course { q: now.space.image(link.q), ..link };
+            let link = Course { q: self.space.image(link.q), ..link };
             let both = moving(link.per_mass, all, || Frequency::between(link, stiffness));
             // Steps see what is within reach now, as in a scene.
-            let both = match now.between(a, b, t).reaches(link.q) {
+            let both = match self.between(a, b, t).reaches(link.q) {
                 Some(near) => all.where_alone(near.not(), both),
                 None => both,
             };

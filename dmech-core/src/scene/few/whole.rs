@@ -135,7 +135,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     fn frequency(from_now: impl Fn(R) -> Option<Self>, mass: R, t: R, course: Course<K, R>) -> Frequency<R> {
         let Course { q, v, fall, least, .. } = course;
         let (q, v, fall): (Places<D, N, R>, Places<D, N, R>, Places<D, N, R>) = (bodies(q), bodies(v), bodies(fall));
-        let Some(Whole { inertia, .. }) = from_now(R::ZERO) else { return Frequency::none(least) };
+        let Some(Whole { acts, inertia, .. }) = from_now(R::ZERO) else { return Frequency::none(least) };
         let bodies = core::array::from_fn(|i| Course {
             q: q[i],
             v: v[i],
@@ -143,6 +143,6 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
             per_mass: (mass * inertia[i]).recip(),
             least,
         });
-        A::Moment::<R>::frequency(&|s| Some(from_now(s)?.acts), t, &bodies)
+        acts.frequency(&|s| Some(from_now(s)?.acts), t, &bodies)
     }
 }

@@ -142,7 +142,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
     /// q_a − q_b as the space has it.
     #[inline(always)]
     fn apart(&self, q: &Places<D, N, R>, a: usize, b: usize) -> [R; D] {
-        self.space.image(difference(q[a], q[b]))
+        self.space.nearest(difference(q[a], q[b]))
     }
 
     #[inline(always)]
@@ -246,10 +246,10 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
             let stiffness = |s, d, _| {
                 let Some(now) = from_now(s) else { return Stiffness::NONE };
                 let between = [now.between(a, b, t + s), now.between(b, a, t + s)];
-                here.stiffness(link_stiffness(between, s, [on_a, on_b], self.space.image(d)))
+                here.stiffness(link_stiffness(between, s, [on_a, on_b], self.space.nearest(d)))
             };
             let link = on_a.relative_to(on_b);
-            let link = Course { q: self.space.image(link.q), ..link };
+            let link = Course { q: self.space.nearest(link.q), ..link };
             let both = moving(link.per_mass, all, || Frequency::between(link, stiffness));
             // Steps see what is within reach now, as in a scene.
             let both = match self.between(a, b, t).reaches(link.q) {

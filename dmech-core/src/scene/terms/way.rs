@@ -39,7 +39,8 @@ impl<'a, const D: usize, R: Real, B: Images<D, R>> Way<'a, B, D, R> {
 
     #[inline(always)]
     fn ends(&self) -> Ends<D, R> {
-        let (a, b, moved) = (self.space.image(self.from), self.space.image(self.to), difference(self.to, self.from));
+        let (a, b, moved) =
+            (self.space.nearest(self.from), self.space.nearest(self.to), difference(self.to, self.from));
         let (beyond, before) = (sum(a, moved), difference(b, moved));
         let mut jumps = R::ONE.less(R::ZERO);
         for k in 0..D {

@@ -435,10 +435,7 @@ fn another_sweep_is_refused_with_what_differs() {
 #[test]
 fn sweeps_that_are_nearly_the_same_are_refused() {
     let name = |text: &str| dmech::extend::Name::of(&[text]);
-    fn of<T: Debug>(refused: Result<EnsembleRun<T>, Error>) -> StoreError
-    where
-        T: Clone,
-    {
+    fn of<T: Clone>(refused: Result<EnsembleRun<T>, Error>) -> StoreError {
         match refused {
             Err(Error::Store(error)) => error,
             Err(error) => panic!("{error}"),

@@ -134,8 +134,11 @@ impl<F> Each<F, Nowhere> {
     /// **The function is asked for every member before the first is moved**, again when that is moved, and once when it is read. A stream
     /// to a file that the function creates would be emptied each time: open such files to be appended to.
     ///
+    /// **What is lost** when the process is killed are the members on their way, eight at most on each thread, and those that are done
+    /// and wait for one of a smaller number, up to four times as many.
+    ///
     /// # Errors
-    /// As [`Ensemble::store`]. Members on their way are eight at most for each thread.
+    /// As [`Ensemble::store`].
     pub fn store(self, path: impl AsRef<Path>) -> Each<F, InFile> {
         let Each { member, members, hands, shown, .. } = self;
         Each { member, members, hands, shown, keep: InFile(path.as_ref().to_owned()) }

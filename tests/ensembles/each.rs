@@ -8,6 +8,7 @@ use dmech::extend::{Attend, Columns, DoubleDouble, Flat, Ranks, Reach, Saved, Sc
 use dmech::models::pairs::{Charge, Coulomb, Gravity, LennardJones, Spring};
 use dmech::prelude::*;
 use dmech::scene::{OnBonds, OnChain, OnNear, OnPairs, Periodic};
+use dmech_tests::few::part;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -66,13 +67,16 @@ where
     the_same(&whole, &kept(1).run_until(end).unwrap());
     place.sql("DROP TRIGGER IF EXISTS again");
     // Holes, as kills leave them.
-    for rest in 0..2 {
-        let mut tables = vec!["last", "drift", "state", "event"];
-        tables.extend(X::State::LISTED.then_some("body"));
-        for table in tables {
-            let starts = if table == "body" { " AND what <> 'start'" } else { "" };
-            place.sql(&format!("DELETE FROM {table} WHERE k % 3 <> {rest}{starts}"));
+    let lose = |members: &str| {
+        for table in ["last", "drift", "state", "event"] {
+            place.sql(&format!("DELETE FROM {table} WHERE {members}"));
         }
+        if X::State::LISTED {
+            place.sql(&format!("DELETE FROM body WHERE {members} AND what <> 'start'"));
+        }
+    };
+    for rest in 0..2 {
+        lose(&format!("k % 3 <> {rest}"));
         let mut next = 0;
         let see = |k: usize, came: Result<Run<X::State>, Interrupted<X::State>>| {
             assert_eq!((k, outcome(came.as_ref())), (next, outcome(whole.member(k))), "{name}");
@@ -87,19 +91,10 @@ where
         assert!(runs[1..].iter().all(Option::is_none));
         the_same(&whole, runs[0].as_ref().unwrap());
     }
-    place.sql("DELETE FROM last WHERE k % 2 = 0");
-    place
-        .sql("DELETE FROM drift WHERE k % 2 = 0; DELETE FROM event WHERE k % 2 = 0; DELETE FROM state WHERE k % 2 = 0");
-    if X::State::LISTED {
-        place.sql("DELETE FROM body WHERE k % 2 = 0 AND what <> 'start'");
-    }
+    lose("k % 2 = 0");
     let runs = on_ranks(2, |rank| each().store(place.file()).ranks(rank).run_until(end).unwrap());
     the_same(&whole, runs[0].as_ref().unwrap());
     [failed, happened]
-}
-
-fn part(k: usize, of: f64) -> f64 {
-    dmech_tests::few::part(k, of)
 }
 
 /// Bodies that pull on each other, as many as the number of the member says.

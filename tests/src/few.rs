@@ -84,13 +84,17 @@ type OfRope = (((), OnChain<Link>), OnEach<Floor>);
 pub type Rope = Few<OfRope, (), 1, 4, 4>;
 
 /// Four bodies on a line, that fall.
-pub fn rope(k: usize) -> Scene<1, (), OfRope> {
-    let a = part(k, 0.41);
-    let bodies = (0..4).fold(Scene::new(), |scene, i| {
+fn falling(a: f64) -> Scene<1> {
+    (0..4).fold(Scene::new(), |scene, i| {
         let x = f64::from(i);
         scene.body(0.6 + 0.2 * x, [0.2 + x + 0.1 * (x * x).sin()], [-0.4 + 0.1 * a * x])
-    });
-    bodies.chain(Link { k: 5.0 + a, omega: 1.1 }).field(Floor { k: 40.0 + 10.0 * a, c: 0.1 + 0.1 * part(k, 0.53) })
+    })
+}
+
+/// They are a chain.
+pub fn rope(k: usize) -> Scene<1, (), OfRope> {
+    let a = part(k, 0.41);
+    falling(a).chain(Link { k: 5.0 + a, omega: 1.1 }).field(Floor { k: 40.0 + 10.0 * a, c: 0.1 + 0.1 * part(k, 0.53) })
 }
 
 /// Whom a body runs from and whom it runs after.
@@ -224,15 +228,11 @@ type OfBeads = (((), OnBonds<Link>), OnEach<Floor>);
 
 pub type Beads = Few<OfBeads, (), 1, 4, 4>;
 
-/// Four on a line that fall, linked as the list says.
+/// They are linked as a list says.
 pub fn beads(k: usize) -> Scene<1, (), OfBeads> {
     let a = part(k, 0.43);
-    let bodies = (0..4).fold(Scene::new(), |scene, i| {
-        let x = f64::from(i);
-        scene.body(0.6 + 0.2 * x, [0.2 + x + 0.1 * (x * x).sin()], [-0.4 + 0.1 * a * x])
-    });
     let list = LISTS[(k + k / 16) % LISTS.len()].iter().copied();
-    bodies.bonds(Link { k: 5.0 + a, omega: 1.1 }, list).field(Floor { k: 40.0 + 10.0 * a, c: 0.1 })
+    falling(a).bonds(Link { k: 5.0 + a, omega: 1.1 }, list).field(Floor { k: 40.0 + 10.0 * a, c: 0.1 })
 }
 
 pub type Packs = Few<((), OnBonds<Chase>), Creature, 2, 3, 6>;

@@ -61,9 +61,8 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         let watched: Vec<Drifts> = seats.iter().map(|member| member.log.watch.drifts()).collect();
         let drifts = from_fn(|i| {
             // Where bodies of some members are pinned, others keep their momenta.
-            let momentum =
-                [Invariant::LinearMomentum, Invariant::AngularMomentum].into_iter().find(|&of| of as usize == i);
-            let may = momentum.is_some_and(|momentum| system.conserves(momentum));
+            let of = Invariant::ALL[i];
+            let may = matches!(of, Invariant::LinearMomentum | Invariant::AngularMomentum) && system.conserves(of);
             let of_first = watched[0][i].or(may.then(|| Drift::new(0.0, 0.0)))?;
             let of = |lane: usize| watched.get(lane).and_then(|drifts| drifts[i].as_ref()).unwrap_or(&of_first);
             Some(ByLane::of(&of))

@@ -1,7 +1,6 @@
 //! Simulations of any kind, over the cores.
 
 use core::ops::Range;
-use std::time::Instant;
 
 use super::EnsembleRun;
 use super::in_order::{Blocks, Hands, Nobody};
@@ -51,7 +50,7 @@ impl<F, K> Each<F, K> {
         O: Attend<X::State>,
         K: Keeps<L, X, S, O>,
     {
-        self.collect(Span::Steps(steps))
+        EnsembleRun::gathered(self.members, |see| self.go(Span::Steps(steps), see))
     }
 
     /// Moves each member until a time: [`Simulation::run_until`].
@@ -66,7 +65,7 @@ impl<F, K> Each<F, K> {
         O: Attend<X::State>,
         K: Keeps<L, X, S, O>,
     {
-        self.collect(Span::Until(end))
+        EnsembleRun::gathered(self.members, |see| self.go(Span::Until(end), see))
     }
 
     /// Moves each member until a time, and hands each to a function in their order, with its number:
@@ -115,19 +114,6 @@ impl<F, K> Each<F, K> {
         K: Keeps<L, X, S, O>,
     {
         self.go(Span::Until(end), &mut see)
-    }
-
-    fn collect<L, X, S, O>(self, span: Span) -> Result<EnsembleRun<X::State>, Error>
-    where
-        F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
-        X: Setup<L, State: Send>,
-        S: Scheme<X::System>,
-        O: Attend<X::State>,
-        K: Keeps<L, X, S, O>,
-    {
-        let (clock, mut members) = (Instant::now(), Vec::with_capacity(self.members));
-        self.go(span, &mut |_, member| members.push(member))?;
-        Ok(EnsembleRun::new(members, clock.elapsed()))
     }
 
     fn go<L, X, S, O>(self, span: Span, see: &mut dyn FnMut(usize, Outcome<X::State>)) -> Result<(), Error>

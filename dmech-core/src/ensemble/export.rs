@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::EnsembleRun;
-use crate::run::{Columns, Interrupted, Sink};
+use crate::run::{Columns, Interrupted, Run, Sink};
 
 /// The last state of a member with its number, as a row of a table; NaN of one that failed.
 #[derive(Clone, Debug)]
@@ -75,9 +75,10 @@ impl<X: Clone + Columns> EnsembleRun<X> {
     /// # Errors
     /// Those of the writer; [`InvalidInput`](io::ErrorKind::InvalidInput) where members have unequal numbers of bodies.
     pub fn write(&self, mut sink: impl Sink<End<X>>) -> io::Result<()> {
-        let mut rows = self.members().enumerate().map(|(k, member)| {
-            let run = member.unwrap_or_else(Interrupted::run);
-            End { k, last: run.last().clone(), failed: member.is_err() }
+        let mut rows = self.members().enumerate().map(|(k, member)| End {
+            k,
+            last: last(member).clone(),
+            failed: member.is_err(),
         });
         let Some(first) = rows.next() else { return Ok(()) };
         let columns = |state: &X| {
@@ -85,8 +86,8 @@ impl<X: Clone + Columns> EnsembleRun<X> {
             state.numbers(&mut |_| columns += 1);
             columns
         };
-        let mut lengths = self.members().map(|member| columns(member.unwrap_or_else(Interrupted::run).last()));
-        if lengths.any(|length| length != columns(&first.last)) {
+        let width = columns(&first.last);
+        if self.members().any(|member| columns(last(member)) != width) {
             let why = "members of unequal numbers of bodies have no common columns";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, why));
         }
@@ -95,4 +96,9 @@ impl<X: Clone + Columns> EnsembleRun<X> {
         rows.try_for_each(|row| sink.write(&row))?;
         sink.end(self.len() as u64)
     }
+}
+
+/// The last state of a member, also of one that failed.
+fn last<'a, X: Clone>(member: Result<&'a Run<X>, &'a Interrupted<X>>) -> &'a X {
+    member.unwrap_or_else(Interrupted::run).last()
 }

@@ -1,8 +1,9 @@
 //! What comes back from an ensemble.
 
 use core::fmt;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
+use super::Outcome;
 use crate::error::Error;
 use crate::invariant::{Drift, Invariant};
 use crate::run::{Columns, Interrupted, Run};
@@ -10,13 +11,22 @@ use crate::run::{Columns, Interrupted, Run};
 /// The members of an ensemble after their motions, in their order.
 #[derive(Clone, Debug)]
 pub struct EnsembleRun<X> {
-    members: Vec<Result<Run<X>, Interrupted<X>>>,
+    members: Vec<Outcome<X>>,
     elapsed: Duration,
 }
 
 impl<X: Clone> EnsembleRun<X> {
-    pub(super) fn new(members: Vec<Result<Run<X>, Interrupted<X>>>, elapsed: Duration) -> Self {
-        EnsembleRun { members, elapsed }
+    /// All that are handed over, about so many, and how long it took.
+    ///
+    /// # Errors
+    /// [`Error`] of what hands them over.
+    pub(super) fn gathered(
+        members: usize,
+        go: impl FnOnce(&mut dyn FnMut(usize, Outcome<X>)) -> Result<(), Error>,
+    ) -> Result<Self, Error> {
+        let (clock, mut members) = (Instant::now(), Vec::with_capacity(members));
+        go(&mut |_, member| members.push(member))?;
+        Ok(EnsembleRun { members, elapsed: clock.elapsed() })
     }
 
     /// How many members there are.

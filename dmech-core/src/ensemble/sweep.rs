@@ -1,7 +1,5 @@
 //! Moving all members of one law.
 
-use std::time::Instant;
-
 use super::in_order::Nobody;
 use super::members::{Members, OneLaw};
 use super::plan::{Nowhere, Opened, sweep};
@@ -22,7 +20,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     where
         Self: Members<Y, D>,
     {
-        self.collect(Span::Steps(steps))
+        EnsembleRun::gathered(self.members, |see| self.go(Span::Steps(steps), see))
     }
 
     /// Moves each member until a time: [`Simulation::run_until`](crate::Simulation::run_until).
@@ -33,7 +31,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     where
         Self: Members<Y, D>,
     {
-        self.collect(Span::Until(end))
+        EnsembleRun::gathered(self.members, |see| self.go(Span::Until(end), see))
     }
 
     /// Moves each member until a time, and hands each to a function in their order, with its number: means, extrema, histograms, and
@@ -50,15 +48,6 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Self: Members<Y, D>,
     {
         self.go(Span::Until(end), &mut see)
-    }
-
-    fn collect<Y: Fields<D>, const D: usize>(self, span: Span) -> Result<EnsembleRun<State<D>>, Error>
-    where
-        Self: Members<Y, D>,
-    {
-        let (clock, mut members) = (Instant::now(), Vec::with_capacity(self.members));
-        self.go(span, &mut |_, member| members.push(member))?;
-        Ok(EnsembleRun::new(members, clock.elapsed()))
     }
 
     fn go<Y: Fields<D>, const D: usize>(

@@ -5,7 +5,7 @@ use std::thread::sleep;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::message::{Arrived, Order, Report, SetUp, read, write};
+use super::message::{Arrived, Mark, Order, Report, read, write};
 use super::{PATIENCE, Ranks};
 use crate::ensemble::plan::{Moved, Plan, Ranges};
 use crate::ensemble::share::{Board, with_hands};
@@ -16,10 +16,10 @@ pub(super) fn assist<R: Ranks + ?Sized, X: Clone + Send + Serialize + Deserializ
     ranks: &R,
     plan: &dyn Plan<X>,
     threads: usize,
-    set_up: SetUp,
+    mark: Mark,
 ) -> Result<(), Error> {
     let tell = |report: &Report<X>| ranks.send(0, &write(report));
-    tell(&Report::Here { set_up, hands: threads });
+    tell(&Report::Here { mark, hands: threads });
     let all_is_well = with_hands(threads, |rows| plan.go_all(rows), |board| obey(ranks, board, &tell));
     tell(&Report::Bye);
     while ranks.receive().is_none_or(|(rank, bytes)| !matches!(read(rank, &bytes), Ok(Order::Leave))) {

@@ -14,7 +14,7 @@ use crate::run::{Interrupted, Restored};
 #[serde(bound = "X: Serialize + DeserializeOwned")]
 pub(super) enum Report<X> {
     /// It is there, with so many threads, and has this ensemble.
-    Here { set_up: SetUp, hands: usize },
+    Here { mark: Mark, hands: usize },
     /// What came of a block.
     Moved { block: usize, members: Vec<(usize, Arrived<X>)> },
     /// It has heard of the end: no more comes from it.
@@ -99,9 +99,9 @@ pub(super) fn home<X>(members: Vec<(usize, Arrived<X>)>, plan: &dyn Told<X>) -> 
 
 /// What tells an ensemble from another: what is said of the whole, and the set-ups of the first and the last member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct SetUp(u64);
+pub(super) struct Mark(u64);
 
-impl SetUp {
+impl Mark {
     pub(super) fn of<X>(plan: &dyn Told<X>) -> Self {
         let mut sum = Checksum::default();
         for (key, said) in plan.whole() {
@@ -121,7 +121,7 @@ impl SetUp {
             .into_iter()
             .filter(|&k| k < members)
             .for_each(|k| sum.word(plan.set_up(k).seal(k)));
-        SetUp(sum.value())
+        Mark(sum.value())
     }
 }
 

@@ -5,10 +5,10 @@ mod message;
 mod relay;
 
 use core::fmt;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use assist::assist;
-use message::SetUp;
+use message::Mark;
 use relay::Relay;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -95,7 +95,7 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     where
         E: Travels<M, X>,
     {
-        self.collect(Span::Steps(steps))
+        self.gathered(Span::Steps(steps))
     }
 
     /// [`Ensemble::run_until`]: in the first rank what has come of all members, `None` in the others.
@@ -106,7 +106,7 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     where
         E: Travels<M, X>,
     {
-        self.collect(Span::Until(end))
+        self.gathered(Span::Until(end))
     }
 
     /// [`Ensemble::for_each_until`]: every member is seen by the first rank, in order.
@@ -120,13 +120,12 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
         self.ensemble.travel(self.ranks, Span::Until(end), &mut see)
     }
 
-    fn collect<M, X: Clone>(self, span: Span) -> Result<Option<EnsembleRun<X>>, Error>
+    fn gathered<M, X: Clone>(self, span: Span) -> Result<Option<EnsembleRun<X>>, Error>
     where
         E: Travels<M, X>,
     {
-        let (clock, mut members) = (Instant::now(), Vec::new());
-        self.ensemble.travel(self.ranks, span, &mut |_, member| members.push(member))?;
-        Ok((self.ranks.rank() == 0).then(|| EnsembleRun::new(members, clock.elapsed())))
+        let run = EnsembleRun::gathered(0, |see| self.ensemble.travel(self.ranks, span, see))?;
+        Ok((self.ranks.rank() == 0).then_some(run))
     }
 }
 
@@ -178,9 +177,9 @@ fn together<'a, R: Ranks + ?Sized, X: Clone + Send + Serialize + DeserializeOwne
     open: impl FnOnce() -> Opened<'a, X>,
     see: See<'_, X>,
 ) -> Result<(), Error> {
-    let set_up = SetUp::of(plan);
+    let mark = Mark::of(plan);
     if ranks.rank() > 0 {
-        return assist(ranks, plan, hands.threads(), set_up);
+        return assist(ranks, plan, hands.threads(), mark);
     }
-    sweep(plan, (hands, shown), open(), see, Relay::new(ranks, plan, set_up))
+    sweep(plan, (hands, shown), open(), see, Relay::new(ranks, plan, mark))
 }

@@ -6,7 +6,7 @@ use std::thread::sleep;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::message::{Lengths, Order, Report, SetUp, home, read, write};
+use super::message::{Lengths, Mark, Order, Report, home, read, write};
 use super::{PATIENCE, Ranks};
 use crate::ensemble::in_order::Aides;
 use crate::ensemble::plan::{Moved, Ranges};
@@ -18,7 +18,7 @@ use crate::error::Error;
 pub(super) struct Relay<'a, R: ?Sized, X> {
     ranks: &'a R,
     plan: &'a dyn Told<X>,
-    set_up: SetUp,
+    mark: Mark,
     /// Ranks that are there, and threads that they have.
     here: usize,
     hands: usize,
@@ -29,8 +29,8 @@ pub(super) struct Relay<'a, R: ?Sized, X> {
 }
 
 impl<'a, R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Relay<'a, R, X> {
-    pub(super) fn new(ranks: &'a R, plan: &'a dyn Told<X>, set_up: SetUp) -> Self {
-        Relay { ranks, plan, set_up, here: 1, hands: 0, asking: VecDeque::new(), gone: 0 }
+    pub(super) fn new(ranks: &'a R, plan: &'a dyn Told<X>, mark: Mark) -> Self {
+        Relay { ranks, plan, mark, here: 1, hands: 0, asking: VecDeque::new(), gone: 0 }
     }
 
     fn next(&self) -> Result<Option<(usize, Report<X>)>, Error> {
@@ -38,9 +38,9 @@ impl<'a, R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Relay<'a, R, X> {
         Ok(Some((rank, read(rank, &bytes)?)))
     }
 
-    fn greet(&mut self, rank: usize, set_up: SetUp, hands: usize) -> Result<(), Error> {
+    fn greet(&mut self, rank: usize, mark: Mark, hands: usize) -> Result<(), Error> {
         self.here += 1;
-        if set_up != self.set_up {
+        if mark != self.mark {
             return Err(Error::OtherEnsemble { rank });
         }
         self.hands += hands;
@@ -64,7 +64,7 @@ impl<R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Aides<Ranges, Moved<X>>
     fn attend(&mut self, board: &Board<Ranges, Moved<X>>) -> Result<(), Error> {
         while let Some((rank, report)) = self.next()? {
             match report {
-                Report::Here { set_up, hands } => self.greet(rank, set_up, hands)?,
+                Report::Here { mark, hands } => self.greet(rank, mark, hands)?,
                 Report::Moved { block, members } => {
                     board.put(block, home(members, self.plan)?);
                     self.asking.push_back(rank);
@@ -95,9 +95,7 @@ impl<R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Aides<Ranges, Moved<X>>
                 tell(&Order::End { failed });
             }
             match self.next() {
-                Ok(Some((rank, Report::Here { set_up, hands }))) => {
-                    outcome = outcome.and(self.greet(rank, set_up, hands))
-                }
+                Ok(Some((rank, Report::Here { mark, hands }))) => outcome = outcome.and(self.greet(rank, mark, hands)),
                 Ok(Some((_, Report::Bye))) => self.gone += 1,
                 Ok(Some((_, Report::Moved { .. }))) => {}
                 Ok(None) => sleep(PATIENCE),

@@ -7,9 +7,9 @@ use rusqlite::Connection;
 
 use super::layout::Layout;
 use super::places::{Bodies, Head, Placed, rows};
-use super::table::{Reader, Seal, Writer};
-use crate::ensemble::Outcome;
+use super::table::{Reader, Writer};
 use crate::ensemble::told::Flat;
+use crate::ensemble::{Checksum, Outcome};
 use crate::error::StoreError;
 use crate::invariant::{Drift, Drifts, Invariant, OwnDrifts};
 use crate::run::{Crossing, Event, Interrupted, Restored, Work};
@@ -28,25 +28,25 @@ fn rising<X>(event: &Event<X>) -> u64 {
 
 /// What says whether all that belongs to a member is as it was written.
 fn seal<X: Flat>(k: u64, run: &Restored<X>) -> i64 {
-    let mut seal = Seal::default();
-    seal.count(k);
-    seal.numbers(&run.last.flat());
+    let mut seal = Checksum::default();
+    seal.word(k);
+    seal.list(&run.last.flat());
     let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
     let counts = [run.stopped.into(), steps, evaluations, iterations, rough, elapsed.as_nanos() as u64];
-    counts.into_iter().for_each(|n| seal.count(n));
-    range.iter().for_each(|range| seal.numbers(range));
+    counts.into_iter().for_each(|n| seal.word(n));
+    range.iter().for_each(|range| seal.list(range));
     for (number, name, drift) in drifts(run) {
-        seal.count(number as u64);
+        seal.word(number as u64);
         seal.text(&name);
-        seal.numbers(&drift.fields());
+        seal.list(&drift.fields());
     }
     for event in &run.events {
-        [event.which() as u64, rising(event)].into_iter().for_each(|n| seal.count(n));
-        event.bodies().into_iter().flatten().for_each(|body| seal.count(body as u64));
-        seal.numbers(&event.state().flat());
+        [event.which() as u64, rising(event)].into_iter().for_each(|n| seal.word(n));
+        event.bodies().into_iter().flatten().for_each(|body| seal.word(body as u64));
+        seal.list(&event.state().flat());
     }
-    run.states.iter().for_each(|state| seal.numbers(&state.flat()));
-    seal.value()
+    run.states.iter().for_each(|state| seal.list(&state.flat()));
+    seal.value().cast_signed()
 }
 
 /// The statements that write members.

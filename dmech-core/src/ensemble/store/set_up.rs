@@ -8,7 +8,8 @@ use rusqlite::types::Value;
 use super::layout::Layout;
 use super::places::{Bodies, Head, Placed, rows};
 use super::settings::{get, set};
-use super::table::{Reader, Seal, Writer};
+use super::table::{Reader, Writer};
+use crate::ensemble::Checksum;
 use crate::ensemble::told::{Flat, Named, SetUp, Told};
 use crate::error::StoreError;
 use crate::name::Name;
@@ -54,7 +55,7 @@ impl<X: Flat> dyn Told<X> + '_ {
         for (key, value) in self.settings() {
             set(database, key, &value)?;
         }
-        let mut all = Seal::default();
+        let mut all = Checksum::default();
         let mut row = Writer::new(database, &layout.insert("member"))?;
         let mut list = if layout.has_lists() { Some(Writer::new(database, &layout.insert("number"))?) } else { None };
         let mut bodies = Bodies::new::<X>(database, layout)?;
@@ -79,7 +80,7 @@ impl<X: Flat> dyn Told<X> + '_ {
                 row.bits(&[value])?;
                 row.end()?;
             }
-            all.count(seal);
+            all.word(seal);
         }
         drop((row, list, bodies));
         set(database, "set_up", &Value::Text(format!("{:016x}", all.value())))?;
@@ -89,7 +90,7 @@ impl<X: Flat> dyn Told<X> + '_ {
     /// Refuses a store of another ensemble, with what differs.
     pub(super) fn compare(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
         self.compare_settings(database)?;
-        let mut all = Seal::default();
+        let mut all = Checksum::default();
         for from in (0..self.members()).step_by(MANY) {
             let members = from..self.members().min(from + MANY);
             self.compare_some(database, layout, members, &mut all)?;
@@ -107,7 +108,7 @@ impl<X: Flat> dyn Told<X> + '_ {
         database: &Connection,
         layout: &Layout,
         members: Range<usize>,
-        all: &mut Seal,
+        all: &mut Checksum,
     ) -> Result<(), StoreError> {
         let columns = &layout.columns;
         let mut stored = rows(database, layout, "member", None, &members, |it| row::<X>(it, columns))?.into_iter();
@@ -127,7 +128,7 @@ impl<X: Flat> dyn Told<X> + '_ {
             if let Some(difference) = difference(k as u64, layout, &store, &self.set_up(k)) {
                 return Err(difference);
             }
-            all.count(seal);
+            all.word(seal);
         }
         starts.left().map_or(Ok(()), |member| Err(StoreError::Changed { table: "member", member }))
     }

@@ -3,34 +3,7 @@
 use rusqlite::types::ValueRef;
 use rusqlite::{CachedStatement, Connection, Row, ToSql};
 
-use crate::ensemble::Checksum;
 use crate::error::StoreError;
-
-/// What a checksum says of a row.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Seal(Checksum);
-
-impl Seal {
-    /// Takes in a whole number.
-    pub(super) fn count(&mut self, n: u64) {
-        self.0.word(n);
-    }
-
-    /// Takes in numbers, by their bits, and how many they are.
-    pub(super) fn numbers(&mut self, numbers: &[f64]) {
-        self.0.list(numbers);
-    }
-
-    /// Takes in a text.
-    pub(super) fn text(&mut self, text: &str) {
-        self.0.text(text);
-    }
-
-    /// As SQLite counts.
-    pub(super) fn value(self) -> i64 {
-        self.0.value().cast_signed()
-    }
-}
 
 /// NaN is NULL in SQLite, and −0 may become 0.
 fn is_lost(x: f64) -> bool {

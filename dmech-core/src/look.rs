@@ -1,11 +1,9 @@
 //! The local time scale of a motion, from what acts.
 
-use core::array::from_fn;
-
 use dmech_scalar::{FUSED, Mask, Real, two_sum};
 
 use crate::law::Field;
-use crate::vector::{add_scaled, difference, dot};
+use crate::vector::{add_scaled, by_component, by_entry, difference, dot};
 
 /// What the motion is like where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,7 +153,7 @@ impl<R: Real> Frequency<R> {
         stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
     ) -> (Frequency<R>, R) {
         let Course { per_mass, least, .. } = course;
-        let [half, two, angle] = [0.5, 2.0, ANGLE].map(R::from_f64);
+        let (half, two, angle) = (R::from_f64(0.5), R::from_f64(2.0), R::from_f64(ANGLE));
         // t − 0 is t to the bit, also where that is −0.
         let here = stiffness(R::from_f64(-0.0), course.q, course.v);
         let size = per_mass * here.norm();
@@ -190,8 +188,8 @@ impl<R: Real> Frequency<R> {
         let k2 = after.map2(before, |x, y| square * (x + y)).map2(&k, |x, y| x - two * y);
         let k3 = later.map2(earlier, |x, y| half * square * (x - y)).map2(&k1, |x, y| x - two * y);
         let [kk, k1k1, k2k2] = [k.dot(&k), k1.dot(&k1), k2.dot(&k2)];
-        let (root, [first, second]) = (k2k2.sqrt(), SHARES.map(R::from_f64));
-        let [six, four, three] = [6.0, 4.0, 3.0].map(R::from_f64);
+        let (root, first, second) = (k2k2.sqrt(), R::from_f64(SHARES[0]), R::from_f64(SHARES[1]));
+        let (six, four, three) = (R::from_f64(6.0), R::from_f64(4.0), R::from_f64(3.0));
         let power = kk * kk * kk + first * k1k1 * k1k1 + second * k2k2 * root;
         let rise = six * kk * kk * k.dot(&k1) + four * first * k1k1 * k1.dot(&k2) + three * second * root * k2.dot(&k3);
         (Frequency { power, rise, passing: R::ZERO, s }, kk.sqrt())
@@ -283,8 +281,8 @@ impl<const D: usize, R: Real> Course<D, R> {
     #[inline(always)]
     fn passing(&self, s: R, size: R) -> R {
         let reach = self.q.iter().fold(R::ZERO, |most, x| most.max(x.abs()));
-        let [q, v] = [self.q.map(|x| x / reach), self.v.map(|x| s * x / reach)];
-        let [share, slower] = PASSING.map(R::from_f64);
+        let (q, v): ([R; D], [R; D]) = (by_component!(|i| self.q[i] / reach), by_component!(|i| s * self.v[i] / reach));
+        let (share, slower) = (R::from_f64(PASSING[0]), R::from_f64(PASSING[1]));
         let u = dot(v, v) / dot(q, q);
         let turning = slower * size;
         let w = u * u * u / (u * u + turning * turning);
@@ -294,12 +292,13 @@ impl<const D: usize, R: Real> Course<D, R> {
     /// m K before and after.
     #[inline(always)]
     fn sides(&self, stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>, s: R) -> [Stiffness<D, R>; 2] {
-        [-s, s].map(|s| {
+        let at = |s: R| {
             let v = add_scaled(self.v, s, self.fall);
             // q + s v + s² a/2
-            let q = from_fn(|i| rounded_once(R::from_f64(0.5) * s, self.v[i] + v[i], self.q[i]));
+            let q = by_component!(|i| rounded_once(R::from_f64(0.5) * s, self.v[i] + v[i], self.q[i]));
             stiffness(s, q, v)
-        })
+        };
+        [at(-s), at(s)]
     }
 }
 
@@ -314,7 +313,7 @@ impl<const D: usize, R: Real> Stiffness<D, R> {
         let mut damping = R::ZERO;
         if F::FORCED {
             let (by_q, by_v) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
-            by_position = from_fn(|i| from_fn(|j| by_position[i][j] - by_q[i][j]));
+            by_position = by_entry!(|i, j| by_position[i][j] - by_q[i][j]);
             damping = by_v.iter().fold(R::ZERO, |sum, row| sum + dot(*row, *row)) / mass;
         }
         Stiffness { by_position, damping }
@@ -322,12 +321,12 @@ impl<const D: usize, R: Real> Stiffness<D, R> {
 
     #[inline(always)]
     pub(crate) fn map(&self, f: impl Fn(R) -> R) -> Self {
-        Stiffness { by_position: self.by_position.map(|row| row.map(&f)), damping: f(self.damping) }
+        Stiffness { by_position: by_entry!(|i, j| f(self.by_position[i][j])), damping: f(self.damping) }
     }
 
     #[inline(always)]
     fn map2(&self, other: &Self, f: impl Fn(R, R) -> R) -> Self {
-        let by_position = from_fn(|i| from_fn(|j| f(self.by_position[i][j], other.by_position[i][j])));
+        let by_position = by_entry!(|i, j| f(self.by_position[i][j], other.by_position[i][j]));
         Stiffness { by_position, damping: f(self.damping, other.damping) }
     }
 

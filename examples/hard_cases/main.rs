@@ -8,7 +8,7 @@
 //! For each case the program says what is hard and what must hold, runs every scheme that fits, and prints the error of
 //! the energy (relative to the largest kinetic energy of the run or to the energy at the start, whichever is larger: where
 //! both are small differences of large numbers, rounding is relative to these), figures of the case, and how the run ended.
-//! Some do not reach the end: they return what they have, with the step that failed and why. `tests/schemes/hard_cases.rs` asserts
+//! Some do not reach the end: they return what they have, with the step that failed and why. `tests/long/many_steps/hard_cases.rs` asserts
 //! what must hold; here a failure is printed and is the exit code.
 
 mod cases;

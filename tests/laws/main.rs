@@ -1,14 +1,12 @@
 //! The language of a law, and what is generated from one.
 
 mod as_written;
-mod boris;
 mod degree;
 mod derivation;
 mod forces;
 mod generated;
 mod guide;
 mod language;
-mod magnetic;
 mod masses;
 mod models;
 mod orbits;

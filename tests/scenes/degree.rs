@@ -6,7 +6,7 @@ use dmech::models::{HenonHeiles, Quartic};
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
 
-use crate::random::Damper;
+use dmech_tests::few::Damper;
 
 const CHAIN: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.3, alpha: 0.0, beta: 0.4 };
 const SPRING: Spring = Spring { k: 7.0, length: 0.8 };

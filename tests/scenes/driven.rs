@@ -3,7 +3,7 @@
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 
-use crate::random::Damper;
+use dmech_tests::few::Damper;
 
 const SPRING: Spring = Spring { k: 7.0, length: 0.8 };
 const AMPLITUDE: [f64; 2] = [0.3, -0.2];

@@ -346,3 +346,26 @@ pub fn tied(k: usize) -> Scene<2, (), ((), OnBonds<Bond>)> {
     let scene = scene.bonds(Bond { k: 6.0 + a, length: 0.9 }, LISTS[k % 3].iter().copied());
     if held < 4 { scene.pin(held) } else { scene }
 }
+
+/// A sun with three planets.
+pub fn planets() -> Scene<2> {
+    Scene::new()
+        .body(5.0, [0.1, 0.0], [0.0, -0.113])
+        .body(0.3, [1.1, 0.2], [-0.2, 2.05])
+        .body(0.1, [-2.3, 0.1], [0.1, -1.3])
+        .body(0.02, [0.0, 4.4], [-1.1, 0.0])
+}
+
+/// Friction between two bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Damper {
+    pub c: f64,
+}
+
+#[dmech::law]
+impl Damper {
+    #[pair_force]
+    fn force(&self, va: [f64; 2], vb: [f64; 2]) -> [f64; 2] {
+        [self.c * (vb[0] - va[0]), self.c * (vb[1] - va[1])]
+    }
+}

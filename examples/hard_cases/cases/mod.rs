@@ -1,6 +1,6 @@
 //! The hard cases: what is hard, what every scheme does there, and what must hold.
 //!
-//! The example prints and draws them; `tests/schemes/hard_cases.rs` asserts what must hold.
+//! The example prints and draws them; `tests/long/many_steps/hard_cases.rs` asserts what must hold.
 #![allow(dead_code, unused_macros, reason = "the example and the test each use their part")]
 
 pub(crate) mod atoms;

@@ -136,13 +136,12 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
         let Course { q, v, fall, least, .. } = course;
         let (q, v, fall): (Places<D, N, R>, Places<D, N, R>, Places<D, N, R>) = (bodies(q), bodies(v), bodies(fall));
         let Some(Whole { acts, inertia, .. }) = from_now(R::ZERO) else { return Frequency::none(least) };
-        let bodies = core::array::from_fn(|i| Course {
-            q: q[i],
-            v: v[i],
-            fall: fall[i],
-            per_mass: (mass * inertia[i]).recip(),
-            least,
-        });
+        let none = [R::ZERO; D];
+        let mut bodies = [Course { q: none, v: none, fall: none, per_mass: R::ZERO, least }; N];
+        for i in 0..N {
+            let per_mass = (mass * inertia[i]).recip();
+            bodies[i] = Course { q: q[i], v: v[i], fall: fall[i], per_mass, least };
+        }
         acts.frequency(&|s| Some(from_now(s)?.acts), t, &bodies)
     }
 }

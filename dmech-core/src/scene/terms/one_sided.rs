@@ -8,6 +8,7 @@ use crate::scene::matrix::Matrix;
 use crate::scene::matrix::block::Block;
 use crate::scene::space::Space;
 use crate::scene::vectors::Vectors;
+use crate::vector::scaled;
 
 impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
     /// Visits the links of which one body acts at least.
@@ -78,7 +79,7 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
                 add(a, gradient);
             }
             if self.acting.acts(a) {
-                add(b, gradient.map(|x| -x));
+                add(b, scaled(-1.0, gradient));
             }
         };
         // A vector beside the positions does not tell who is near.

@@ -429,7 +429,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         let component = |[i, j]: [usize; 2]| {
             let of =
                 |state| if is_linear { self.linear_momentum(state, i) } else { self.angular_momentum(state, [i, j]) };
-            [state, start].map(of)
+            [of(state), of(start)]
         };
         // Axes, or planes; where there is one alone, it has a sign.
         let first = [0, usize::from(!is_linear)];
@@ -461,7 +461,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
     #[inline]
     pub(crate) fn look_along(&self, t: R, q: [R; D], v: [R; D], least: R) -> Look<R> {
         let per_mass = self.mass.recip();
-        let fall = self.field(t).slope(q, v).map(|x| -per_mass * x);
+        let fall = scaled(-per_mass, self.field(t).slope(q, v));
         let course = Course { q, v, fall, per_mass, least };
         <L::Field<'_> as Field<D, R>>::frequency(|s| Some(self.field(t + s)), self.mass, t, course).look(least)
     }

@@ -5,6 +5,7 @@ use dmech::Error;
 use dmech::models::pairs::{Gravity, LennardJones, Spring};
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
+use dmech_tests::few::Damper;
 
 /// A slope and a bowl.
 #[derive(Clone, Copy, Debug)]
@@ -18,20 +19,6 @@ impl Field {
     #[potential]
     fn energy(&self, q: [f64; 2], m: f64) -> f64 {
         m * self.pull * q[1] + 0.5 * self.k * (q[0] * q[0] + q[1] * q[1])
-    }
-}
-
-/// Friction between two bodies.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Damper {
-    pub(crate) c: f64,
-}
-
-#[dmech::law]
-impl Damper {
-    #[pair_force]
-    fn force(&self, va: [f64; 2], vb: [f64; 2]) -> [f64; 2] {
-        [self.c * (vb[0] - va[0]), self.c * (vb[1] - va[1])]
     }
 }
 

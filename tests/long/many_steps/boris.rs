@@ -9,7 +9,7 @@ use dmech::scene::{FieldLaw, SceneSystem, Term};
 
 use dmech_tests::motion::*;
 
-use super::magnetic::gyration::{CROSSED, GRADED, IN_SPACE, IN_THE_PLANE, UNIFORM};
+use super::gyration::{CROSSED, GRADED, IN_SPACE, IN_THE_PLANE, UNIFORM};
 
 /// A field that grows along its axis, and nothing else.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,10 @@
 //! A force v × B does no work, and the energy is an invariant again: the laws and figures of `examples/magnetic.rs`.
 
-#[path = "../../examples/shared/gyration.rs"]
-pub(super) mod gyration;
-
+use super::gyration::{self, CROSSED, Circle, GRADED, IN_SPACE, IN_THE_PLANE, MASS, SPEED, UNIFORM};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dmech::extend::MassIndependent;
 use dmech::prelude::*;
 use dmech::scheme::Scheme;
-use gyration::{CROSSED, Circle, GRADED, IN_SPACE, IN_THE_PLANE, MASS, SPEED, UNIFORM};
 
 /// 78 steps to a turn in the uniform field.
 const H: f64 = 0.05;

@@ -1,7 +1,7 @@
 //! Rounding makes the energy walk at random: its error grows like the square root of the number of steps (Brouwer's law), and
 //! not like the number of steps, as it would if rounding did work of one sense. `examples/round_off.rs` shows all schemes.
 
-#[path = "../../examples/shared/growth.rs"]
+#[path = "../../../examples/shared/growth.rs"]
 mod growth;
 
 use dmech::prelude::*;

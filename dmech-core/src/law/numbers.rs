@@ -32,13 +32,21 @@ impl<const K: usize> Numbers for [f64; K] {
         self[k]
     }
 
-    fn from_list(number: impl FnMut(usize) -> f64) -> Self {
-        from_fn(number)
+    fn from_list(mut number: impl FnMut(usize) -> f64) -> Self {
+        let mut all = [0.0; K];
+        for k in 0..K {
+            all[k] = number(k);
+        }
+        all
     }
 
     #[inline(always)]
-    fn gather<R: Real>(f: impl FnMut(usize) -> R) -> [R; K] {
-        from_fn(f)
+    fn gather<R: Real>(mut f: impl FnMut(usize) -> R) -> [R; K] {
+        let mut all = [R::ZERO; K];
+        for k in 0..K {
+            all[k] = f(k);
+        }
+        all
     }
 }
 

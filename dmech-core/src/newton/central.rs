@@ -14,7 +14,7 @@ use dmech_scalar::{Count, Mask, Real};
 
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
-use crate::vector::dot;
+use crate::vector::{by_component, difference, dot, scaled, sum};
 
 /// Evaluations before the fast path gives up.
 const PATIENCE: u32 = 6;
@@ -57,7 +57,7 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
     let Equation { q, a, g, .. } = *equation;
     let (half, two) = (R::from_f64(0.5), R::from_f64(2.0));
     let known = equation.known();
-    let w: [R; D] = core::array::from_fn(|i| if BETWEEN { a[i] + q[i] } else { q[i] } + known[i]);
+    let w: [R; D] = by_component!(|i| if BETWEEN { a[i] + q[i] } else { q[i] } + known[i]);
     let (aa, aw) = if BETWEEN { (dot(a, a), dot(a, w)) } else { (R::ZERO, R::ZERO) };
     let mut delta = equation.guess;
     let mut last = R::ZERO;
@@ -65,10 +65,10 @@ fn solve<const BETWEEN: bool, const D: usize, R: Real>(
     for iteration in 1..=PATIENCE {
         let x = equation.end(delta);
         let s = dot(x, x);
-        let excess: [R; D] = core::array::from_fn(|i| delta[i] - known[i]);
+        let excess = difference(delta, known);
         let (xe, ee) = (dot(x, excess), dot(excess, excess));
         let (xq, eq, qq) = if BETWEEN {
-            let sum = core::array::from_fn(|i| a[i] + x[i]);
+            let sum = sum(a, x);
             (dot(x, sum), dot(excess, sum), dot(sum, sum))
         } else {
             (s, xe, s)
@@ -148,7 +148,7 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
         return Err(NotConverged { iterations: spent.into(), residual: f64::NAN });
     }
     continuation::follow::<false, D, R>(equation, spent, |equation, delta, x| {
-        let sum: [R; D] = if BETWEEN { core::array::from_fn(|i| equation.a[i] + x[i]) } else { x };
+        let sum = if BETWEEN { sum(equation.a, x) } else { x };
         let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
         rank_one(equation, delta, x, sum, c, c1 + c1)
     })
@@ -164,11 +164,11 @@ fn rank_one<const D: usize, R: Real>(
     k: R,
 ) -> Correction<D, R> {
     let g = equation.g;
-    let gradient = sum.map(|x| c * x);
+    let gradient = scaled(c, sum);
     let wanted = equation.increment(gradient);
-    let residual: [R; D] = core::array::from_fn(|i| wanted[i] - delta[i]);
+    let residual = difference(wanted, delta);
     let p = R::ONE + g * c;
     let along = dot(x, residual) / (p + g * k * dot(x, sum));
-    let change: [R; D] = core::array::from_fn(|i| (residual[i] - g * k * along * sum[i]) / p);
-    Correction::in_parts(change, gradient, core::array::from_fn(|i| c * change[i] + k * along * sum[i]))
+    let change = by_component!(|i| (residual[i] - g * k * along * sum[i]) / p);
+    Correction::in_parts(change, gradient, by_component!(|i| c * change[i] + k * along * sum[i]))
 }

@@ -11,7 +11,7 @@ use crate::law::{Between, Field, Fields, Numbers, PairFields, Potential, Reads};
 use crate::look::{Course, Frequency, Stiffness};
 use crate::scene::space::{Images, SpaceOfFew};
 use crate::scene::terms::{Acts, EachReady, LinkedReady, Way, link_stiffness};
-use crate::vector::{difference, scaled, sum};
+use crate::vector::{by_entry, difference, sum};
 
 type Of<N, R> = <N as Numbers>::Of<R>;
 
@@ -182,7 +182,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
     fn add_discrete_gradient(&self, from: &Places<D, N, R>, to: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::POTENTIAL {
             self.visit(|a, b, here| {
-                let [from, to] = [from, to].map(|q| difference(q[a], q[b]));
+                let (from, to) = (difference(from[a], from[b]), difference(to[a], to[b]));
                 let way = Way::new(&self.space, from, to);
                 add_opposite(out, [a, b], way.discrete_gradient(&self.between(a, b, self.t)), here);
             });
@@ -197,7 +197,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
     ) {
         if X::Moment::<R>::POTENTIAL {
             self.visit(|a, b, here| {
-                let [from, to] = [from, to].map(|q| difference(q[a], q[b]));
+                let (from, to) = (difference(from[a], from[b]), difference(to[a], to[b]));
                 let way = Way::new(&self.space, from, to);
                 add_link(out, [a, b], way.discrete_gradient_jacobian(&self.between(a, b, self.t)), here);
             });
@@ -232,7 +232,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
                     let d = self.apart(q, a, b);
                     let [by_d, by_va, by_vb] = self.between(a, b, t).force_jacobians(d, v[a], v[b]);
                     add_block(by_q, [a, a], &by_d, here);
-                    add_block(by_q, [a, b], &by_d.map(|row| row.map(|x| -x)), here);
+                    add_block(by_q, [a, b], &by_entry!(|i, j| -by_d[i][j]), here);
                     add_block(by_v, [a, a], &by_va, here);
                     add_block(by_v, [a, b], &by_vb, here);
                 }
@@ -305,7 +305,7 @@ fn add_link<const D: usize, const K: usize, R: Real>(
     by_d: [[R; D]; D],
     here: impl Presence<R>,
 ) {
-    let back = by_d.map(|row| scaled(-R::ONE, row));
+    let back = by_entry!(|i, j| -by_d[i][j]);
     add_block(out, [a, a], &by_d, here);
     add_block(out, [b, b], &by_d, here);
     add_block(out, [a, b], &back, here);

@@ -179,7 +179,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn vectors(&self, state: &SceneState<D>) -> [Vectors<D>; 2] {
-        let [q, mut v] = [&state.q, &state.v].map(|list| Vectors::from_list(list));
+        let (q, mut v) = (Vectors::from_list(&state.q), Vectors::from_list(&state.v));
         // No scheme moves them.
         self.acts.drives.bodies().for_each(|i| v.set(i, [0.0; D]));
         [q, v]
@@ -366,11 +366,12 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     ) -> [Vectors<D>; 2] {
         room.slope.clone_from(start.slope);
         let b = self.length(room, stride, kick, start.q);
-        [-1.0, 1.0].map(|sign| {
+        let kicked = |sign: f64| {
             let mut to = self.zero();
             passes::kick(sign * b, stride.kick.blocks(), room.slope.blocks(), start.v.blocks(), to.blocks_mut());
             to
-        })
+        };
+        [kicked(-1.0), kicked(1.0)]
     }
 
     fn add_to_sum(x: &mut CompensatedVectors<D>, c: f64, y: &Vectors<D>) {
@@ -557,10 +558,11 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn momentum(&self, invariant: Invariant, state: &SceneState<D>, start: &SceneState<D>) -> (f64, f64) {
-        let [now, first] = [state, start].map(|state| match invariant {
+        let of = |state: &SceneState<D>| match invariant {
             Invariant::LinearMomentum => state.linear_momentum(&self.weights),
             _ => state.angular_momentum(&self.weights),
-        });
+        };
+        let (now, first) = (of(state), of(start));
         if let ([now], [first]) = (&*now, &*first) {
             return (*now, now - first);
         }

@@ -96,7 +96,7 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
         if Self::FORCED {
             for (i, field) in self.fields(t) {
                 let force = field.force(q.get(i), v.get(i), t);
-                out.add(i, force.map(|f| -c * f));
+                out.add(i, scaled(-c, force));
             }
         }
     }

@@ -22,7 +22,7 @@ use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 use crate::system::{Course, Frequency, LinearVelocities, WithoutVelocities};
-use crate::vector::scaled;
+use crate::vector::{difference, scaled};
 
 /// A law that acts along links.
 #[derive(Clone, Debug)]
@@ -104,8 +104,7 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
 
 #[inline(always)]
 pub(super) fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
-    let (a, b) = (q.get(a), q.get(b));
-    core::array::from_fn(|k| a[k] - b[k])
+    difference(q.get(a), q.get(b))
 }
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for LinkedReady<X, T, P, B> {

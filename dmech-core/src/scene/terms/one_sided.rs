@@ -73,7 +73,10 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
         B: Space<D>,
     {
         let felt = |a, b| {
-            let d = q.map(|q| separation(q, a, b));
+            let mut d = [[0.0; D]; S];
+            for s in 0..S {
+                d[s] = separation(q[s], a, b);
+            }
             let gradient: [f64; D] = kernel.gradient(self.numbers.at(a), self.numbers.at(b), d);
             if self.acting.acts(b) {
                 add(a, gradient);

@@ -4,12 +4,14 @@ use core::ops::Range;
 
 use dmech_scalar::Lanes;
 
+use super::linked::separation;
 use super::numbers::NumberColumns;
 use super::packed::Packed;
 use super::stencil::Stencil;
 use crate::law::Numbers;
 use crate::scene::acting::Group;
 use crate::scene::vectors::Vectors;
+use crate::vector::scaled;
 
 /// The gradient along a link at S moments: one for ∇Φ(d), two for ∇̄Φ(d, d′).
 pub trait Kernel<const D: usize, const S: usize, N: Numbers, R: Packed>: Copy + Sync {
@@ -61,13 +63,13 @@ pub(super) fn link<const D: usize, const S: usize, N: Numbers>(
     b: usize,
     out: &mut Vectors<D>,
 ) {
-    let d = q.map(|q| {
-        let (a, b) = (q.get(a), q.get(b));
-        core::array::from_fn(|k| a[k] - b[k])
-    });
+    let mut d = [[0.0; D]; S];
+    for s in 0..S {
+        d[s] = separation(q[s], a, b);
+    }
     let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), d);
     out.add(a, gradient);
-    out.add(b, gradient.map(|x| -x));
+    out.add(b, scaled(-1.0, gradient));
 }
 
 /// The rows a ∈ `rows` of the triangle a < b, each pair once: one a against eight b, from the block after that of a on.

@@ -252,12 +252,13 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         kick: Kick<R>,
         start: &Beginning<'_, Self>,
     ) -> [[R; D]; 2] {
-        [-1.0, 1.0].map(|sign| {
+        let mut kicked = |sign: f64| {
             let mut to = *start.v;
             let kick = Kick { b: R::from_f64(sign) * kick.b, e: sign * kick.e, ..kick };
             self.kick(room, stride, kick, start.q, start.v, &mut to);
             to
-        })
+        };
+        [kicked(-1.0), kicked(1.0)]
     }
     #[inline(always)]
     fn add_to_sum(x: &mut CompensatedVector<D, R>, c: R, y: &[R; D]) {

@@ -1,12 +1,11 @@
 //! Masses per coordinate.
 
-use core::array::from_fn;
-
 use dmech_scalar::Real;
 
 use super::field::Linearised;
 use crate::law::written::Written;
 use crate::law::{Field, Fields, Law, LinearInVelocity, MassIndependent, Numbers, Potential, VelocityIndependent};
+use crate::vector::{by_component, by_entry};
 
 /// A law whose coordinates have masses of their own, mᵢ = m μᵢ; made by [`Simulation::masses`](crate::Simulation::masses).
 ///
@@ -104,12 +103,12 @@ pub struct Divided<F, const D: usize, R: Real> {
 impl<F, const D: usize, R: Real> Divided<F, D, R> {
     #[inline(always)]
     fn rows(&self, x: [R; D]) -> [R; D] {
-        from_fn(|i| x[i] / self.ratios[i])
+        by_component!(|i| x[i] / self.ratios[i])
     }
 
     #[inline(always)]
     fn matrix(&self, x: [[R; D]; D]) -> [[R; D]; D] {
-        from_fn(|i| x[i].map(|x| x / self.ratios[i]))
+        by_entry!(|i, j| x[i][j] / self.ratios[i])
     }
 
     /// A vector and its two Jacobians, each row divided.

@@ -7,7 +7,7 @@ use dmech_scalar::{Mask, Real};
 use super::written::WrittenPair;
 use super::{Between, Numbers, PairFields, PairLaw, Reads};
 use super::{LinearInVelocity, Potential, VelocityIndependent};
-use crate::vector::{dot, scaled, sum};
+use crate::vector::{by_component, by_entry, dot, scaled, sum};
 
 /// A law of the distance, cut off at r: Φ(d) − Φ(r) within, 0 beyond. Where Φ(r) = 0 it is the law as it is.
 ///
@@ -117,12 +117,12 @@ fn along<const D: usize, R: Real>(x: R) -> [R; D] {
 /// x where it is so, else 0.
 #[inline(always)]
 fn only<const D: usize, R: Real>(mask: R::Mask, x: [R; D]) -> [R; D] {
-    x.map(|x| R::either(mask, x, R::ZERO))
+    by_component!(|k| R::either(mask, x[k], R::ZERO))
 }
 
 #[inline(always)]
 fn only_block<const D: usize, R: Real>(mask: R::Mask, x: [[R; D]; D]) -> [[R; D]; D] {
-    x.map(|row| only(mask, row))
+    by_entry!(|k, l| R::either(mask, x[k][l], R::ZERO))
 }
 
 /// Both ends of a way: which lie within, and the squares of the distances.
@@ -191,7 +191,7 @@ impl<const D: usize, R: Real, B: Potential<D, R>> Potential<D, R> for Cut<B, R> 
             return inside;
         }
         let across = scaled(self.part::<D>(&ends), sum(a, b));
-        core::array::from_fn(|k| R::either(ends.across, across[k], inside[k]))
+        by_component!(|k| R::either(ends.across, across[k], inside[k]))
     }
 
     #[inline(always)]
@@ -209,7 +209,7 @@ impl<const D: usize, R: Real, B: Potential<D, R>> Potential<D, R> for Cut<B, R> 
             let bent = way[k] * ((slope[l] - (part + part) * b[l]) / length);
             if k == l { bent + part } else { bent }
         };
-        core::array::from_fn(|k| core::array::from_fn(|l| R::either(ends.across, row(k, l), inside[k][l])))
+        by_entry!(|k, l| R::either(ends.across, row(k, l), inside[k][l]))
     }
 }
 
@@ -231,6 +231,7 @@ impl<const D: usize, R: Real, B: Between<D, R>> Between<D, R> for Cut<B, R> {
     #[inline(always)]
     fn force_jacobians(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [[[R; D]; D]; 3] {
         let within = self.within(d);
-        self.between.force_jacobians(d, va, vb).map(|block| only_block::<D, R>(within, block))
+        let [by_d, by_va, by_vb] = self.between.force_jacobians(d, va, vb);
+        [only_block::<D, R>(within, by_d), only_block::<D, R>(within, by_va), only_block::<D, R>(within, by_vb)]
     }
 }

@@ -89,7 +89,11 @@ impl<const D: usize> Vectors<D> {
     #[inline(always)]
     pub fn get(&self, i: usize) -> [f64; D] {
         let flat = self.flat();
-        core::array::from_fn(|k| flat[k * self.bodies + i])
+        let mut x = [0.0; D];
+        for k in 0..D {
+            x[k] = flat[k * self.bodies + i];
+        }
+        x
     }
 
     /// Replaces the vector of body i.

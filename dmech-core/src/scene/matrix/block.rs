@@ -28,22 +28,33 @@ pub(crate) fn subtract<const D: usize>(x: &mut Block<D>, y: Block<D>) {
 /// Row k times g_k.
 #[inline(always)]
 pub(crate) fn scaled<const D: usize>(g: [f64; D], x: &Block<D>) -> Block<D> {
-    core::array::from_fn(|k| core::array::from_fn(|l| g[k] * x[k][l]))
+    let mut all = *x;
+    for k in 0..D {
+        for l in 0..D {
+            all[k][l] *= g[k];
+        }
+    }
+    all
 }
 
 #[inline(always)]
 pub(crate) fn times<const D: usize>(block: &Block<D>, x: [f64; D]) -> [f64; D] {
-    core::array::from_fn(|k| (0..D).map(|l| block[k][l] * x[l]).sum())
-}
-
-#[inline(always)]
-pub(crate) fn plus<const D: usize>(x: [f64; D], y: [f64; D]) -> [f64; D] {
-    core::array::from_fn(|k| x[k] + y[k])
+    let mut all = [0.0; D];
+    for k in 0..D {
+        all[k] = (0..D).map(|l| block[k][l] * x[l]).sum();
+    }
+    all
 }
 
 #[inline(always)]
 pub(crate) fn product<const D: usize>(x: &Block<D>, y: &Block<D>) -> Block<D> {
-    core::array::from_fn(|k| core::array::from_fn(|l| (0..D).map(|m| x[k][m] * y[m][l]).sum()))
+    let mut all = [[0.0; D]; D];
+    for k in 0..D {
+        for l in 0..D {
+            all[k][l] = (0..D).map(|m| x[k][m] * y[m][l]).sum();
+        }
+    }
+    all
 }
 
 /// X⁻¹, column by column.

@@ -1,7 +1,8 @@
 //! Consecutive bodies: block-tridiagonal.
 
-use super::block::{Block, add, invert, plus, product, scaled, subtract, times};
+use super::block::{Block, add, invert, product, scaled, subtract, times};
 use crate::scene::vectors::Vectors;
+use crate::vector::{self, difference};
 
 /// J with blocks on the diagonal and beside it, and the factors of 1 + g J by block elimination without exchange of rows
 /// between bodies; within a block rows are exchanged.
@@ -93,10 +94,10 @@ impl<const D: usize> ChainMatrix<D> {
         for i in 0..n {
             let mut sum = times(&self.diagonal[i], x.get(i));
             if i > 0 {
-                sum = plus(sum, times(&self.lower(i), x.get(i - 1)));
+                sum = vector::sum(sum, times(&self.lower(i), x.get(i - 1)));
             }
             if i + 1 < n {
-                sum = plus(sum, times(&self.upper[i], x.get(i + 1)));
+                sum = vector::sum(sum, times(&self.upper[i], x.get(i + 1)));
             }
             y.add(i, sum);
         }
@@ -129,7 +130,9 @@ impl<const D: usize> ChainMatrix<D> {
             let mut own = x.get(i);
             if i > 0 {
                 let (g, known) = (g.get(i), times(&self.lower(i), before));
-                own = core::array::from_fn(|k| own[k] - g[k] * known[k]);
+                for k in 0..D {
+                    own[k] -= g[k] * known[k];
+                }
             }
             before = times(&self.inverse[i], own);
             x.set(i, before);
@@ -137,7 +140,7 @@ impl<const D: usize> ChainMatrix<D> {
         let mut after = [0.0; D];
         for i in (0..n).rev() {
             let (own, known) = (x.get(i), times(&self.following[i], after));
-            after = core::array::from_fn(|k| own[k] - known[k]);
+            after = difference(own, known);
             x.set(i, after);
         }
     }

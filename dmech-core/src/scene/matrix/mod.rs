@@ -82,7 +82,8 @@ impl<const D: usize> Matrix<D> {
             Matrix::Near(matrix) => return matrix.add_link(a, b, block),
             _ => {}
         }
-        let opposite = block.map(|row| row.map(|x| -x));
+        let mut opposite = block;
+        opposite.as_flattened_mut().iter_mut().for_each(|x| *x = -*x);
         self.add_block(a, a, block);
         self.add_block(a, b, opposite);
         self.add_block(b, a, opposite);

@@ -1,6 +1,5 @@
 //! What a law between two bodies gives along a link.
 
-use core::array::from_fn;
 use core::marker::PhantomData;
 
 use super::packed::Packed;
@@ -8,7 +7,7 @@ use super::sweep::Kernel;
 use super::way::Way;
 use crate::law::{Numbers, PairLaw, Potential};
 use crate::scene::space::Space;
-use crate::vector::{dot, scaled};
+use crate::vector::{by_component, by_entry, dot, scaled};
 
 /// d ↦ ∇Φ(d).
 pub(super) struct Slope<'a, X, P, B> {
@@ -112,7 +111,7 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>, B: Space<D>> Kernel<D, 2
     ) -> [R; D] {
         let hessian = self.slope.law.between(a, b, R::from_f64(self.slope.t)).hessian(self.slope.space.image(d));
         let w = scaled(R::from_f64(self.c), w);
-        from_fn(|k| dot(hessian[k], w))
+        by_component!(|k| dot(hessian[k], w))
     }
 
     #[inline(always)]
@@ -123,6 +122,6 @@ impl<const D: usize, P, R: Packed, X: PairLaw<D, P, R>, B: Space<D>> Kernel<D, 2
         [d, _]: [[R; D]; 2],
     ) -> [[R; D]; D] {
         let hessian = self.slope.law.between(a, b, R::from_f64(self.slope.t)).hessian(self.slope.space.image(d));
-        hessian.map(|row| scaled(R::from_f64(self.c), row))
+        by_entry!(|k, l| R::from_f64(self.c) * hessian[k][l])
     }
 }

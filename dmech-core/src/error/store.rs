@@ -15,6 +15,9 @@ pub enum StoreError {
     /// The disk, or the file system, has no room for more. What was written stays, and the sweep goes on from it.
     #[error("there is no room for more; what was written stays, and the sweep goes on from it")]
     Full,
+    /// A name of nothing.
+    #[error("the path of the store is empty")]
+    NoPath,
     /// The file is not a database of SQLite.
     #[error("the file is not a database of SQLite")]
     NotADatabase,

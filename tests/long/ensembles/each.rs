@@ -451,7 +451,7 @@ fn sweeps_that_are_nearly_the_same_are_refused() {
     let order = of(sweep!(place, row([1.0, 3.0, 2.0]).chain(spring), Leapfrog));
     assert_eq!(order, StoreError::Member { member: 0, column: name("masses of the bodies"), store: 2.0, here: 3.0 });
     let pinned = of(sweep!(place, row([1.0, 2.0, 3.0]).chain(spring).pin(2), Leapfrog));
-    assert_eq!(pinned, StoreError::Numbers { member: 0, name: "k" });
+    assert_eq!(pinned, StoreError::Numbers { member: 0, name: "pinned bodies" });
     // The same numbers, but all pairs.
     let pairs = of(sweep!(place, row([1.0, 2.0, 3.0]).pairs(spring), Leapfrog));
     assert_eq!(pairs, StoreError::Acts { member: 0 });

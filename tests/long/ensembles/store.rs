@@ -287,12 +287,13 @@ fn damaged_files_are_refused() {
     assert!(found > places.len() / 3, "{found} of {}", places.len());
     // A number that somebody has corrected, a member that was taken away, another database.
     type Edit = (&'static str, StoreError);
-    let edits: [Edit; 7] = [
+    let edits: [Edit; 8] = [
         ("UPDATE last SET q0 = 0.5 WHERE k = 31", StoreError::Changed { table: "last", member: 31 }),
         ("UPDATE drift SET max_abs = 0 WHERE k = 8", StoreError::Changed { table: "drift", member: 8 }),
         ("UPDATE drift SET mean_t = 0 WHERE k = 8", StoreError::Changed { table: "last", member: 8 }),
         ("DELETE FROM state WHERE k = 4 AND n = 1", StoreError::Changed { table: "last", member: 4 }),
         ("UPDATE member SET law_l = 1 WHERE k = 5", StoreError::Changed { table: "member", member: 5 }),
+        ("UPDATE last SET failed = 'so it did' WHERE k = 7", StoreError::Changed { table: "last", member: 7 }),
         ("DELETE FROM sweep WHERE key = 'dt'", StoreError::Setting { key: "dt" }),
         ("DROP TABLE last", StoreError::NotAnEnsemble),
     ];
@@ -305,6 +306,59 @@ fn damaged_files_are_refused() {
     let refused = sweep().store(elsewhere).run_until(1.0).unwrap_err();
     assert_eq!(refused, Error::Store(StoreError::Sqlite { code: 14 }));
     assert!(refused.to_string().contains("unable to open database file"), "{refused}");
+}
+
+/// A member that failed has not done so to the end: nobody makes it by leaving out why.
+#[test]
+fn what_failed_stays_failed() {
+    let place = Place::new("failed");
+    let start = |k: usize| State::new([1.0, 0.0], [0.0, if k == 2 { 0.0 } else { 1.0 }]);
+    let sweep = || Ensemble::of(5).law(Orbit::member).start(start).scheme(DiscreteGradient).dt(0.3);
+    let whole = sweep().run(8).unwrap();
+    assert_eq!(whole.failures().count(), 1);
+    the_same(&whole, &sweep().store(place.file()).run(8).unwrap());
+    the_same(&whole, &sweep().store(place.file()).run(8).unwrap());
+    place.sql("UPDATE last SET failed = NULL WHERE k = 2");
+    let refused = sweep().store(place.file()).run(8).unwrap_err();
+    assert_eq!(refused, Error::Store(StoreError::Changed { table: "last", member: 2 }));
+}
+
+/// A name that SQLite would take for a URI, for memory or for a file that goes is that of a file.
+#[test]
+fn every_name_is_a_path() {
+    let place = Place::new("names");
+    let sweep = |name: &std::path::Path| of::<Orbit, _, 2>(3, Leapfrog).dt(0.05).store(name).run(3);
+    // Relative to where the tests run, so that nothing stands before the name.
+    let here = std::env::current_dir().unwrap();
+    for (n, name) in ["file:", ":memory:", "file::memory:", "file:store?mode=memory"].into_iter().enumerate() {
+        let name = format!("{name}-dmech-{}-{n}.sqlite", std::process::id());
+        let sum = sweep(name.as_ref()).unwrap().checksum();
+        let is_there = here.join(&name).metadata().is_ok_and(|file| file.is_file());
+        let again = sweep(name.as_ref()).unwrap().checksum();
+        let _ = ["", "-wal", "-shm"].map(|end| fs::remove_file(here.join(format!("{name}{end}"))));
+        assert!(is_there && again == sum, "{name}");
+    }
+    assert_eq!(sweep("".as_ref()).unwrap_err(), Error::Store(StoreError::NoPath));
+    assert!(sweep(&place.file()).is_ok());
+}
+
+/// Two that begin a store at once have the same results, and it has them once.
+#[test]
+fn two_begin_a_store_at_once() {
+    for n in 0..20 {
+        let place = Place::new(&format!("two-{n}"));
+        let sweep = || of::<Orbit, _, 2>(60, Leapfrog).dt(0.05).threads(1).store(place.file()).run(20);
+        let (one, other) = std::thread::scope(|scope| {
+            let one = scope.spawn(sweep);
+            let other = sweep();
+            (one.join(), other)
+        });
+        let plain = of::<Orbit, _, 2>(60, Leapfrog).dt(0.05).run(20).unwrap();
+        for run in [one.unwrap(), other] {
+            the_same(&plain, &run.unwrap());
+        }
+        assert_eq!(place.number("SELECT COUNT(*) FROM last"), 60);
+    }
 }
 
 /// The sweep that is killed, a part of a second long.

@@ -363,3 +363,38 @@ fn far_bodies_take_no_digits() {
         assert!(miss(Some(far)) < 2.0 * alone, "{far:e}: {:e}", miss(Some(far)));
     }
 }
+
+/// x″ = −x′ − x, which goes to rest.
+#[derive(Clone, Copy)]
+struct Damper;
+
+#[dmech::law]
+impl Damper {
+    #[force]
+    fn force(&self, q: [f64; 1], v: [f64; 1]) -> [f64; 1] {
+        [-v[0] - q[0]]
+    }
+}
+
+/// A motion dies away, and steps are as short as numbers can be: what a push changes by then has no reciprocal.
+#[test]
+fn nothing_is_too_small() {
+    fn dies<S: Scheme<Particle<Damper, 1>>>(scheme: S) {
+        let motion = Simulation::new(Damper, State::new([1.0], [1.0])).scheme(scheme);
+        let run = motion.dt(0.1).record_every(1000).run(20_000).unwrap();
+        let State { q: [q], v: [v], .. } = *run.last();
+        assert!(q.abs() + v.abs() < 1e-307, "{}: {q:e}, {v:e}", S::NAME);
+    }
+    dies(Gauss::order16());
+    dies(LineIntegral::order8());
+    for h in [1e-280, 1e-288, 1e-289, 1e-290, 1e-300, 1e-307, 5e-324] {
+        let swings = Simulation::new(HenonHeiles::default(), State::new([0.3, 0.1], [0.5, 0.0]));
+        let run = swings.scheme(Gauss::order16()).dt(h).run(9).unwrap();
+        assert_eq!((run.last().q, run.last().v), ([0.3, 0.1], [0.5, 0.0]), "{h:e}");
+    }
+    for h in [1e-20_f64, 1e-29, 1e-30, 1e-33, 1e-38] {
+        let swings = Simulation::new(HenonHeiles::default(), State::<2, f32>::of([0.3, 0.1], [0.5, 0.0]));
+        let run = swings.scheme(Gauss::order16()).dt(h).run(9).unwrap();
+        assert_eq!((run.last().q, run.last().v), ([0.3, 0.1], [0.5, 0.0]), "{h:e}");
+    }
+}

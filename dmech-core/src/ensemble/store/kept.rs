@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use rusqlite::types::Value;
-use rusqlite::{Connection, OpenFlags};
+use rusqlite::{Connection, OpenFlags, Transaction, TransactionBehavior};
 
 use super::layout::{Layout, TABLES};
 use super::record::{Members, read};
@@ -21,6 +21,21 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// The smallest page of a database, in bytes.
 const SMALLEST: u64 = 512;
 
+fn tables_of(database: &Connection) -> Result<i64, StoreError> {
+    Ok(database.query_row("SELECT COUNT(*) FROM sqlite_master", [], |row| row.get(0))?)
+}
+
+/// Writes the set-up into an empty database, whole or not at all; whether it was empty still when its turn came.
+fn begin<X: Flat>(database: &Connection, layout: &Layout, ensemble: &dyn Told<X>) -> Result<bool, StoreError> {
+    let transaction = Transaction::new_unchecked(database, TransactionBehavior::Immediate)?;
+    let is_empty = tables_of(database)? == 0;
+    if is_empty {
+        ensemble.begin(database, layout)?;
+    }
+    transaction.commit()?;
+    Ok(is_empty)
+}
+
 /// A store that is open.
 pub(super) struct Store {
     pub(super) database: Connection,
@@ -35,7 +50,8 @@ impl Store {
         if (1..SMALLEST).contains(&length) {
             return Err(StoreError::NotADatabase);
         }
-        // Whatever the name, it is a path and not a URI.
+        // What begins with a root is a path: SQLite takes other names for URIs, for memory, or for a file of nobody.
+        let path = std::path::absolute(path).map_err(|_| StoreError::NoPath)?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let database = Connection::open_with_flags(path, flags)?;
         database.busy_timeout(PATIENCE)?;
@@ -43,7 +59,7 @@ impl Store {
         if sound != "ok" {
             return Err(StoreError::Damaged);
         }
-        let tables: i64 = database.query_row("SELECT COUNT(*) FROM sqlite_master", [], |row| row.get(0))?;
+        let tables = tables_of(&database)?;
         let known_by = "SELECT EXISTS (SELECT * FROM sqlite_master WHERE name = ?)";
         let known = TABLES.into_iter().try_fold(true, |known, name| {
             Ok::<_, StoreError>(known & database.query_row(known_by, [name], |row| row.get::<_, bool>(0))?)
@@ -57,10 +73,8 @@ impl Store {
         let synchronous = if journal.eq_ignore_ascii_case("wal") { "NORMAL" } else { "FULL" };
         database.execute_batch(&format!("PRAGMA synchronous = {synchronous}"))?;
         let layout = Layout::of::<X>(ensemble.columns());
-        if tables > 0 {
+        if tables > 0 || !begin(&database, &layout, ensemble)? {
             ensemble.compare(&database, &layout)?;
-        } else {
-            ensemble.begin(&database, &layout)?;
         }
         Ok(Store { database, layout })
     }

@@ -27,9 +27,9 @@ fn rising<X>(event: &Event<X>) -> u64 {
 }
 
 /// What says whether all that belongs to a member is as it was written.
-fn seal<X: Flat>(k: u64, run: &Restored<X>) -> i64 {
+fn seal<X: Flat>(k: u64, failed: bool, run: &Restored<X>) -> i64 {
     let mut seal = Checksum::default();
-    seal.word(k);
+    [k, failed.into()].into_iter().for_each(|n| seal.word(n));
     seal.list(&run.last.flat());
     let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
     let counts = [run.stopped.into(), steps, evaluations, iterations, rough, elapsed.as_nanos() as u64];
@@ -80,7 +80,7 @@ impl<'a> Members<'a> {
         row.put(range.map(|[shortest, _]| shortest))?;
         row.put(range.map(|[_, longest]| longest))?;
         head.put_bits(row)?;
-        row.put(seal(k, &run))?;
+        row.put(seal(k, member.is_err(), &run))?;
         row.end()?;
         self.bodies.write::<X>(k, "last", 0, &last)?;
         for (number, name, drift) in drifts(&run) {
@@ -156,7 +156,7 @@ pub(super) fn read<X: Flat>(
             recorded.push(place(&mut seen, n, head)?);
         }
         let run = Restored { last, states: recorded, events: happened, stopped, drifts: all, own, work };
-        if sealed != seal(k, &run) {
+        if sealed != seal(k, failed, &run) {
             return Err(changed);
         }
         if !failed {

@@ -48,9 +48,8 @@ fn number(row: &mut Reader<'_>) -> Option<(&'static str, f64)> {
 }
 
 impl<X: Flat> dyn Told<X> + '_ {
-    /// Writes the set-up of all members into an empty database, whole or not at all.
+    /// Writes the set-up of all members into an empty database.
     pub(super) fn begin(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
-        let transaction = database.unchecked_transaction()?;
         database.execute_batch(&layout.create())?;
         for (key, value) in self.settings() {
             set(database, key, &value)?;
@@ -83,8 +82,7 @@ impl<X: Flat> dyn Told<X> + '_ {
             all.word(seal);
         }
         drop((row, list, bodies));
-        set(database, "set_up", &Value::Text(format!("{:016x}", all.value())))?;
-        Ok(transaction.commit()?)
+        set(database, "set_up", &Value::Text(format!("{:016x}", all.value())))
     }
 
     /// Refuses a store of another ensemble, with what differs.
@@ -151,18 +149,23 @@ fn difference(member: u64, layout: &Layout, store: &SetUp, here: &SetUp) -> Opti
     if let Some(i) = apart(&store.start, &here.start) {
         return Some(of(layout.number(i), store.start[i], here.start[i]));
     }
-    let mut lists = store.list.iter().zip(&here.list);
-    if let Some((&(name, store), &(other, here))) = lists.find(|((a, x), (b, y))| a != b || x.to_bits() != y.to_bits())
-    {
-        return Some(if name == other {
-            of(Name::of(&[name]), store, here)
-        } else {
-            StoreError::Numbers { member, name }
-        });
-    }
-    if store.list.len() != here.list.len() {
-        let longer = if store.list.len() > here.list.len() { &store.list } else { &here.list };
-        return Some(StoreError::Numbers { member, name: longer[store.list.len().min(here.list.len())].0 });
+    if let Some(difference) = difference_of_lists(member, &store.list, &here.list) {
+        return Some(difference);
     }
     (store.acts != here.acts).then_some(StoreError::Acts { member })
+}
+
+/// What differs first between two lists of numbers with their names.
+fn difference_of_lists(member: u64, store: &[(&'static str, f64)], here: &[(&'static str, f64)]) -> Option<StoreError> {
+    let alike = store.iter().zip(here).take_while(|((a, x), (b, y))| a == b && x.to_bits() == y.to_bits()).count();
+    let name = match (store.get(alike), here.get(alike)) {
+        (None, None) => return None,
+        (Some(&(name, store)), Some(&(other, here))) if name == other => {
+            return Some(StoreError::Member { member, column: Name::of(&[name]), store, here });
+        }
+        // The numbers of one name go on where in the other list those of the next have begun.
+        (Some(&(name, _)), Some(&(other, _))) if store[alike..].iter().any(|&(later, _)| later == other) => name,
+        (_, Some(&(name, _))) | (Some(&(name, _)), None) => name,
+    };
+    Some(StoreError::Numbers { member, name })
 }

@@ -9,7 +9,7 @@ use crate::name::Name;
 use crate::words::word;
 
 /// The form of a store, to be raised when a table changes.
-pub(super) const FORMAT: i64 = 3;
+pub(super) const FORMAT: i64 = 4;
 
 /// Writes a value of the whole.
 pub(super) fn set(database: &Connection, key: &str, value: &Value) -> Result<(), StoreError> {

@@ -19,6 +19,12 @@ pub trait Staging: Real {
     fn larger_number(self, other: Self) -> Self {
         Self::either(other.less_or_equal(self), self, other)
     }
+    /// The smallest normal number.
+    #[inline(always)]
+    fn smallest() -> Self {
+        let [least, of_half_the_digits] = [f64::MIN_POSITIVE, f32::MIN_POSITIVE.into()].map(Self::from_f64);
+        Self::either(least.equal(Self::ZERO), of_half_the_digits, least)
+    }
 }
 
 /// Those of eight numbers that take part in an operation together.

@@ -48,7 +48,7 @@ impl<R: Staging> Nearing<R> {
         let unit = R::either(at_rest, R::ZERO, R::ONE);
         // What counts of a push has a finite reciprocal.
         let least = R::smallest() / (R::from_f64(COUNTS) * R::EPSILON);
-        let floor = R::either(at_rest, R::ONE, least.larger_number(R::from_f64(LEAST) * largest));
+        let floor = R::either(at_rest, R::ONE, R::from_f64(LEAST) * largest + least);
         let [change, before] = [1.0, f64::INFINITY].map(|x| R::Eight::splat(R::from_f64(x)));
         Nearing { change, before, rounding: R::ZERO, floor, unit }
     }

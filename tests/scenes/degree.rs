@@ -5,7 +5,6 @@ use dmech::models::pairs::{FermiPastaUlamTsingou, Gravity, Spring};
 use dmech::models::{HenonHeiles, Quartic};
 use dmech::prelude::*;
 use dmech::scene::{SceneSystem, Term};
-
 use dmech_tests::few::Damper;
 
 const CHAIN: FermiPastaUlamTsingou = FermiPastaUlamTsingou { k: 1.3, alpha: 0.0, beta: 0.4 };

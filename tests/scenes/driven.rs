@@ -2,7 +2,6 @@
 
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
-
 use dmech_tests::few::Damper;
 
 const SPRING: Spring = Spring { k: 7.0, length: 0.8 };

@@ -2,7 +2,6 @@
 
 use dmech::models::pairs::{Charge, Coulomb, Gravity, LennardJones, Spring};
 use dmech::prelude::*;
-
 use dmech_tests::few::Damper;
 
 const SPRING: Spring = Spring { k: 3.0, length: 0.9 };

@@ -107,6 +107,16 @@ pub(super) fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> 
     difference(q.get(a), q.get(b))
 }
 
+/// At each of S moments.
+#[inline(always)]
+pub(super) fn separations<const D: usize, const S: usize>(q: [&Vectors<D>; S], a: usize, b: usize) -> [[f64; D]; S] {
+    let mut d = [[0.0; D]; S];
+    for s in 0..S {
+        d[s] = separation(q[s], a, b);
+    }
+    d
+}
+
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for LinkedReady<X, T, P, B> {
     const FORCED: bool = <X as PairLaw<D, P>>::Between::<'_>::FORCED;
     const CONSERVES_ENERGY: bool = !<X as PairLaw<D, P>>::Between::<'_>::FORCED && <X as PairLaw<D, P>>::AUTONOMOUS;

@@ -1,6 +1,6 @@
 //! Links of test bodies: they feel the others and do not act on them.
 
-use super::linked::{LinkedReady, separation};
+use super::linked::{LinkedReady, separations};
 use super::links::Links;
 use super::sweep::{Kernel, Kernels, Kicked};
 use crate::law::{LinkLaw, Reads};
@@ -73,11 +73,7 @@ impl<X: Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
         B: Space<D>,
     {
         let felt = |a, b| {
-            let mut d = [[0.0; D]; S];
-            for s in 0..S {
-                d[s] = separation(q[s], a, b);
-            }
-            let gradient: [f64; D] = kernel.gradient(self.numbers.at(a), self.numbers.at(b), d);
+            let gradient: [f64; D] = kernel.gradient(self.numbers.at(a), self.numbers.at(b), separations(q, a, b));
             if self.acting.acts(b) {
                 add(a, gradient);
             }

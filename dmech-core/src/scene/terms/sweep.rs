@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use dmech_scalar::Lanes;
 
-use super::linked::separation;
+use super::linked::separations;
 use super::numbers::NumberColumns;
 use super::packed::Packed;
 use super::stencil::Stencil;
@@ -63,11 +63,7 @@ pub(super) fn link<const D: usize, const S: usize, N: Numbers>(
     b: usize,
     out: &mut Vectors<D>,
 ) {
-    let mut d = [[0.0; D]; S];
-    for s in 0..S {
-        d[s] = separation(q[s], a, b);
-    }
-    let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), d);
+    let gradient: [f64; D] = kernel.gradient(numbers.at(a), numbers.at(b), separations(q, a, b));
     out.add(a, gradient);
     out.add(b, scaled(-1.0, gradient));
 }

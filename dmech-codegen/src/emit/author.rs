@@ -1,24 +1,20 @@
 //! The author's own methods, called as the compiler understands them: what is stepped must give the same.
 
-use dmech_symbolic::expression::Graph;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{ReturnType, parse_quote};
 
 use super::function::on_law;
 use super::names::{ident, receiver, runtime, underscored};
-use crate::lower::{Parameter, Source};
 use crate::model::{Body, Formula, MAX_INVARIANTS, Model, PairArgument, Quantity, Shape};
 
 /// The items of `Author` or, between two bodies, of `PairAuthor`.
 pub(super) fn items(
     model: &Model,
-    graph: &Graph,
-    parameters: &[Parameter],
     dimension: &TokenStream,
     data: Option<&TokenStream>,
 ) -> TokenStream {
-    let (runtime, receiver, place, see) = (runtime(), receiver(), ident("place"), ident("see"));
+    let (runtime, receiver, place) = (runtime(), receiver(), ident("place"));
     let potential = model.potential.as_ref().map(|potential| call(model, potential));
     let potential = potential.unwrap_or_else(|| quote!(0.0));
     let force = match &model.force {
@@ -42,14 +38,6 @@ pub(super) fn items(
             quote!(#name: &#data)
         })
     });
-    let fields = parameters.iter().filter_map(|parameter| match &parameter.source {
-        Source::Law(tokens) => {
-            let name = graph.name(parameter.symbol);
-            Some(quote!(#see(#name, #tokens);))
-        }
-        _ => None,
-    });
-    let fields: Vec<_> = fields.collect();
     let kept = (!model.invariants.is_empty()).then(|| {
         let values = model.invariants.iter().map(|invariant| call(model, invariant));
         let absent = (model.invariants.len()..MAX_INVARIANTS).map(|_| quote!(0.0));
@@ -60,7 +48,6 @@ pub(super) fn items(
             }
         }
     });
-    let see = underscored(&see, !fields.is_empty());
     quote! {
         fn own(&#receiver, #place: &#runtime::written::Probe<#dimension>, #(#bodies),*)
             -> #runtime::written::Values<#dimension>
@@ -68,9 +55,6 @@ pub(super) fn items(
             #runtime::written::Values { potential: #potential, force: #force }
         }
         #kept
-        fn fields(&#receiver, #see: &mut dyn ::core::ops::FnMut(&'static ::core::primitive::str, ::core::primitive::f64)) {
-            #(#fields)*
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The impl block, and what stands in for it where the law has errors.
 
-use dmech_symbolic::expression::Expr;
+use dmech_symbolic::expression::{Expr, Graph};
 use dmech_symbolic::kernel::Kernels;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -9,7 +9,7 @@ use syn::{GenericParam, Lifetime};
 use super::document::pointwise_texts;
 use super::function::Reached;
 use super::kernels::Printer;
-use super::names::{Names, ident, receiver, runtime};
+use super::names::{Names, ident, receiver, runtime, underscored};
 use super::rank::{POINTWISE, Rank};
 use crate::Derivation;
 use crate::lower::{Lowered, Parameter, Source};
@@ -67,7 +67,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let own: Vec<_> = parameters_of(model).collect();
     let own_generics = quote!(<#(#own),*>);
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
-    let items = super::author::items(model, graph, parameters, &quote!(#d), None);
+    let items = super::author::items(model, &quote!(#d), None);
     let marker = |name: &str, holds: bool| {
         let name = ident(name);
         holds.then(|| {
@@ -124,6 +124,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let kept = printer(Reached::Law(quote!(#receiver))).invariants(&model.invariants, invariants);
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
     let read: Vec<_> = numbers_of_law(parameters).collect();
+    let fields = names_of_numbers(graph, parameters);
     let count = Literal::usize_unsuffixed(read.len());
     let (held, law, mass, t) = (hidden_lifetime(model), ident("law"), ident("mass"), ident("t"));
     // A law that is only run counts as used.
@@ -180,6 +181,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                 fn numbers(&#receiver) -> [::core::primitive::f64; #count] {
                     [#(#read),*]
                 }
+                #fields
                 #[inline(always)]
                 fn moment<#scalar: #runtime::Real>(
                     #law: [#scalar; #count],
@@ -204,6 +206,21 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                 #field_functions
             }
         };
+    }
+}
+
+/// The function that tells the names of what the kernels read of the law, in order.
+pub(super) fn names_of_numbers(graph: &Graph, parameters: &[Parameter]) -> TokenStream {
+    let names: Vec<_> = parameters
+        .iter()
+        .filter(|parameter| matches!(parameter.source, Source::Law(_)))
+        .map(|parameter| graph.name(parameter.symbol))
+        .collect();
+    let see = underscored(&ident("see"), !names.is_empty());
+    quote! {
+        fn names(#see: &mut dyn ::core::ops::FnMut(&'static ::core::primitive::str)) {
+            #(#see(#names);)*
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use syn::parse_quote;
 use super::body::{Printed, body};
 use super::function::Reached;
 use super::implementation::{
-    degree, dimension, generic_name, hidden_lifetime, module, numbers_of_law, parameters_of, scalar_name,
+    degree, dimension, generic_name, hidden_lifetime, module, names_of_numbers, numbers_of_law, parameters_of, scalar_name,
 };
 use super::kernels::Printer;
 use super::names::{Names, ident, receiver, runtime, underscored};
@@ -65,9 +65,10 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         }
     });
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
-    let items = super::author::items(model, &lowered.graph, &lowered.parameters, dimension, Some(data_type));
+    let items = super::author::items(model, dimension, Some(data_type));
     let reads = reads(&printer, &names, model, layout);
     let read: Vec<_> = numbers_of_law(&lowered.parameters).collect();
+    let fields = names_of_numbers(&lowered.graph, &lowered.parameters);
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
     let (held, law) = (hidden_lifetime(model), ident("law"));
     let (a, b, t) = (ident("a"), ident("b"), ident("t"));
@@ -127,6 +128,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
                 fn fields(&#receiver) -> [::core::primitive::f64; #of_law] {
                     [#(#read),*]
                 }
+                #fields
                 #[inline(always)]
                 fn moment<#scalar: #runtime::Real>(
                     #law: [#scalar; #of_law],

@@ -18,14 +18,17 @@ use crate::system::Particle;
 /// Particles side by side, under laws of one kind.
 pub type Together<L, const D: usize, const W: usize> = Particle<Numbered<L, D, Rows<W>>, D, Rows<W>>;
 
-/// Moves the members of a block, so many at a time; a lane that is free takes the next member.
-pub(super) fn in_lanes<L, S, O, const D: usize, const W: usize>(block: &Block<'_, L, S, O, D>) -> Vec<Outcome<State<D>>>
+/// Moves the members of a block, so many at a time; a lane that is free takes the next member, and the last few move alone.
+pub(super) fn in_lanes<L, S, O, const D: usize, const W: usize>(
+    block: &Block<'_, L, S, O, D>,
+    few: usize,
+) -> Vec<Outcome<State<D>>>
 where
     L: Fields<D>,
     S: InLanes<L, D, W>,
     O: Attend<State<D>>,
 {
-    let mut queue = Queue { block, waiting: block.members.clone(), outcomes: Vec::new() };
+    let mut queue = Queue { block, few, waiting: block.members.clone(), outcomes: Vec::new() };
     queue.outcomes.resize_with(block.members.len(), || None);
     let mut seats: Vec<Member<L, S, O, D>> = Vec::with_capacity(Rows::<W>::COUNT);
     loop {
@@ -37,6 +40,10 @@ where
         if seats.is_empty() {
             return queue.outcomes.into_iter().flatten().collect();
         }
+        if seats.len() <= few {
+            seats.drain(..).for_each(|member| queue.end(member.alone()));
+            continue;
+        }
         let mut convoy = Convoy::<L, S, D, W>::of(&seats);
         while go_on(&mut convoy, &mut seats) && relieve(&mut convoy, &mut seats, &mut queue) {}
         seats.extract_if(.., |member| member.has_ended()).for_each(|member| queue.end(member));
@@ -46,6 +53,8 @@ where
 /// The members of a block: those that wait, and what became of the others.
 struct Queue<'a, 'b, L, S, O, const D: usize> {
     block: &'a Block<'b, L, S, O, D>,
+    /// So many take less time one by one.
+    few: usize,
     waiting: Range<usize>,
     outcomes: Vec<Option<Outcome<State<D>>>>,
 }
@@ -91,7 +100,7 @@ where
             seats.iter_mut().for_each(Member::remember);
             let together = convoy.advance(1);
             convoy.land_all(seats);
-            seats.iter_mut().for_each(|member| if together { member.look_back(0) } else { member.advance(1) });
+            seats.iter_mut().for_each(|member| if together { member.look_back() } else { member.advance(1) });
             return false;
         }
         let free = if by_time { seats.iter().map(Member::free).min() } else { None };
@@ -110,7 +119,7 @@ where
 }
 
 /// Gives the lanes of those who have ended to the next, and where there is none to the last of those who are on their way.
-/// Whether somebody is.
+/// Whether these go on together; if not, all have their states.
 fn relieve<L, S, O, const D: usize, const W: usize>(
     convoy: &mut Convoy<L, S, D, W>,
     seats: &mut Vec<Member<L, S, O, D>>,
@@ -144,7 +153,11 @@ where
             convoy.seat(lane, seat);
         }
     }
-    let Some(seat) = seats.first() else { return false };
+    if seats.len() <= queue.few {
+        convoy.land_all(seats);
+        return false;
+    }
+    let seat = &seats[0];
     // Lanes without a member move as the first, and must not move past its end.
     convoy.vacate(seats.len()..if first { Rows::<W>::COUNT } else { taken }, seat);
     true

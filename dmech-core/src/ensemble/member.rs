@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::rides::{Block, Forget, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Attend, Due, Interrupted, Log, Prepared};
+use crate::run::{Attend, Due, Follow, Interrupted, Log, Prepared};
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::stepper::Stepper;
@@ -71,41 +71,34 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
         self.before = (O::EVENTS > 0 || self.is_due()).then(|| self.stepper.state());
     }
 
-    /// So many steps alone, where together they could not be made.
+    /// So many steps alone, or fewer if it ends.
     pub(super) fn advance(&mut self, steps: u64) {
-        for _ in 0..steps {
-            if self.stepper.arrived() {
-                self.left = 0;
-            }
-            if self.has_ended() {
-                return;
-            }
-            self.remember();
-            if let Err(cause) = self.stepper.step() {
-                self.outcome = Err(cause);
-                return;
-            }
-            self.left -= 1;
-            self.look_back(1);
+        let (before, steps) = (self.stepper.steps(), steps.min(self.left));
+        if !self.has_ended() {
+            self.outcome = self.log.go(&mut self.stepper, steps, &mut Follow::nobody());
         }
-        if self.stepper.arrived() {
-            self.left = 0;
-        }
+        self.left = if self.stepper.arrived() { 0 } else { self.left - (self.stepper.steps() - before) };
     }
 
-    /// Everything that follows a step; so many are not counted yet.
-    pub(super) fn look_back(&mut self, steps: u64) {
-        self.outcome = self.what_followed(steps);
+    /// All its steps alone.
+    pub(super) fn alone(mut self) -> Self {
+        self.advance(u64::MAX);
+        self
     }
 
-    fn what_followed(&mut self, steps: u64) -> Result<Option<State<D>>, Error> {
+    /// Everything that follows a step that all have made.
+    pub(super) fn look_back(&mut self) {
+        self.outcome = self.what_followed();
+    }
+
+    fn what_followed(&mut self) -> Result<Option<State<D>>, Error> {
         let Member { stepper, log, before, .. } = self;
         if let Some(before) = before.take()
             && let Some(stopped) = log.look_into_the_step(stepper, before.t, &|| before, &stepper.state())?
         {
             return Ok(Some(stopped));
         }
-        log.count(stepper, steps)?;
+        log.count(stepper, 0)?;
         Ok(log.observe(stepper.steps(), &mut || stepper.state()))
     }
 

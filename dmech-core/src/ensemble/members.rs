@@ -120,17 +120,10 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> T
         whole
     }
 
-    /// The mass, and the numbers of the law; those are named by the first member.
+    /// The mass, and the numbers of the law, by their places where they have no names.
     fn columns(&self) -> Named {
         let (mut names, count) = (Vec::new(), <L::Numbers as Numbers>::COUNT);
-        if self.members > 0 {
-            if let Some(written) = (self.bare)(0).law.written() {
-                written.fields(&mut |name, _| names.push(name));
-            }
-            if names.len() + D == count {
-                names.extend(["masses"; D]);
-            }
-        }
+        L::names(&mut |name| names.push(name));
         let places: Vec<String> = (0..count).map(|i| i.to_string()).collect();
         if names.len() != count {
             names = places.iter().map(String::as_str).collect();

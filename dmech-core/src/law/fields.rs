@@ -23,6 +23,10 @@ pub trait Fields<const D: usize>: Law<D> {
     /// What is read of the law.
     fn numbers(&self) -> Self::Numbers;
 
+    /// The names of these numbers, in their order; several that follow one another may have the same.
+    #[doc(hidden)]
+    fn names(_see: &mut dyn FnMut(&'static str)) {}
+
     /// What acts on a particle of a mass at a time, by these numbers.
     fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, mass: R, t: R) -> Self::Moment<R>;
 
@@ -50,6 +54,10 @@ pub trait PairFields<const D: usize, P>: PairLaw<D, P> {
 
     /// What is read of the law.
     fn fields(&self) -> Self::Fields;
+
+    /// The names of these numbers, in their order.
+    #[doc(hidden)]
+    fn names(_see: &mut dyn FnMut(&'static str)) {}
 
     /// What acts between two bodies at a time, by the numbers of the law and of both.
     fn moment<R: Real>(

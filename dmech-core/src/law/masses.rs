@@ -81,6 +81,11 @@ impl<L: Fields<D> + MassIndependent, const D: usize> Fields<D> for Masses<L, D> 
         (self.law.numbers(), self.ratios)
     }
 
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        L::names(see);
+        (0..D).for_each(|_| see("masses"));
+    }
+
     #[inline(always)]
     fn moment<R: Real>((numbers, ratios): (<L::Numbers as Numbers>::Of<R>, [R; D]), mass: R, t: R) -> Self::Moment<R> {
         Divided { field: L::moment(numbers, mass, t), ratios, t }

@@ -86,6 +86,11 @@ impl<const D: usize, P, X: PairFields<D, P> + 'static> PairFields<D, P> for With
         (self.law.fields(), [self.cutoff])
     }
 
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        X::names(see);
+        see("cutoff");
+    }
+
     #[inline(always)]
     fn moment<R: Real>(
         (law, [r]): (<X::Fields as Numbers>::Of<R>, [R; 1]),

@@ -146,10 +146,15 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         if matches!(self.due, Due::Every(_)) { self.keep(state) } else { self.record_due(state) }
     }
 
-    /// Makes the steps; where the run was stopped, if it was.
-    fn go(&mut self, motion: &mut dyn Motion<X, R>, steps: u64, follow: &mut Follow) -> Result<Option<X>, Error> {
+    /// Makes so many steps, or fewer if the motion arrives; where the run was stopped, if it was.
+    pub(crate) fn go(
+        &mut self,
+        motion: &mut dyn Motion<X, R>,
+        steps: u64,
+        follow: &mut Follow,
+    ) -> Result<Option<X>, Error> {
         // Steps until a state is recorded or the bar is looked at, and how many of them are left.
-        let mut row = follow.look(0).min(self.until_record);
+        let mut row = follow.look(0).min(self.until_record).min(steps);
         let (mut left, mut all) = (row, steps);
         while all > 0 && !motion.arrived() {
             let is_due = self.is_due_before(motion);
@@ -165,7 +170,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             (left, all) = (left - made, all - made);
             if left == 0 {
                 self.count(motion, row)?;
-                row = follow.look(motion.steps()).min(self.until_record);
+                row = follow.look(motion.steps()).min(self.until_record).min(all);
                 left = row;
             }
             if let Some(stopped) = self.observe(motion.steps(), &mut || motion.state()) {

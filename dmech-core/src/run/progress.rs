@@ -22,6 +22,11 @@ impl Follow {
         }
     }
 
+    /// Nobody looks.
+    pub(crate) fn nobody() -> Self {
+        Follow::new(Shown::default(), 0)
+    }
+
     /// So many steps are made; how many more until it wants to know again.
     #[cfg_attr(not(feature = "progress"), expect(unused_variables, reason = "nothing is shown"))]
     pub(crate) fn look(&mut self, steps: u64) -> u64 {

@@ -156,6 +156,8 @@ pub trait SpaceOfFew<const D: usize>: Space<D> {
 
     /// What is read of it.
     fn numbers(&self) -> Self::Numbers;
+    /// The names of these numbers, in their order.
+    fn names(see: &mut dyn FnMut(&'static str));
     /// The space of these numbers.
     fn of<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>) -> Self::In<R>;
 }
@@ -167,6 +169,7 @@ impl<const D: usize> SpaceOfFew<D> for Open {
     fn numbers(&self) -> [f64; 0] {
         []
     }
+    fn names(_: &mut dyn FnMut(&'static str)) {}
     #[inline(always)]
     fn of<R: Real>(_: [R; 0]) -> Open {
         Open
@@ -178,10 +181,13 @@ impl<const D: usize> SpaceOfFew<D> for Periodic<D> {
     type In<R: Real> = Boxes<D, R>;
 
     fn numbers(&self) -> [[f64; D]; 3] {
-        [self.half, self.lengths, self.per_length]
+        [self.lengths, self.half, self.per_length]
+    }
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        ["box", "half_box", "per_box"].into_iter().for_each(|name| (0..D).for_each(|_| see(name)));
     }
     #[inline(always)]
-    fn of<R: Real>([half, lengths, per_length]: [[R; D]; 3]) -> Boxes<D, R> {
+    fn of<R: Real>([lengths, half, per_length]: [[R; D]; 3]) -> Boxes<D, R> {
         Boxes { half, lengths, per_length }
     }
 }

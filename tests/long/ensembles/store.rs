@@ -6,7 +6,10 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use dmech::extend::{Fields, Reach, Rides, StoreError};
+use dmech::models::pairs::{LennardJones, Spring};
 use dmech::prelude::*;
+use dmech::scene::{OnBonds, OnNear, Scene};
+use dmech_tests::few::FewInBox;
 use rusqlite::{Connection, OpenFlags};
 
 use crate::laws::{Contact, Driven, Many, Orbit, Pair, Saddle};
@@ -228,6 +231,46 @@ fn another_sweep_is_refused_with_what_differs() {
     adaptive(1e-5).unwrap();
     assert_eq!(store(adaptive(1e-6)), StoreError::Tolerance { store: 1e-5, here: 1e-6 });
 }
+
+/// What differs between two small scenes is told by its name.
+#[test]
+fn the_numbers_of_a_small_scene_have_names() {
+    let place = Place::new("few");
+    let molecule = |mass, strength, list: &[(usize, usize)], cutoff, length| {
+        Scene::<2>::new()
+            .body(mass, [0.1, 0.2], [0.3, 0.1])
+            .body(1.5, [1.2, 0.3], [-0.1, 0.4])
+            .body(0.7, [0.4, 1.3], [0.0, 0.0])
+            .bonds(Spring { k: strength, length: 1.0 }, list.iter().copied())
+            .pairs(LennardJones { epsilon: 0.2, sigma: 0.9 })
+            .cutoff(cutoff)
+            .periodic([3.5, length])
+    };
+    let swept = |member: &(dyn Fn(usize) -> FewInBox<OfMolecule, (), 2, 3, 6> + Sync)| {
+        let ensemble = Ensemble::of(4).law(member).start(|k| member(k).start()).scheme(Leapfrog).dt(0.01);
+        ensemble.store(place.file()).run(20)
+    };
+    let all = [(0, 1), (1, 2)];
+    swept(&|_| molecule(1.0, 30.0, &all, 1.6, 4.0).as_law()).unwrap();
+    let cases: [(&dyn Fn() -> FewInBox<OfMolecule, (), 2, 3, 6>, _, _, _); 6] = [
+        (&|| molecule(1.25, 30.0, &all, 1.6, 4.0).as_law(), "law_mass_0", 1.0, 1.25),
+        (&|| molecule(1.0, 30.0, &all, 1.6, 4.0).pin(2).as_law(), "law_inertia_2", 0.7, f64::INFINITY),
+        (&|| molecule(1.0, 31.0, &all, 1.6, 4.0).as_law(), "law_k", 30.0, 31.0),
+        (&|| molecule(1.0, 30.0, &[(0, 1)], 1.6, 4.0).as_law(), "law_bonds_1", 4.0, 0.0),
+        (&|| molecule(1.0, 30.0, &all, 1.5, 4.0).as_law(), "law_cutoff", 1.6, 1.5),
+        (&|| molecule(1.0, 30.0, &all, 1.6, 4.5).as_law(), "law_box_1", 4.0, 4.5),
+    ];
+    for (other, column, store, here) in cases {
+        let column = dmech::extend::Name::of(&[column]);
+        // In one member of several.
+        let plain = || molecule(1.0, 30.0, &all, 1.6, 4.0).as_law();
+        let both = (other(), plain());
+        let refused = swept(&|k| if k == 2 { both.0 } else { both.1 });
+        assert_eq!(refused.unwrap_err(), Error::Store(StoreError::Member { member: 2, column, store, here }));
+    }
+}
+
+type OfMolecule = (((), OnBonds<Spring>), OnNear<LennardJones>);
 
 /// As [`Orbit`], but for the power.
 #[derive(Clone, Copy)]

@@ -40,6 +40,10 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// | `event` | what happened | `k`, `n`, `which`, `rising`, the state there |
     /// | `state` | recorded states | `k`, `n`, `t`, `q0` …, `v0` … |
     ///
+    /// The fields of a [small scene](Ensemble::scene) are `law_mass_0` … and `law_inertia_0` …, infinite where a body is pinned; those of its
+    /// laws; what these read of the bodies, `law_bodies_0` …; `law_bonds_0` …, for each body those that it is bound to as bits; `law_cutoff`;
+    /// `law_box_0` ….
+    ///
     /// NaN and −0, which SQLite does not keep in a number, stand beside in `bits`; `seal` is a checksum of the row, and in `last` of all that
     /// belongs to the member.
     ///

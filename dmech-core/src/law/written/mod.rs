@@ -21,7 +21,7 @@ pub(crate) use pair::Between;
 use dmech_scalar::Real;
 
 use crate::invariant::MAX_OWN;
-use crate::law::{Field, Law, Potential};
+use crate::law::{Field, Fields, Law, Numbers, Potential};
 
 /// What a law gives at one place.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ impl<const D: usize, R: Real> Values<D, R> {
 pub type Kept<R = f64> = [R; MAX_OWN];
 
 /// What the macro says of the author's own methods.
-pub trait Author<const D: usize>: Law<D> + Law<D, Tracked> {
+pub trait Author<const D: usize>: Fields<D> + Law<D, Tracked> {
     /// What the methods give.
     fn own(&self, place: &Probe<D>) -> Values<D>;
 
@@ -49,9 +49,6 @@ pub trait Author<const D: usize>: Law<D> + Law<D, Tracked> {
     fn invariants(&self, _place: &Probe<D>) -> Kept {
         [0.0; MAX_OWN]
     }
-
-    /// Every number that they read of the law, by its name.
-    fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
 }
 
 /// An [`Author`], whatever the law: in `f64` and as it is stepped.
@@ -112,8 +109,17 @@ impl<L: Author<D>, const D: usize> Written<D> for L {
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        Author::fields(self, see);
+        named(<L as Fields<D>>::names, &self.numbers(), see);
     }
+}
+
+/// Numbers, each with its name.
+fn named(names: fn(&mut dyn FnMut(&'static str)), numbers: &impl Numbers, see: &mut dyn FnMut(&'static str, f64)) {
+    let mut k = 0;
+    names(&mut |name| {
+        see(name, numbers.at(k));
+        k += 1;
+    });
 }
 
 fn acting<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> Values<D, R> {

@@ -4,17 +4,14 @@ use dmech_scalar::Real;
 
 #[cfg(feature = "scene")]
 use super::Written;
-use super::{Probe, Tracked, Values};
+use super::{Probe, Tracked, Values, named};
 use crate::law::Potential;
-use crate::law::{Between as Acting, Numbers, PairLaw};
+use crate::law::{Between as Acting, Numbers, PairFields, PairLaw};
 
 /// What the macro says of the author's own methods: `q` of the place is d, `v` is v_a and v_b, `m` is m_a and m_b.
-pub trait PairAuthor<const D: usize, P>: PairLaw<D, P> + PairLaw<D, P, Tracked> {
+pub trait PairAuthor<const D: usize, P>: PairFields<D, P> + PairLaw<D, P, Tracked> {
     /// What the methods give for bodies with this data.
     fn own(&self, place: &Probe<D>, a: &P, b: &P) -> Values<D>;
-
-    /// Every number that they read of the law, by its name.
-    fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
 }
 
 /// A [`PairAuthor`], whatever the law.
@@ -43,7 +40,7 @@ impl<L: PairAuthor<D, P>, const D: usize, P> WrittenPair<D, P> for L {
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        PairAuthor::fields(self, see);
+        named(L::names, &PairFields::fields(self), see);
     }
 }
 

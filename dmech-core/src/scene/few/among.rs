@@ -23,6 +23,8 @@ pub trait AmongFew<const D: usize, const N: usize>: Acts<D> {
 
     /// What is read of the laws and of the bodies; there are N of these.
     fn numbers(&self) -> Self::Numbers;
+    /// The names of these numbers, in their order.
+    fn names(see: &mut dyn FnMut(&'static str));
     /// What acts at a time, by these numbers.
     fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, t: R) -> Self::Moment<R>;
 }
@@ -80,6 +82,7 @@ impl<const D: usize, const N: usize> AmongFew<D, N> for () {
     fn numbers(&self) -> [f64; 0] {
         []
     }
+    fn names(_: &mut dyn FnMut(&'static str)) {}
     fn moment<R: Real>(_: [R; 0], _: R) {}
 }
 
@@ -104,6 +107,10 @@ impl<const D: usize, const N: usize, A: AmongFew<D, N>, B: AmongFew<D, N>> Among
 
     fn numbers(&self) -> Self::Numbers {
         (self.0.numbers(), self.1.numbers())
+    }
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        A::names(see);
+        B::names(see);
     }
     #[inline(always)]
     fn moment<R: Real>((a, b): <Self::Numbers as Numbers>::Of<R>, t: R) -> Self::Moment<R> {

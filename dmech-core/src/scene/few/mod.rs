@@ -157,16 +157,21 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
 }
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K> for FewBodies<A, D, N, K> {
-    type Numbers = (A::Numbers, [[f64; N]; 2]);
+    type Numbers = ([[f64; N]; 2], A::Numbers);
     type Moment<R: Real> = Whole<A, D, N, K, R>;
 
     fn numbers(&self) -> Self::Numbers {
-        (self.numbers, [self.masses, self.inertia])
+        ([self.masses, self.inertia], self.numbers)
+    }
+
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        ["mass", "inertia"].into_iter().for_each(|name| (0..N).for_each(|_| see(name)));
+        A::names(see);
     }
 
     #[inline(always)]
     fn moment<R: Real>(
-        (numbers, [_, inertia]): (<A::Numbers as Numbers>::Of<R>, [[R; N]; 2]),
+        ([_, inertia], numbers): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>),
         _: R,
         t: R,
     ) -> Whole<A, D, N, K, R> {
@@ -174,7 +179,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K
     }
 
     #[inline(always)]
-    fn masses<R: Real>((_, [masses, _]): (<A::Numbers as Numbers>::Of<R>, [[R; N]; 2])) -> [R; K] {
+    fn masses<R: Real>(([masses, _], _): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>)) -> [R; K] {
         from_fn(|i| masses[i / D])
     }
 }

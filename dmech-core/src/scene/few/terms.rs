@@ -22,6 +22,10 @@ impl<const D: usize, const N: usize, X: Fields<D>> AmongFew<D, N> for EachReady<
     fn numbers(&self) -> Self::Numbers {
         (self.law.numbers(), from_fn(|i| self.masses[i]))
     }
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        X::names(see);
+        (0..N).for_each(|_| see("masses"));
+    }
     #[inline(always)]
     fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), t: R) -> OnEachOfFew<X, D, N, R> {
         OnEachOfFew { law, masses, t }
@@ -113,6 +117,12 @@ where
 
     fn numbers(&self) -> Self::Numbers {
         ((self.law.fields(), from_fn(|i| self.numbers.of_body(i))), (self.links.numbers(), self.space.numbers()))
+    }
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        X::names(see);
+        (0..<[<X as Reads<P>>::Numbers; N]>::COUNT).for_each(|_| see("bodies"));
+        (0..T::Numbers::<N>::COUNT).for_each(|_| see("bonds"));
+        B::names(see);
     }
     #[inline(always)]
     fn moment<R: Real>(((law, bodies), (links, space)): Of<Self::Numbers, R>, t: R) -> Self::Moment<R> {

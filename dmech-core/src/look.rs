@@ -91,6 +91,9 @@ const SHARES: [f64; 2] = [0.25, 0.01];
 /// The share of what passes, and that of ‖K‖ by which two bodies that turn around each other do not.
 const PASSING: [f64; 2] = [1e12, 45.0];
 
+/// What passes is of no account below this share of ω¹²: it makes steps shorter by a hundredth at most.
+const COUNTS: f64 = 0.1;
+
 /// ρ/ω, of what passes, at least.
 const STAYS: f64 = 2.0 / 3.0;
 
@@ -133,7 +136,9 @@ impl<R: Real> Frequency<R> {
     /// ```
     ///
     /// A body that passes another fast feels little of it until it is there, and by then a step on the time scale of all else has
-    /// gone past. K⁽ⁿ⁾, of the order of ‖K‖ (v/q)ⁿ, tells of it from the farther away, the larger n is; here n = 10. Where
+    /// gone past. K⁽ⁿ⁾, of the order of ‖K‖ (v/q)ⁿ, tells of it from the farther away, the larger n is; here n = 10. Where nothing is
+    /// singular as they meet, on a line or under a softened law, K changes more slowly: if that is of some account the law is looked
+    /// at twice more, at the times ±τ = ±|q|/4v, and u is (‖K̇‖²/‖K‖² + ‖K̈‖/‖K‖)/2 by differences over τ if that is less. Where
     /// two bodies turn around each other, u ≤ 2 ‖K‖/√6, it is 2·10⁻⁶ of ‖K‖⁶ at most. It is not among what grows: of an ω that falls
     /// by half in each step as one body leaves the other behind, steps would follow the fall beyond its end.
     #[inline(always)]
@@ -141,9 +146,17 @@ impl<R: Real> Frequency<R> {
         course: Course<D, R>,
         stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
     ) -> Frequency<R> {
-        let (Frequency { power, rise, s, .. }, size) = Self::with_size(course, stiffness);
-        let passing = course.passing(s, size);
-        Frequency { power, rise, passing: R::either(passing.finite(), passing, R::ZERO), s }
+        let (Frequency { power, rise, s, .. }, size) = Self::with_size(course, &stiffness);
+        let u = course.nearing(s);
+        let passing = course.passing(u, size);
+        let passing = R::either(passing.finite(), passing, R::ZERO);
+        let counts = (R::from_f64(COUNTS) * power).less(passing);
+        if !counts.any() {
+            return Frequency { power, rise, passing, s };
+        }
+        let least = course.passing(course.change(stiffness, u), size);
+        let passing = R::either(counts.and(least.less(passing)), least, passing);
+        Frequency { power, rise, passing, s }
     }
 
     /// ω¹², and ‖K‖ in units of s.
@@ -277,13 +290,30 @@ impl<const D: usize, R: Real> Course<D, R> {
         }
     }
 
-    /// 10¹² ‖K‖ w⁵, in units of s.
+    /// v²/q², in units of s.
     #[inline(always)]
-    fn passing(&self, s: R, size: R) -> R {
+    fn nearing(&self, s: R) -> R {
         let reach = self.q.iter().fold(R::ZERO, |most, x| most.max(x.abs()));
         let (q, v): ([R; D], [R; D]) = (by_component!(|i| self.q[i] / reach), by_component!(|i| s * self.v[i] / reach));
+        dot(v, v) / dot(q, q)
+    }
+
+    /// (‖K̇‖²/‖K‖² + ‖K̈‖/‖K‖)/2 in the units of u = v²/q²: where K is a power of the distance, 1.5 u or more.
+    #[cold]
+    fn change(&self, stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>, u: R) -> R {
+        let part = R::from_f64(0.25);
+        let here = stiffness(R::from_f64(-0.0), self.q, self.v);
+        let [before, after] = &self.sides(stiffness, part / self.nearing(R::ONE).sqrt());
+        let (size, half) = (here.norm(), R::from_f64(0.5));
+        let first = after.map2(before, |x, y| half * (x - y)).norm() / (part * size);
+        let second = after.map2(before, |x, y| x + y).map2(&here, |x, y| x - (y + y)).norm() / (part * part * size);
+        half * (first * first + second) * u
+    }
+
+    /// 10¹² ‖K‖ w⁵, in units of s.
+    #[inline(always)]
+    fn passing(&self, u: R, size: R) -> R {
         let (share, slower) = (R::from_f64(PASSING[0]), R::from_f64(PASSING[1]));
-        let u = dot(v, v) / dot(q, q);
         let turning = slower * size;
         let w = u * u * u / (u * u + turning * turning);
         share * w * w * w * w * w * size

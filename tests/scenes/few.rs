@@ -7,7 +7,7 @@ use dmech::prelude::*;
 use dmech::scene::{AmongFew, FewBodies};
 
 use dmech_tests::few::{
-    Bond, LISTS, Link, beads, clusters, creatures, fluid, hung, ions, loops, molecules, packs, rope, stars, tied,
+    Bond, LISTS, Link, beads, clusters, creatures, fluid, hung, ions, loops, molecules, packs, rope, stars, tides, tied,
 };
 
 /// Runs both, and compares where they end, what they must keep, and how well they keep it.
@@ -45,6 +45,7 @@ fn the_same_motion_as_that_of_the_scene() {
         ], 0.02, within 2e-13;
         "rope": rope, [2], 4, 4, [Boris, Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.01, within 1e-12;
         "creatures": creatures, [3], 3, 6, [Implicit, DiscreteGradient, Gauss::order16(), Explicit], 0.02, within 1e-12;
+        "tides": tides, [1, 3], 3, 6, [Explicit, Implicit, DiscreteGradient, Composed::order4(Implicit), Gauss::order16()], 0.02, within 1e-12;
         "ions": ions, [4], 3, 6, [Boris, Composed::order4(Boris), Implicit, DiscreteGradient, Gauss::order16()], 0.02, within 1e-12;
     }
 }
@@ -154,6 +155,9 @@ fn the_same_time_scale_as_that_of_the_scene() {
         })*};
     }
     paced! {
+        tides, 0..3, 3, 6, Gauss::order16(), 1e-9;
+        rope, 0..3, 4, 4, Gauss::order16(), 1e-7;
+        beads, 0..3, 4, 4, DiscreteGradient, 1e-2;
         molecules, 0..5, 4, 8, Nystrom::order6(), 1e-8;
         molecules, 0..5, 4, 8, Gauss::order16(), 1e-9;
         clusters, [5, 20], 4, 12, DiscreteGradient, 1e-2;

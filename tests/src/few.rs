@@ -170,6 +170,54 @@ pub fn ions(k: usize) -> Scene<2, Charge, OfIons> {
         .pairs(Coulomb { k: 0.8 })
 }
 
+/// A well that grows and shrinks, steeper for what is heavy.
+#[derive(Clone, Copy, Debug)]
+pub struct Swell {
+    pub k: f64,
+    pub omega: f64,
+}
+
+#[dmech::law]
+impl Swell {
+    #[potential]
+    fn energy(&self, q: [f64; 2], m: f64, t: f64) -> f64 {
+        let s = q[0] * q[0] + q[1] * q[1];
+        self.k * (1.0 + 0.4 * (self.omega * t).sin()) * m * m * s * (1.0 + 0.5 * s)
+    }
+}
+
+/// Pushes between bodies that come and go.
+#[derive(Clone, Copy, Debug)]
+pub struct Gusts {
+    pub c: f64,
+    pub omega: f64,
+}
+
+#[dmech::law]
+impl Gusts {
+    #[pair_force]
+    fn force(&self, d: [f64; 2], ma: f64, mb: f64, t: f64) -> [f64; 2] {
+        let c = self.c * ma * mb * mb * (self.omega * t).cos() / (1.0 + d[0] * d[0] + d[1] * d[1]);
+        [c * d[0], c * d[1]]
+    }
+}
+
+type OfTides = (((), OnEach<Swell>), OnPairs<Gusts>);
+
+pub type Tides = Few<OfTides, (), 2, 3, 6>;
+
+/// Three under laws that name the time, and read masses.
+pub fn tides(k: usize) -> Scene<2, (), OfTides> {
+    let a = part(k, 0.31);
+    Scene::new()
+        .body(0.7, [0.9, 0.1 * a], [0.0, 0.6])
+        .body(1.6, [-0.4, 0.8], [0.5, -0.1 * a])
+        .body(1.1, [-0.6, -0.9], [-0.3, 0.2])
+        .field(Swell { k: 0.6 + 0.1 * a, omega: 1.3 })
+        .pairs(Gusts { c: 0.2, omega: 2.1 + 0.2 * a })
+        .at_time(0.25 * part(k, 0.71))
+}
+
 /// Bonds: a list.
 type List = &'static [(usize, usize)];
 

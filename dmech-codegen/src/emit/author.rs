@@ -9,11 +9,7 @@ use super::names::{ident, receiver, runtime, underscored};
 use crate::model::{Body, Formula, MAX_INVARIANTS, Model, PairArgument, Quantity, Shape};
 
 /// The items of `Author` or, between two bodies, of `PairAuthor`.
-pub(super) fn items(
-    model: &Model,
-    dimension: &TokenStream,
-    data: Option<&TokenStream>,
-) -> TokenStream {
+pub(super) fn items(model: &Model, dimension: &TokenStream, data: Option<&TokenStream>) -> TokenStream {
     let (runtime, receiver, place) = (runtime(), receiver(), ident("place"));
     let potential = model.potential.as_ref().map(|potential| call(model, potential));
     let potential = potential.unwrap_or_else(|| quote!(0.0));

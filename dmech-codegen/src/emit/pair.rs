@@ -10,7 +10,8 @@ use syn::parse_quote;
 use super::body::{Printed, body};
 use super::function::Reached;
 use super::implementation::{
-    degree, dimension, generic_name, hidden_lifetime, module, names_of_numbers, numbers_of_law, parameters_of, scalar_name,
+    degree, dimension, generic_name, hidden_lifetime, module, names_of_numbers, numbers_of_law, parameters_of,
+    scalar_name,
 };
 use super::kernels::Printer;
 use super::names::{Names, ident, receiver, runtime, underscored};

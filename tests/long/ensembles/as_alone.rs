@@ -6,7 +6,7 @@ use dmech::scheme::Adaptive;
 
 use crate::laws::{
     Beads, Bottle, Clusters, Contact, Creatures, Damped, Driven, Each, Fluid, Hung, Ions, Loops, Many, Molecules,
-    Orbit, Packs, Pair, Plummer, Rope, Saddle, Stars, Tied,
+    Orbit, Packs, Pair, Plummer, Rope, Saddle, Stars, Tides, Tied,
 };
 
 /// More than twice as many as ride side by side, and no multiple of any power of two.
@@ -144,6 +144,8 @@ fn adaptive() {
     as_alone::<Molecules, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "molecules", driven);
     as_alone::<Packs, _, 6>(Adaptive::new(DiscreteGradient, 1e-3), "packs", driven);
     as_alone::<Tied, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "tied", driven);
+    as_alone::<Molecules, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "molecules", driven);
+    as_alone::<Tides, _, 6>(Adaptive::new(Implicit, 1e-3), "tides", driven);
     as_alone::<Hung, _, 8>(Adaptive::new(Gauss::order16(), 1e-8), "hung", driven);
     as_alone::<Loops, _, 6>(Adaptive::new(Nystrom::order6(), 1e-6), "loops", driven);
 }

@@ -163,6 +163,7 @@ macro_rules! few {
 few! {
     Stars, 6: few::stars;
     Rope, 4: few::rope;
+    Tides, 6: few::tides;
     Creatures, 6: few::creatures;
     Ions, 6: few::ions;
     Molecules, 8: few::molecules;

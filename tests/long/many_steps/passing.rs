@@ -119,3 +119,96 @@ fn images_pass_as_bodies_do() {
     let [a, b] = [here, there].map(|run| run.last().q[1]);
     assert!((a[0] + 8.0 - b[0]).abs() < 1e-10 && (a[1] - b[1]).abs() < 1e-10, "{a:?} and {b:?}");
 }
+
+/// Softened gravity.
+#[derive(Clone, Copy, Debug)]
+struct Soft {
+    g: f64,
+    eps: f64,
+}
+
+#[dmech::law]
+impl Soft {
+    #[pair]
+    fn energy(&self, r: f64, ma: f64, mb: f64) -> f64 {
+        -self.g * ma * mb / (r * r + self.eps * self.eps).sqrt()
+    }
+}
+
+/// The same of a fixed body.
+#[derive(Clone, Copy, Debug)]
+struct Core {
+    g: f64,
+    eps: f64,
+}
+
+#[dmech::law]
+impl Core {
+    #[potential]
+    fn energy(&self, q: [f64; 2], m: f64) -> f64 {
+        -self.g * m / (q[0] * q[0] + q[1] * q[1] + self.eps * self.eps).sqrt()
+    }
+}
+
+/// A bond on a line, with an order of its ends: the one may be on either side of the other.
+#[derive(Clone, Copy, Debug)]
+struct Bond {
+    k: f64,
+}
+
+#[dmech::law]
+impl Bond {
+    #[pair]
+    fn energy(&self, d: [f64; 1]) -> f64 {
+        let x = d[0] + 1.0;
+        self.k * x * x * (0.5 + 0.25 * x * x)
+    }
+}
+
+/// The same of one coordinate.
+#[derive(Clone, Copy, Debug)]
+struct Well {
+    k: f64,
+}
+
+#[dmech::law]
+impl Well {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        let x = q + 1.0;
+        self.k * x * x * (0.5 + 0.25 * x * x)
+    }
+}
+
+/// Bodies may pass through each other where nothing is singular as they meet: no step waits for that, whether one falls on it or not.
+#[test]
+fn bodies_pass_through_each_other() {
+    let mut fast = 0;
+    for (eps, speed) in [(0.3, 0.0), (0.3, 3.0), (0.3, 30.0), (0.02, 1.0), (0.02, 100.0)] {
+        for side in [0.0, 1e-9, 0.01] {
+            let (q, v) = ([1.0, side], [-speed, 0.0]);
+            let scene = Scene::new().body(1.0, [0.0; 2], [0.0; 2]).body(1e-9, q, v).pairs(Soft { g: 1.0, eps });
+            let law = Simulation::new(Core { g: 1.0, eps }, State::new(q, v)).dt(0.1);
+            for tolerance in [1e-5, 1e-9] {
+                let end = if speed > 1.0 { 3.0 / speed } else { 10.0 };
+                let alone = law.clone().scheme(Nystrom::order8()).adaptive(tolerance).run_until(end).unwrap().steps();
+                let pair = Simulation::scene(scene.clone()).scheme(Nystrom::order8()).adaptive(tolerance).dt(0.1);
+                let pair = pair.run_until(end).unwrap().steps();
+                println!("{eps}, {speed}, {side}, {tolerance:e}: {alone} and {pair} steps");
+                assert!(pair < 2 * alone + 300, "{eps}, {speed}, {side}, {tolerance:e}: {alone} and {pair} steps");
+                fast += u32::from(pair > 2 * alone);
+            }
+        }
+    }
+    assert!(fast > 5, "{fast}");
+    // Where they are in one place when a step begins, too.
+    for at in [0.0, 1e-13, 1e-3, 2.0] {
+        let scene = Scene::new().body(0.7, [0.0], [0.4]).body(1.3, [at], [-9.0]).chain(Bond { k: 5.0 });
+        let run = Simulation::scene(scene).scheme(DiscreteGradient).adaptive(1e-3).run_until(3.0).unwrap();
+        let alone = Simulation::new(Well { k: 5.0 }, State::new([-at], [9.4])).mass(0.7 * 1.3 / 2.0);
+        let alone = alone.scheme(DiscreteGradient).adaptive(1e-3).run_until(3.0).unwrap().steps();
+        println!("{at}: {alone} and {} steps", run.steps());
+        assert!(run.steps() < 3 * alone, "{at}: {alone} and {} steps", run.steps());
+        assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+    }
+}

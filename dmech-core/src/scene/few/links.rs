@@ -3,7 +3,7 @@
 use dmech_scalar::{Mask, Real};
 
 use crate::law::Numbers;
-use crate::look::{Frequency, Stiffness};
+use crate::look::Frequency;
 use crate::scene::terms::{Bonds, KnownLinks, Links};
 
 /// Links among N bodies as numbers, so that those of many members may stand side by side.
@@ -28,8 +28,6 @@ pub trait Presence<R: Real>: Copy {
     fn choose(self, linked: R, not: R) -> R;
     /// The same of time scales.
     fn frequency(self, linked: Frequency<R>, not: Frequency<R>) -> Frequency<R>;
-    /// The same, where nothing acts elsewhere.
-    fn stiffness<const D: usize>(self, linked: Stiffness<D, R>) -> Stiffness<D, R>;
 }
 
 /// In all lanes, which costs nothing.
@@ -43,10 +41,6 @@ impl<R: Real> Presence<R> for Always {
     }
     #[inline(always)]
     fn frequency(self, linked: Frequency<R>, _: Frequency<R>) -> Frequency<R> {
-        linked
-    }
-    #[inline(always)]
-    fn stiffness<const D: usize>(self, linked: Stiffness<D, R>) -> Stiffness<D, R> {
         linked
     }
 }
@@ -63,10 +57,6 @@ impl<R: Real> Presence<R> for Here<R> {
     #[inline(always)]
     fn frequency(self, linked: Frequency<R>, not: Frequency<R>) -> Frequency<R> {
         not.where_alone(self.0.not(), linked)
-    }
-    #[inline(always)]
-    fn stiffness<const D: usize>(self, linked: Stiffness<D, R>) -> Stiffness<D, R> {
-        linked.map(|x| R::either(self.0, x, R::ZERO))
     }
 }
 

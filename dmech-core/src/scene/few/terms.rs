@@ -256,7 +256,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
             let stiffness = |s, d, _| {
                 let Some(now) = from_now(s) else { return Stiffness::NONE };
                 let between = [now.between(a, b, t + s), now.between(b, a, t + s)];
-                here.stiffness(link_stiffness(between, s, [on_a, on_b], self.space.nearest(d)))
+                link_stiffness(between, s, [on_a, on_b], self.space.nearest(d))
             };
             let link = on_a.relative_to(on_b);
             let link = Course { q: self.space.nearest(link.q), ..link };

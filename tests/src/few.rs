@@ -170,7 +170,7 @@ pub fn ions(k: usize) -> Scene<2, Charge, OfIons> {
         .pairs(Coulomb { k: 0.8 })
 }
 
-/// A well that grows and shrinks, steeper for what is heavy.
+/// A well that grows and shrinks, steeper for what is heavy, in a wind that turns.
 #[derive(Clone, Copy, Debug)]
 pub struct Swell {
     pub k: f64,
@@ -183,6 +183,11 @@ impl Swell {
     fn energy(&self, q: [f64; 2], m: f64, t: f64) -> f64 {
         let s = q[0] * q[0] + q[1] * q[1];
         self.k * (1.0 + 0.4 * (self.omega * t).sin()) * m * m * s * (1.0 + 0.5 * s)
+    }
+    #[force]
+    fn wind(&self, q: [f64; 2], t: f64) -> [f64; 2] {
+        let c = 3.0 * (1.7 * self.omega * t).cos();
+        [c * q[1], -c * q[0] * q[0]]
     }
 }
 

@@ -148,8 +148,9 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> ActsAtStages<D>
     #[inline]
     fn add_slopes(&self, at: &Moments<'_, D>, out: &mut Eights<D>) {
         let visit = |a, b| {
-            let [on_a, off_b] =
-                self.between_at_stages(at.t, [a, b], [a, b].map(|i| at.body(i, Self::FORCED)).each_ref());
+            // Not by `map`: it is not inlined for so large an array, and copies it for each pair.
+            let (at_a, at_b) = (at.body(a, Self::FORCED), at.body(b, Self::FORCED));
+            let [on_a, off_b] = self.between_at_stages(at.t, [a, b], [&at_a, &at_b]);
             out.add(a, on_a);
             out.subtract(b, off_b);
         };

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::rides::{Block, Forget, Outcome};
+use super::rides::{Block, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
 use crate::run::{Attend, Due, Follow, Interrupted, Log, Prepared};
@@ -134,5 +134,19 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
             Ok(stopped)
         });
         log.close(&stepper, outcome, Duration::ZERO)
+    }
+}
+
+/// Looks at the states that are due, and keeps none, where they are to be forgotten.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Forget {
+    pub(super) states: bool,
+}
+
+impl<X> Attend<X> for Forget {
+    const STREAMS: bool = true;
+
+    fn take(&mut self, _: &X) -> Result<bool, Error> {
+        Ok(self.states)
     }
 }

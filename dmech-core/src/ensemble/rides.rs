@@ -5,11 +5,11 @@ use core::ops::Range;
 use dmech_scalar::Rows;
 
 use super::lanes::in_lanes;
+use super::member::Member;
 use super::steps::InLanes;
-use crate::error::Error;
 use crate::law::{Fields, LinearInVelocity, VelocityIndependent};
 use crate::ride::{WIDE, rows};
-use crate::run::{Attend, Due, Interrupted, Run, Simulation};
+use crate::run::{Attend, Interrupted, Run, Simulation};
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
     Adaptive, Boris, Coefficients, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss,
@@ -40,35 +40,12 @@ impl<L, S, O, const D: usize> core::fmt::Debug for Block<'_, L, S, O, D> {
 impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Block<'_, L, S, O, D> {
     /// One member by itself.
     pub(super) fn alone(&self, k: usize) -> Outcome<State<D>> {
-        let simulation = (self.member)(k);
-        let mut outcome = match simulation.due() {
-            Due::Every(_) => simulation.attended(Forget { states: true }).record(self.span),
-            _ => simulation.record(self.span),
-        };
-        match &mut outcome {
-            Ok(run) => run.forget_work(),
-            Err(interrupted) => interrupted.run_mut().forget_work(),
-        }
-        outcome
+        Member::begin(self, k).and_then(|member| member.alone().end())
     }
 
     /// All of them, one by one.
     pub(super) fn one_by_one(&self) -> Vec<Outcome<State<D>>> {
         self.members.clone().map(|k| self.alone(k)).collect()
-    }
-}
-
-/// Looks at the states that are due, and keeps none, where they are to be forgotten.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Forget {
-    pub(super) states: bool,
-}
-
-impl<X> Attend<X> for Forget {
-    const STREAMS: bool = true;
-
-    fn take(&mut self, _: &X) -> Result<bool, Error> {
-        Ok(self.states)
     }
 }
 

@@ -19,10 +19,6 @@ impl<X> Interrupted<X> {
         &self.inner.0
     }
 
-    pub(crate) fn run_mut(&mut self) -> &mut Run<X> {
-        &mut self.inner.0
-    }
-
     /// The same, by value.
     pub fn into_run(self) -> Run<X> {
         self.inner.0

@@ -156,11 +156,6 @@ impl<X> Run<X> {
         &self.report
     }
 
-    /// Where the work of the steps was not summed.
-    pub(crate) fn forget_work(&mut self) {
-        self.report.forget_work();
-    }
-
     fn record(&mut self, state: X) {
         self.states.push(state);
     }

@@ -50,10 +50,6 @@ impl Report {
         self.kept = kept;
     }
 
-    pub(crate) fn forget_work(&mut self) {
-        self.drifts[Invariant::WorkEnergy as usize] = None;
-    }
-
     #[cfg(any(feature = "ranks", feature = "store"))]
     pub(crate) fn work(&self) -> Work {
         self.work

@@ -60,9 +60,7 @@ impl<L: Law<D>, const D: usize> Saved for Particle<L, D> {
 
     /// What the law reads of itself, and the masses of its coordinates.
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        if let Some(written) = self.law().written() {
-            written.fields(see);
-        }
+        self.law().tell(see);
         self.law().mass_ratios().into_iter().for_each(|ratio| see("masses", ratio));
     }
 

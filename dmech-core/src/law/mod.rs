@@ -151,6 +151,14 @@ pub trait Law<const D: usize, R: Real = f64> {
     fn written(&self) -> Option<&dyn Written<D>> {
         None
     }
+
+    /// The numbers that make the law what it is, by name, as far as they are known.
+    #[doc(hidden)]
+    fn tell(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        if let Some(written) = self.written() {
+            written.fields(see);
+        }
+    }
 }
 
 #[diagnostic::do_not_recommend]

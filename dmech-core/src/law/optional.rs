@@ -52,6 +52,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
     fn written(&self) -> Option<&dyn Written<D>> {
         self.as_ref()?.written()
     }
+
+    fn tell(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        self.iter().for_each(|law| law.tell(see));
+    }
 }
 
 impl<L: VelocityIndependent> VelocityIndependent for Option<L> {}

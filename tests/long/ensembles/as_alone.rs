@@ -29,7 +29,7 @@ where
         None => ensemble,
     };
     let run = ensemble.clone().look_every(every).run_until(end).unwrap();
-    let few = ensemble.lanes(3).threads(1).look_every(every).run_until(end).unwrap();
+    let few = ensemble.lanes(7).threads(1).look_every(every).run_until(end).unwrap();
     assert_eq!(run.checksum(), few.checksum(), "{name}");
     let mut steps = 0;
     for k in 0..MEMBERS {

@@ -80,7 +80,7 @@ where
             ensemble.with(move |k, member: Company<State<D>>| accompany!(member, k, &(seen as &Vec<Seen>)[k], L, D))
         };
         let runs =
-            [ensemble(&seen).run_until(end).unwrap(), ensemble(&few).lanes(3).threads(1).run_until(end).unwrap()];
+            [ensemble(&seen).run_until(end).unwrap(), ensemble(&few).lanes(7).threads(1).run_until(end).unwrap()];
         for k in 0..MEMBERS {
             let by_itself = Seen::default();
             let alone = Simulation::new(L::member(k), L::start(k)).scheme(scheme);

@@ -154,6 +154,11 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     fn mass_ratios(&self) -> [f64; K] {
         from_fn(|i| self.masses[i / D])
     }
+
+    fn tell(&self, see: &mut dyn FnMut(&'static str, f64)) {
+        let mut numbers = self.numbers().list().into_iter();
+        <Self as Fields<K>>::names(&mut |name| numbers.next().into_iter().for_each(|x| see(name, x)));
+    }
 }
 
 impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K> for FewBodies<A, D, N, K> {

@@ -32,12 +32,8 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
         let mut of_bodies = [[R::ZERO; D]; N];
         add(&mut of_bodies);
         let mut all = [R::ZERO; K];
-        for i in 0..N {
-            // One quotient in place of D.
-            let per = self.inertia[i].recip();
-            for k in 0..D {
-                all[D * i + k] = per * of_bodies[i][k];
-            }
+        for i in 0..K {
+            all[i] = of_bodies[i / D][i % D] / self.inertia[i / D];
         }
         all
     }

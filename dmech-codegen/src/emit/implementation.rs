@@ -1,6 +1,6 @@
 //! The impl block, and what stands in for it where the law has errors.
 
-use dmech_symbolic::expression::{Expr, Graph};
+use dmech_symbolic::expression::Expr;
 use dmech_symbolic::kernel::Kernels;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -124,7 +124,7 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let kept = printer(Reached::Law(quote!(#receiver))).invariants(&model.invariants, invariants);
     let autonomous = !names(&phi, is_time) && !names(forces, is_time);
     let read: Vec<_> = numbers_of_law(parameters).collect();
-    let fields = names_of_numbers(graph, parameters);
+    let fields = names_of_numbers(parameters);
     let count = Literal::usize_unsuffixed(read.len());
     let (held, law, mass, t) = (hidden_lifetime(model), ident("law"), ident("mass"), ident("t"));
     // A law that is only run counts as used.
@@ -210,12 +210,9 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
 }
 
 /// The function that tells the names of what the kernels read of the law, in order.
-pub(super) fn names_of_numbers(graph: &Graph, parameters: &[Parameter]) -> TokenStream {
-    let names: Vec<_> = parameters
-        .iter()
-        .filter(|parameter| matches!(parameter.source, Source::Law(_)))
-        .map(|parameter| graph.name(parameter.symbol))
-        .collect();
+pub(super) fn names_of_numbers(parameters: &[Parameter]) -> TokenStream {
+    let of_law = parameters.iter().filter(|parameter| matches!(parameter.source, Source::Law(_)));
+    let names: Vec<_> = of_law.map(|parameter| &parameter.name).collect();
     let see = underscored(&ident("see"), !names.is_empty());
     quote! {
         fn names(#see: &mut dyn ::core::ops::FnMut(&'static ::core::primitive::str)) {

@@ -69,7 +69,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let items = super::author::items(model, dimension, Some(data_type));
     let reads = reads(&printer, &names, model, layout);
     let read: Vec<_> = numbers_of_law(&lowered.parameters).collect();
-    let fields = names_of_numbers(&lowered.graph, &lowered.parameters);
+    let fields = names_of_numbers(&lowered.parameters);
     let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
     let (held, law) = (hidden_lifetime(model), ident("law"));
     let (a, b, t) = (ident("a"), ident("b"), ident("t"));

@@ -110,15 +110,15 @@ impl<'m> Interpreter<'m> {
         if let Some(&found) = self.known.get(key) {
             return found;
         }
-        let mut name = name.to_owned();
+        let mut free = name.to_owned();
         if matches!(source, Source::Law(_) | Source::Body(_, Read::Data(_))) {
-            while !self.names.insert(name.clone()) {
-                name.insert_str(0, "law_");
+            while !self.names.insert(free.clone()) {
+                free.insert_str(0, "law_");
             }
         }
-        let symbol = self.graph.parameter(&name);
+        let symbol = self.graph.parameter(&free);
         let formula = self.graph.symbol(symbol);
-        self.parameters.push(Parameter { symbol, source });
+        self.parameters.push(Parameter { symbol, name: name.to_owned(), source });
         self.known.insert(key.to_owned(), formula);
         formula
     }

@@ -38,6 +38,8 @@ pub struct LoweredPair {
 pub struct Parameter {
     /// Its symbol in the graph, named as it is to be shown (`gm`, `k_0`, `m`).
     pub symbol: Symbol,
+    /// The same, also where something else has that name in the graph.
+    pub name: String,
     /// Where its value comes from.
     pub source: Source,
 }

@@ -51,6 +51,10 @@ fn names_of_coordinates_are_not_taken_twice() {
             ("type", "self.r#type"),
         ],
     );
+    // Outside of the formulas each has the name that its author gave it.
+    let lowered = lower_text(&text).unwrap();
+    let names: Vec<_> = lowered.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    assert_eq!(names, ["x", "m", "k_2", "k_2", "type"]);
 }
 
 #[test]

@@ -4,9 +4,10 @@
 //!
 //! ```text
 //! pip install heyoka
+//! export RUSTFLAGS="-C target-cpu=native"
 //! cargo bench -p dmech-peers --bench peers --features solvers
 //! cargo bench -p dmech-peers --bench outer_ss -- 1e6
-//! RUSTFLAGS="-C target-cpu=native" cargo bench -p dmech-peers --bench batch
+//! cargo bench -p dmech-peers --bench batch
 //! ```
 //!
 //! An [`Entrant`] runs a motion once for a knob, which is the number of steps or the tolerance. All entrants of a motion

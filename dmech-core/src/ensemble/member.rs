@@ -35,6 +35,9 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
         let Prepared { mut stepper, run, steps: left, attend } = simulation.prepare(block.span)?;
         stepper.scheme.watch(S::SEES_ROUGH, &mut stepper.workspace);
         let mut log = Log::new(&stepper, run, due, attend);
+        if every.is_none() && !O::STREAMS {
+            log = log.with_room(&stepper, left)?;
+        }
         log.watch.forget_work();
         let outcome = log.begin(&stepper).map(|()| None);
         // It may begin where it is to end.

@@ -26,9 +26,8 @@ pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
     #[cfg(feature = "plot")]
     log.watch.keep_courses(log.start);
     // A stream keeps none.
-    let states = if steps == UNCOUNTED || O::STREAMS { 0 } else { log.due.states(steps, motion.dt()) };
-    if let Err(cause) = log.run.expect(states, motion.size()) {
-        return Err(Interrupted::new(log.run, cause));
+    if !O::STREAMS {
+        log = log.with_room(motion, steps)?;
     }
     log.write(motion, steps, Follow::new(shown, steps))
 }
@@ -77,6 +76,15 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let (happened, between, start) = (Vec::new(), Spent::default(), t);
         let (recorded, looked_at) = (0, 0);
         Log { run, watch, time, due, start, next, recorded, until_record, looked_at, attend, happened, between }
+    }
+
+    /// With room for the states of so many steps: more than there is memory for are refused.
+    pub(crate) fn with_room(mut self, motion: &dyn Motion<X, R>, steps: u64) -> Result<Self, Interrupted<X>> {
+        let states = if steps == UNCOUNTED { 0 } else { self.due.states(steps, motion.dt()) };
+        match self.run.expect(states, motion.size()) {
+            Ok(()) => Ok(self),
+            Err(cause) => Err(Interrupted::new(self.run, cause)),
+        }
     }
 
     /// The whole run.

@@ -1,7 +1,7 @@
 //! Other solvers beside dmech: time against error on five motions.
 //!
 //! ```text
-//! cargo bench -p dmech-peers --features solvers
+//! RUSTFLAGS="-C target-cpu=native" cargo bench -p dmech-peers --features solvers
 //! ```
 //!
 //! All get the same force, written by hand and inlined, the tolerances 10⁻² to 10⁻¹⁵ (relative and absolute alike) or

@@ -1,5 +1,8 @@
 //! States at given times, and members as they come.
 
+use std::ops::ControlFlow;
+
+use dmech::extend::Company;
 use dmech::prelude::*;
 
 use crate::laws::{Driven, Many, Orbit};
@@ -35,6 +38,26 @@ fn states_at_equal_distances_of_steps_without_a_longest() {
         let run = Ensemble::of(9).law(Orbit::member).start(Orbit::start).scheme(adaptive).record_dt(0.1).lanes(lanes);
         assert_eq!(run.run(10).unwrap().member(3).unwrap().states(), alone.states());
     }
+}
+
+/// More states than there is memory for are refused before a member moves, in lanes and alone.
+#[test]
+fn more_states_than_there_is_memory_for() {
+    const STEPS: u64 = 1 << 50;
+    fn refused<S: dmech::extend::Rides<Orbit, 2> + Copy + Sync>(scheme: S, lanes: usize) {
+        let alone = Simulation::new(Orbit::member(3), Orbit::start(3)).scheme(scheme).dt(0.01).record_dt(0.005);
+        let alone = alone.run(STEPS).unwrap_err().cause();
+        assert!(matches!(alone, Error::Recording { .. }), "{alone}");
+        let ensemble = Ensemble::of(9).law(Orbit::member).start(Orbit::start).scheme(scheme).dt(0.01).lanes(lanes);
+        // Those who would move would do so once.
+        let once = |_, member: Company<State<2>>| member.observe(1, |_| ControlFlow::Break(()));
+        let run = ensemble.record_dt(0.005).with(once).run(STEPS).unwrap();
+        assert_eq!(run.failures().collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|k| (k, alone)));
+    }
+    refused(Leapfrog, 8);
+    refused(Leapfrog, 1);
+    refused(Gauss::order16(), 8);
+    refused(Relaxed::order6(), 8);
 }
 
 /// Members come in their order, on any number of threads, and their checksum is that of all together.

@@ -114,7 +114,11 @@ impl<L: Author<D>, const D: usize> Written<D> for L {
 }
 
 /// Numbers, each with its name.
-fn named(names: fn(&mut dyn FnMut(&'static str)), numbers: &impl Numbers, see: &mut dyn FnMut(&'static str, f64)) {
+pub(crate) fn named(
+    names: fn(&mut dyn FnMut(&'static str)),
+    numbers: &impl Numbers,
+    see: &mut dyn FnMut(&'static str, f64),
+) {
     let mut k = 0;
     names(&mut |name| {
         see(name, numbers.at(k));

@@ -17,6 +17,7 @@ use super::space::Space;
 use super::state::SceneState;
 use super::terms::Term;
 use crate::error::{Error, SceneError};
+use crate::law::written::named;
 use crate::law::{Fields, Law, LinearInVelocity, Numbers, VelocityIndependent};
 use crate::state::State;
 use crate::system::{LinearVelocities, WithoutVelocities};
@@ -156,8 +157,7 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     }
 
     fn tell(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        let mut numbers = self.numbers().list().into_iter();
-        <Self as Fields<K>>::names(&mut |name| numbers.next().into_iter().for_each(|x| see(name, x)));
+        named(<Self as Fields<K>>::names, &self.numbers(), see);
     }
 }
 

@@ -182,9 +182,7 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        if let Some(written) = self.law.written() {
-            written.fields(see);
-        }
+        self.law.tell(see);
     }
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {

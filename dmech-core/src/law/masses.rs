@@ -69,10 +69,6 @@ impl<L: Law<D, R> + MassIndependent, const D: usize, R: Real> Law<D, R> for Mass
     fn written(&self) -> Option<&dyn Written<D>> {
         self.law.written()
     }
-
-    fn tell(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        self.law.tell(see);
-    }
 }
 
 /// The numbers of the law, and the masses after them.

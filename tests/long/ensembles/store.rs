@@ -273,23 +273,30 @@ fn the_numbers_of_a_small_scene_have_names() {
 /// Two who are too far apart for their law to tell: simulations each by itself, and steppers, know its numbers too.
 #[test]
 fn a_small_scene_by_itself_tells_its_numbers() {
-    let two = |cutoff: f64, length: f64| {
+    let law = |cutoff: f64, length: f64| {
         let scene = Scene::<2>::new().body(1.0, [0.0, 0.0], [0.4, 0.0]).body(1.5, [3.0, 0.3], [-0.4, 0.0]);
         let scene = scene.pairs(LennardJones { epsilon: 0.2, sigma: 0.9 }).cutoff(cutoff).periodic([20.0, length]);
-        let law = scene.as_law::<2, 4>();
-        Simulation::new(law, law.start()).scheme(Leapfrog).dt(0.01).record_every(100)
+        scene.as_law::<2, 4>()
     };
+    let start = law(1.6, 20.0).start();
+    let two = |cutoff: f64, length: f64| {
+        Simulation::new(law(cutoff, length), start).scheme(Leapfrog).dt(0.01).record_every(100)
+    };
+    let perhaps =
+        |cutoff: f64, length: f64| Simulation::new(Some(law(cutoff, length)), start).scheme(Leapfrog).dt(0.01);
     let place = Place::new("few-each");
     let each = |cutoff, length| Ensemble::each(3, |_| two(cutoff, length)).store(place.file()).run_until(4.0);
     let mut stepper = two(1.6, 20.0).stepper().unwrap();
     stepper.advance(10).unwrap();
     let saved = stepper.checkpoint();
+    let perhaps_saved = perhaps(1.6, 20.0).stepper().unwrap().checkpoint();
     let kept = each(1.6, 20.0).unwrap();
     for (cutoff, length, column, store, here) in [(1.2, 20.0, "cutoff", 1.6, 1.2), (1.6, 10.0, "box", 20.0, 10.0)] {
         let column = dmech::extend::Name::of(&[column]);
         let refused = each(cutoff, length).unwrap_err();
         assert_eq!(refused, Error::Store(StoreError::Member { member: 0, column, store, here }));
         assert!(matches!(two(cutoff, length).resume(&saved), Err(Error::Checkpoint(_))));
+        assert!(matches!(perhaps(cutoff, length).resume(&perhaps_saved), Err(Error::Checkpoint(_))));
     }
     the_same(&each(1.6, 20.0).unwrap(), &kept);
     let resumed = two(1.6, 20.0).resume(&saved).unwrap();

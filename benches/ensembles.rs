@@ -1,6 +1,6 @@
 //! Members of an ensemble against a loop over lanes written by hand, and against each alone, in one run.
 //!
-//! `cargo bench --bench ensembles` prints the time of a member and step on one core, the best of some runs. With
+//! `cargo bench -p dmech-benches --bench ensembles` prints the time of a member and step on one core, the best of some runs. With
 //! `RUSTFLAGS="-C target-cpu=native"` both sides use the widest registers and fused multiply-adds. The bits are those of each alone; the
 //! suite `ensembles` sees to that.
 

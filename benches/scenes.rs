@@ -1,8 +1,8 @@
 //! Scenes of many bodies against hand-written loops, in one run.
 //!
-//! `cargo bench --bench scenes` prints the time of a step, or of a body and step, the best of many short runs, taken in
+//! `cargo bench -p dmech-benches --bench scenes` prints the time of a step, or of a body and step, the best of many short runs, taken in
 //! turn. With `RUSTFLAGS="-C target-cpu=native"` both sides use the widest registers and fused multiply-adds.
-//! `cargo bench --bench scenes -- WORD` runs the scenes whose name contains the word.
+//! `cargo bench -p dmech-benches --bench scenes -- WORD` runs the scenes whose name contains the word.
 //!
 //! Hand-written loops of one scene must agree with each other before they are timed. The project's own start with half a
 //! kick, which the twins leave out, so their numbers are others; the tests compare those.

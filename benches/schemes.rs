@@ -1,10 +1,10 @@
 //! Generated steps against hand-written loops, in one run.
 //!
-//! `cargo bench --bench schemes` prints nanoseconds per step: the best of many short runs, taken in turn, so that all
+//! `cargo bench -p dmech-benches --bench schemes` prints nanoseconds per step: the best of many short runs, taken in turn, so that all
 //! share the machine's good and bad moments; ratios are what counts. With `RUSTFLAGS="-C target-cpu=native"` both sides
 //! use fused multiply-adds.
 //!
-//! `cargo bench --bench schemes -- --only NAME STEPS` runs one loop once, for counting instructions:
+//! `cargo bench -p dmech-benches --bench schemes -- --only NAME STEPS` runs one loop once, for counting instructions:
 //! see `benches/instructions`.
 
 use std::hint::black_box;

@@ -19,12 +19,10 @@ mod growth;
 mod picture;
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use dmech::plot::plotters::style::{IntoFont, TextStyle};
 use dmech::prelude::*;
 use growth::{Growth, Motion};
-use indicatif::{ProgressBar, ProgressStyle};
 use picture::{Axis, BLUE, Drawn, INK, OCHRE, PURPLE, RED, TEAL};
 
 fn main() -> Drawn {
@@ -34,14 +32,10 @@ fn main() -> Drawn {
     if motions.is_empty() {
         return Err(format!("no motion is called {wanted}: there are kepler, components, henon and chain").into());
     }
-    // Only on a terminal. The chain, which comes last, takes most of the time.
-    let bar = ProgressBar::new(5 * motions.len() as u64);
-    bar.set_style(ProgressStyle::with_template("{elapsed} {bar:30} {pos} of {len} schemes done, {msg}")?);
-    bar.enable_steady_tick(Duration::from_millis(500));
     for motion in motions {
-        bar.set_message(motion.name());
+        // The chain, which comes last, takes most of the time.
         let told = |line: Growth| {
-            bar.inc(1);
+            eprintln!("{}, {}: done", motion.name(), line.scheme);
             line
         };
         let lines = [
@@ -52,13 +46,9 @@ fn main() -> Drawn {
             motion.growth(Composed::order8(DiscreteGradient), Invariant::Energy, decades).map(told)?,
         ];
         let path = draw(motion, &lines)?;
-        // The bar would be written over.
-        bar.suspend(|| {
-            print(motion, &lines);
-            println!("Picture: {}\n", path.display());
-        });
+        print(motion, &lines);
+        println!("Picture: {}\n", path.display());
     }
-    bar.finish_and_clear();
     Ok(())
 }
 

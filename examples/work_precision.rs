@@ -14,7 +14,7 @@
 //! energy-exact schemes pay for a nonlinear solve in each step, and their column of energy drifts shows what for.
 //!
 //! The program prints a table for each motion, writes the rows as CSV and the lines as a picture, and collects all in
-//! `work_precision.html`. A bar shows how far it is; it takes about a minute.
+//! `work_precision.html`. It takes about a minute.
 
 #[path = "shared/page.rs"]
 mod page;
@@ -22,13 +22,11 @@ mod page;
 mod picture;
 
 use std::f64::consts::FRAC_PI_4;
-use std::time::Duration;
 
 use dmech::extend::AtStages;
 use dmech::models::{Anharmonic, HenonHeiles, Kepler, Morse, Pendulum};
 use dmech::prelude::*;
 use dmech::{StudyError, StudyReport};
-use indicatif::{ProgressBar, ProgressStyle};
 use page::Section;
 use picture::Drawn;
 
@@ -65,23 +63,18 @@ const MOTIONS: [Motion; 6] = [
 ];
 
 fn main() -> Drawn {
-    let bar = ProgressBar::new(MOTIONS.len() as u64);
-    bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len}  {msg}  {elapsed}")?);
-    bar.enable_steady_tick(Duration::from_millis(200));
     let mut sections = Vec::new();
     for (name, title, words, study) in MOTIONS {
-        bar.set_message(title);
+        println!("{title}");
         let report = study()?;
-        bar.suspend(|| println!("{title}\n{report}"));
+        println!("{report}");
         let csv = picture::place(&format!("work_precision_{name}.csv"))?;
         report.save_csv(&csv)?;
         let svg = picture::place(&format!("work_precision_{name}.svg"))?;
         report.plot_titled(&svg, &format!("{title}: time for an error"))?;
-        bar.suspend(|| println!("Rows: {}\nPicture: {}\n", csv.display(), svg.display()));
+        println!("Rows: {}\nPicture: {}\n", csv.display(), svg.display());
         sections.push(Section { title, words, picture: svg, report });
-        bar.inc(1);
     }
-    bar.finish_and_clear();
     println!("Page: {}", page::save("work_precision.html", &sections)?.display());
     Ok(())
 }

@@ -22,12 +22,11 @@ mod run;
 mod source;
 
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Duration;
 
 use entry::Entry;
-use indicatif::{ProgressBar, ProgressStyle};
 use picture::Drawn;
 use source::Source;
 
@@ -85,26 +84,22 @@ fn sources(examples: &Path, wanted: impl Fn(&str) -> bool) -> Drawn<Groups<(&'st
 }
 
 fn run_all(groups: Groups<(&'static str, Source)>, folder: &Path) -> Drawn<Groups<Entry>> {
-    let bar = ProgressBar::new(groups.iter().map(|(_, sources)| sources.len() as u64).sum());
-    bar.set_style(ProgressStyle::with_template("{bar:24} {pos}/{len}  {msg}  {elapsed}")?);
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar.set_message("building");
+    println!("Building, then running, {} examples", groups.iter().map(|(_, sources)| sources.len()).sum::<usize>());
     run::build_all(groups.iter().flat_map(|(_, sources)| sources).map(|(name, _)| *name))?;
     let mut all = Vec::new();
     for (title, sources) in groups {
         let mut entries = Vec::new();
         for (name, source) in sources {
-            bar.set_message(name);
+            print!("{name:<16} ");
+            io::stdout().flush()?;
             let outcome = run::run(name, folder);
             let time = outcome.time.filter(|_| outcome.failure.is_none());
             let time = time.map_or("failed".to_owned(), entry::seconds);
-            bar.suspend(|| println!("{name:<16} {time:>9}"));
-            bar.inc(1);
+            println!("{time:>9}");
             entries.push(Entry { name: name.to_owned(), source, outcome });
         }
         all.push((title, entries));
     }
-    bar.finish_and_clear();
     Ok(all)
 }
 

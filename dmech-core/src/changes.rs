@@ -21,14 +21,16 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         conserved.then(|| self.system.energy(&self.state()).to_f64())
     }
 
-    /// Goes on from another state: another place, another velocity, another time.
+    /// Goes on from another state: another place, another velocity, another time. Driven bodies are then where their paths lead.
     ///
     /// # Errors
     /// [`Error::State`] and what the start of a simulation may be refused for; the stepper then stays as it was.
     pub fn set_state(&mut self, state: Y::State) -> Result<(), Error> {
         self.system.check(&state)?;
         self.moves_on(Y::time(&state), self.dt)?;
-        self.begin_from(state)
+        // Driven bodies are where their paths lead.
+        let [q, v] = self.system.vectors(&state);
+        self.begin_from(self.system.state(Y::time(&state), &q, &v))
     }
 
     /// Goes on in steps of another length; the longest, where the steps follow the motion.

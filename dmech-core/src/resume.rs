@@ -8,8 +8,8 @@ use crate::setup::Setup;
 use crate::stepper::Stepper;
 
 impl<L, X, S, O> Simulation<L, X, S, O> {
-    /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter: a scene is set up
-    /// again as it was, and its bodies move to where they were.
+    /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter, only when: a scene is set
+    /// up again as it was, and its bodies move to where they were.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] says what differs: the number of bodies, the scheme, dt, a mass, a pin, a law. Otherwise as
@@ -71,6 +71,10 @@ where
         let start = self.system.state(saved.begun_at(), &q, &v);
         let since = saved.steps.saturating_sub(saved.steps_before);
         self.put(start, memory, [saved.steps_before, since, saved.evaluations, saved.iterations]);
+        // It may have waited for a law to have a value.
+        if since == 0 && self.begin_from(self.start.clone()).is_err() {
+            self.wait_at(self.start.clone());
+        }
         if self.fingerprint() == saved.laws { Ok(()) } else { Err(Difference::Laws) }
     }
 

@@ -18,9 +18,28 @@ impl fmt::Display for Number {
     }
 }
 
+/// The longest step of a saved motion, 0 or NaN where there was none.
+#[cfg(any(feature = "serde", feature = "store"))]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Longest(pub(crate) f64);
+
+#[cfg(any(feature = "serde", feature = "store"))]
+impl fmt::Display for Longest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 > 0.0 && self.0.is_finite() { Number(self.0).fmt(f) } else { f.write_str("not limited") }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::Number;
+
+    #[cfg(any(feature = "serde", feature = "store"))]
+    #[test]
+    fn there_may_be_no_longest_step() {
+        let shown = [0.3, 1e-9, 0.0, f64::NAN, f64::INFINITY].map(|dt| super::Longest(dt).to_string());
+        assert_eq!(shown, ["0.3", "1e-9", "not limited", "not limited", "not limited"]);
+    }
 
     #[test]
     fn a_number_has_an_exponent_where_it_is_large_or_small() {

@@ -319,6 +319,31 @@ fn a_changed_stepper_is_saved_and_resumed() {
     assert_eq!((other.steps(), other.t(), other.state()), (68, stepper.t(), stepper.state()));
 }
 
+/// A stepper that waits for a law to have a value waits when it was saved, too, and goes on when it has one.
+#[test]
+fn a_stepper_that_waits_is_saved_and_resumed() {
+    macro_rules! waits {
+        ($($scheme:expr),*) => {$({
+            let simulation = |gm| Simulation::new(Kepler { gm }, START).scheme($scheme).dt(0.01);
+            let mut stepper = simulation(1.3).stepper().unwrap();
+            stepper.advance(3).unwrap();
+            // Φ is not finite where it is now; at the start of a simulation it is.
+            let huge = 0.95 * f64::MAX;
+            stepper.law_mut().gm = huge;
+            let error = stepper.step().unwrap_err();
+            let far = Simulation::new(Kepler { gm: huge }, State::new([1e3, 0.0], [0.0; 2]).at_time(START.t)).scheme($scheme).dt(0.01);
+            let mut other = far.resume(&stepper.checkpoint()).unwrap();
+            assert_eq!(other.step().unwrap_err(), error);
+            assert_eq!(other.advance(2).unwrap_err(), error);
+            (stepper.law_mut().gm, other.law_mut().gm) = (0.9, 0.9);
+            stepper.advance(5).unwrap();
+            other.advance(5).unwrap();
+            assert_eq!((other.state(), other.steps()), (stepper.state(), stepper.steps()));
+        })*};
+    }
+    waits!(Leapfrog, Nystrom::order6(), DiscreteGradient, Gauss::order16());
+}
+
 /// Times that steps cannot tell apart are refused, as at the start.
 #[test]
 fn changes_keep_the_time_moving() {

@@ -189,6 +189,13 @@ fn it_is_carried_on() {
     assert_eq!(second.state().q, [hand(3.0).0, [0.5, 0.5]]);
     second.set_state(now.clone()).unwrap();
     assert_eq!(second.state(), now);
+    // At another time, and where it is said to be but is not: as a new simulation, and one that was saved.
+    let elsewhere = SceneState { t: 1.7, q: vec![[5.0, 6.0], [0.4, 0.5]], v: vec![[7.0, 8.0], now.v[1]] };
+    second.set_state(elsewhere.clone()).unwrap();
+    let anew = simulation().starting_from(&elsewhere).stepper().unwrap();
+    assert_eq!((second.state(), second.q().get(0)), (anew.state(), anew.q().get(0)));
+    assert_eq!(second.state(), second.at(1.7).unwrap());
+    assert_eq!((second.state().q[0], second.state().v[0]), hand(1.7));
 
     let error = Simulation::scene(bodies().drive(7, hand).chain(SPRING)).scheme(Leapfrog).dt(0.01).run(1).unwrap_err();
     assert_eq!(error.to_string(), "body 7 cannot be pinned or driven: the bodies are 0 to 1");

@@ -82,7 +82,7 @@ pub(crate) fn no_role(ty: &impl ToTokens) -> Error {
     at(
         ty,
         format!(
-            "no method of this block has a role; mark the one that returns the energy of `{name}` with `#[potential]` (of one \
+            "no method of this block says what acts; mark the one that returns the energy of `{name}` with `#[potential]` (of one \
              body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`"
         ),
     )

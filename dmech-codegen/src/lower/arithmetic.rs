@@ -130,6 +130,7 @@ impl<'m> Interpreter<'m> {
         let value = self.value(&unary.expr);
         match (&unary.op, value) {
             (_, Value::Unknown) => Value::Unknown,
+            (UnOp::Deref(_), _) if matches!(*unary.expr, Expr::Lit(_)) => self.refuse(body::stars(e)),
             (UnOp::Deref(_), value) => value,
             (UnOp::Neg(_), Value::Integer(n)) => match n.checked_neg() {
                 Some(n) => Value::Integer(n),

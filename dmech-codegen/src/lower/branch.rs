@@ -92,6 +92,10 @@ impl<'m> Interpreter<'m> {
                 self.report(body::field_as_condition(at));
                 None
             }
+            _ if matches!(at, Expr::Assign(_)) => {
+                self.report(body::assignment_as_condition(at));
+                None
+            }
             other => {
                 self.report(body::expected_condition(at, &other.kind()));
                 None

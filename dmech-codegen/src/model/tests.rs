@@ -220,13 +220,13 @@ fn roles() {
     refused(
         "impl «Law» { fn energy(&self, q: f64) -> f64 { q } }",
         &[
-            "no method of this block has a role; mark the one that returns the energy of `Law` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
+            "no method of this block says what acts; mark the one that returns the energy of `Law` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
         ],
     );
     refused(
         "impl «physics::Law<3>» { }",
         &[
-            "no method of this block has a role; mark the one that returns the energy of `physics::Law<3>` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
+            "no method of this block says what acts; mark the one that returns the energy of `physics::Law<3>` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
         ],
     );
     refused(

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::name::Name;
-use crate::text::Number;
+use crate::text::{Longest, Number};
 
 /// What differs between a checkpoint and the simulation that was to go on from it.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -48,7 +48,7 @@ pub enum Difference {
         scheme: &'static str,
     },
     /// The time step.
-    #[error("dt is {} in the checkpoint against {}", Number(*checkpoint), Number(*here))]
+    #[error("dt is {} in the checkpoint against {}", Longest(*checkpoint), Longest(*here))]
     TimeStep {
         /// In the checkpoint.
         checkpoint: f64,

@@ -121,8 +121,8 @@ pub enum SceneError {
         /// The refused length.
         length: f64,
     },
-    /// A cut-off that is zero, negative, infinite or NaN.
-    #[error("the cut-off must be positive and finite, not {}", Number(*cutoff))]
+    /// A cut-off that is zero, negative, infinite or NaN, or whose square is.
+    #[error("the cut-off must be positive and finite, and so must its square, not {}", Number(*cutoff))]
     Cutoff {
         /// The refused cut-off.
         cutoff: f64,

@@ -5,7 +5,7 @@ use core::fmt;
 use thiserror::Error;
 
 use crate::name::Name;
-use crate::text::Number;
+use crate::text::{Longest, Number};
 
 /// What is wrong with the store of an ensemble ([`Ensemble::store`](crate::Ensemble::store)): it is damaged, it belongs to another
 /// sweep, or it cannot be written.
@@ -94,7 +94,7 @@ pub enum StoreError {
         here: f64,
     },
     /// The time step; NaN where there is none.
-    #[error("dt is {} in the store against {}", Number(*store), Number(*here))]
+    #[error("dt is {} in the store against {}", Longest(*store), Longest(*here))]
     TimeStep {
         /// In the store.
         store: f64,

@@ -13,8 +13,9 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// The sign is looked at after each step. Where it has changed, the time is found to its rounding by shortened steps of the
     /// same scheme, so that the event has the order of the scheme and the steps do not move. Several events of one step come in
     /// the order of their times. A zero at the start is none; one that falls on the end of a step is counted
-    /// once, when it is reached, also where the function turns back there. A function that passes through zero twice within one
-    /// step may be missed: take steps shorter than it lasts.
+    /// once, when it is reached, also where the function turns back there. Where rounding leaves no time at which the function is zero, the
+    /// state is the first behind the passage, so that a motion that goes on from there does not pass again. A function that passes through
+    /// zero twice within one step may be missed: take steps shorter than it lasts. A value that is NaN is on no side of zero.
     ///
     /// ```
     /// use dmech_core::prelude::*;

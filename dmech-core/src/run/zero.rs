@@ -4,7 +4,8 @@
 const MOST: u32 = 200;
 
 /// The time of a zero between two times at which a function has values of different signs, to the rounding of the time: inverse
-/// quadratic interpolation where three values promise that it is good, halving elsewhere.
+/// quadratic interpolation where three values promise that it is good, halving elsewhere. Where no time gives a zero, the first that is
+/// known to lie behind it: a motion that goes on from there does not pass it again.
 ///
 /// # Reference
 /// T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145–149.
@@ -13,18 +14,18 @@ pub(super) fn zero<E>(
     [mut a, mut b]: [f64; 2],
     [mut fa, mut fb]: [f64; 2],
 ) -> Result<f64, E> {
-    let rounding = f64::EPSILON * a.abs().max(b.abs());
+    let (rounding, before) = (f64::EPSILON * a.abs().max(b.abs()), fa > 0.0);
     // The first trial is that of a straight line.
     let mut share = fa / (fa - fb);
     if share.is_nan() {
         share = 0.5;
     }
     for _ in 0..MOST {
-        let nearest = if fa.abs() < fb.abs() { a } else { b };
         let least = rounding / (b - a).abs();
-        if fa == 0.0 || fb == 0.0 || least.is_nan() || least >= 0.5 {
-            return Ok(nearest);
+        if fa == 0.0 || fb == 0.0 || least.is_nan() || least >= 1.0 {
+            break;
         }
+        let least = least.min(0.5);
         let time = share.clamp(least, 1.0 - least).mul_add(b - a, a);
         let value = function(time)?;
         // a is the newest, b lies on the other side of the zero, c is what fell away.
@@ -44,7 +45,8 @@ pub(super) fn zero<E>(
             0.5
         };
     }
-    Ok(if fa.abs() < fb.abs() { a } else { b })
+    let behind = if fa == 0.0 || fb == 0.0 { fa == 0.0 } else { (fa > 0.0) != before };
+    Ok(if behind { a } else { b })
 }
 
 #[cfg(test)]
@@ -80,6 +82,8 @@ mod tests {
                         let found = zero(f, ends, values).unwrap();
                         let rounding = 2.0 * f64::EPSILON * origin.abs().max(ends[0].abs()).max(ends[1].abs());
                         assert!((found - origin).abs() <= rounding, "{origin} {found}");
+                        let [value, end] = [found, ends[1]].map(|t| sign * shape(t - origin));
+                        assert!(value == 0.0 || value.is_sign_positive() == end.is_sign_positive(), "{origin} {found}");
                         assert!(count <= most, "{count} evaluations");
                     }
                 }

@@ -4,6 +4,7 @@ use quote::ToTokens;
 use syn::{Error, Ident};
 
 use crate::diagnostics::{at, text};
+use crate::lower::arity;
 
 pub(crate) fn unknown_helper(name: &Ident, law: &str, near: Option<&str>) -> Error {
     if let Some(near) = near {
@@ -55,14 +56,37 @@ pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool) -> Error {
             format!("`{name}` is a helper of this block; call it as `self.{name}(…)` or `Self::{name}(…)`"),
         );
     }
-    at(
-        path,
-        format!(
-            "what `{name}` computes cannot be seen here; write it as a helper in this `impl` block and call it as \
-             `Self::{}(…)`",
-            name.rsplit("::").next().unwrap_or(&name)
-        ),
-    )
+    let last = name.rsplit("::").next().unwrap_or(&name);
+    let instead = match method(last) {
+        Some(method) => format!("functions of numbers are methods: {method}"),
+        None if last.starts_with(char::is_uppercase) => {
+            "a law is made of numbers, and this makes something else".to_owned()
+        }
+        None => format!("write it as a helper in this `impl` block and call it as `Self::{last}(…)`"),
+    };
+    at(path, format!("what `{name}` computes cannot be seen here; {instead}"))
+}
+
+/// What other languages write as a function, as Rust has it.
+fn method(name: &str) -> Option<String> {
+    let alike = match name {
+        "pow" | "power" => return Some("`x.powi(2)`, `x.powf(1.5)`".to_owned()),
+        "log" => "ln",
+        "fabs" | "absolute" => "abs",
+        "sign" => "signum",
+        "arcsin" => "asin",
+        "arccos" => "acos",
+        "arctan" => "atan",
+        "arctan2" => "atan2",
+        "fmin" | "minimum" => "min",
+        "fmax" | "maximum" => "max",
+        name => name,
+    };
+    Some(match arity(alike)? {
+        0 => format!("`x.{alike}()`"),
+        1 => format!("`x.{alike}(y)`"),
+        _ => format!("`x.{alike}(y, z)`"),
+    })
 }
 
 pub(crate) fn no_argument(name: &Ident) -> Error {

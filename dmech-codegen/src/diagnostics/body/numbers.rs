@@ -69,6 +69,10 @@ pub(crate) fn expected_condition(e: &impl ToTokens, found: &str) -> Error {
     at(e, format!("a condition is expected here, this is {found}; compare it with something: `x < 0.0`"))
 }
 
+pub(crate) fn assignment_as_condition(e: &impl ToTokens) -> Error {
+    at(e, "`=` gives a value to a variable; compare with `==`")
+}
+
 pub(crate) fn field_as_condition(e: &impl ToTokens) -> Error {
     at(
         e,
@@ -126,6 +130,11 @@ pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
         _ => "conditions are joined with `&&`, `||` and `!`",
     };
     at(op, format!("`{}` works on bits, not on numbers; {instead}", text(op)))
+}
+
+/// `x ** 2`, which Rust reads as `x * (*2)`.
+pub(crate) fn stars(e: &impl ToTokens) -> Error {
+    at(e, "`**` is not an operator of Rust; a power is `x.powi(2)` or `x.powf(1.5)`")
 }
 
 /// `left ∘ right` where there is no such operation.

@@ -19,6 +19,9 @@ fn refused_derive(text: &str, messages: &[&str]) {
 
 #[test]
 fn integers_where_numbers_belong() {
+    let stars = ["`**` is not an operator of Rust; a power is `x.powi(2)` or `x.powf(1.5)`"];
+    refused("q[0] *«* 2»", &stars);
+    refused("q[0] *«*2.0» + 1.0", &stars);
     refused("«2» * q[0]", &["`2` is an integer and a number is expected here; write `2.0`"]);
     refused("q[0] * «-2»", &["`-2` is an integer and a number is expected here; write `-2.0`"]);
     refused("let mut s = 0.0; s += «2»; s * q[0]", &["`2` is an integer and a number is expected here; write `2.0`"]);
@@ -371,6 +374,7 @@ fn branches() {
             "`self.on` is used as a condition, and the parameters of a law are numbers; keep it as an `f64` and compare it: `if self.on > 0.0`",
         ],
     );
+    refused("if «q[0] = 1.0» { 1.0 } else { 0.0 }", &["`=` gives a value to a variable; compare with `==`"]);
     refused("!«q[0]»", &["a condition is expected here, this is a number; compare it with something: `x < 0.0`"]);
     refused(
         "if «let» 1.0 = q[0] { 1.0 } else { 0.0 }",
@@ -498,6 +502,23 @@ fn helpers() {
         &[
             "what `foo` computes cannot be seen here; write it as a helper in this `impl` block and call it as `Self::foo(…)`",
         ],
+    );
+    for (call, methods) in [
+        ("sqrt", "`x.sqrt()`"),
+        ("libm::pow", "`x.powi(2)`, `x.powf(1.5)`"),
+        ("log", "`x.ln()`"),
+        ("max", "`x.max(y)`"),
+        ("arctan2", "`x.atan2(y)`"),
+        ("clamp", "`x.clamp(y, z)`"),
+    ] {
+        refused(
+            &format!("«{call}»(q[0])"),
+            &[&format!("what `{call}` computes cannot be seen here; functions of numbers are methods: {methods}")],
+        );
+    }
+    refused(
+        "«Some»(q[0])",
+        &["what `Some` computes cannot be seen here; a law is made of numbers, and this makes something else"],
     );
     refused("«energy»(q)", &["`energy` is a helper of this block; call it as `self.energy(…)` or `Self::energy(…)`"]);
     refused(
@@ -639,7 +660,7 @@ fn invariants_that_are_none() {
     refused_block(
         "impl «Law» { #[invariant] fn kept(&self, q: f64) -> f64 { q } }",
         &[
-            "no method of this block has a role; mark the one that returns the energy of `Law` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
+            "no method of this block says what acts; mark the one that returns the energy of `Law` with `#[potential]` (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`",
         ],
     );
     refused_block(

@@ -26,7 +26,7 @@ pub(crate) struct Longest(pub(crate) f64);
 #[cfg(any(feature = "serde", feature = "store"))]
 impl fmt::Display for Longest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0 > 0.0 && self.0.is_finite() { Number(self.0).fmt(f) } else { f.write_str("not limited") }
+        if self.0 == 0.0 || !self.0.is_finite() { f.write_str("not limited") } else { Number(self.0).fmt(f) }
     }
 }
 

@@ -199,10 +199,33 @@ fn it_is_carried_on() {
 
     let error = Simulation::scene(bodies().drive(7, hand).chain(SPRING)).scheme(Leapfrog).dt(0.01).run(1).unwrap_err();
     assert_eq!(error.to_string(), "body 7 cannot be pinned or driven: the bodies are 0 to 1");
-    // A path that leads nowhere is said to.
-    let lost = bodies().drive(0, |t| ([if t > 0.5 { f64::NAN } else { 0.0 }, 0.0], [0.0; 2])).chain(SPRING);
-    let error = Simulation::scene(lost).scheme(Leapfrog).dt(0.01).run(100).unwrap_err();
-    assert!(error.to_string().contains("bodies 0 and 1"), "{error}");
+}
+
+/// A path that leads nowhere is named, when it is lost.
+#[test]
+fn a_path_that_is_lost_is_named() {
+    macro_rules! lost {
+        ($($scheme:expr),*) => {$({
+            for from in [0.0, 0.25] {
+                let path = move |t: f64| ([if t >= from { f64::NAN } else { 0.1 * t }, 0.0], [0.1, 0.0]);
+                let scene = bodies().drive(0, path).chain(SPRING);
+                let told = match Simulation::scene(scene).scheme($scheme).dt(0.1).run(100) {
+                    Ok(_) => panic!("{} follows a path that is lost", stringify!($scheme)),
+                    Err(interrupted) => interrupted.to_string(),
+                };
+                assert!(told.contains("the path that body 0 is driven along is not finite"), "{told}");
+            }
+        })*};
+    }
+    lost!(
+        Leapfrog,
+        Explicit,
+        Implicit,
+        DiscreteGradient,
+        Nystrom::order6(),
+        Gauss::order16(),
+        Composed::order4(DiscreteGradient)
+    );
 }
 
 /// A rope of which both ends are moved, as a chain, on bonds and, explicitly, in small steps: the same motion.

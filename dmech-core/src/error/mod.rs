@@ -199,6 +199,18 @@ pub enum Error {
         /// The time at which that step began.
         time: f64,
     },
+    /// The path that a body of a scene is driven along has no finite place or velocity.
+    #[error("the path that body {body} is driven along is not finite at t = {}, step {step}, t = {}", Number(*at), Number(*time))]
+    Path {
+        /// The body.
+        body: usize,
+        /// The time that the path was asked for.
+        at: f64,
+        /// The step that led there; 0 at the start.
+        step: u64,
+        /// The time at which that step began.
+        time: f64,
+    },
     /// A step led to an infinite position or velocity.
     #[error(
         "step {step} from t = {} with dt = {} led to a position or velocity that is not finite",

@@ -71,6 +71,7 @@ fn all(x: f64) -> Vec<Error> {
         ];
         all.extend(differences.map(Error::Store));
     }
+    all.push(Error::Path { body, at: x, step, time });
     for place in [Place::new(&[x]), Place::new(&[x; 2]), Place::new(&[x; 5])] {
         all.push(Error::Body { body, value, place, step, time });
         all.push(Error::LawInStep { quantity, value, place, step, time, dt });
@@ -84,7 +85,7 @@ fn listed(error: &Error) -> bool {
     match error {
         MissingTimeStep | TimeStep { .. } | Tolerance { .. } | NoTimeScale { .. } | StepVanished { .. } => true,
         Mass { .. } | State { .. } | RecordEvery | EndTime { .. } | TimeStandsStill { .. } | Law { .. } => true,
-        Underflow { .. } | Link { .. } | Body { .. } | NotFinite { .. } => true,
+        Underflow { .. } | Link { .. } | Body { .. } | Path { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
         RecordDt { .. } | RecordAt { .. } | Recording { .. } | OutsideStep { .. } | Stream(_) => true,
         #[cfg(feature = "scene")]
@@ -114,7 +115,7 @@ fn numbers_in_messages_have_few_digits() {
     }
     let store = if cfg!(feature = "store") { 7 } else { 0 };
     let scene = if cfg!(feature = "scene") { 4 } else { 0 };
-    assert_eq!(numbers, 3 * (58 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
+    assert_eq!(numbers, 3 * (60 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
 }
 
 /// What ends a member on another machine comes home as it is; what cannot happen there is not written.

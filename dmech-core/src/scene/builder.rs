@@ -118,7 +118,8 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
     ///
     /// What acts on the others depends on the time then, which every scheme takes as it takes a law that names the time, with
     /// its order; the energy is no invariant. v is what laws of the velocity feel. A path that bends, as one that stops, is
-    /// best made to bend between two steps; it must be finite at all times. A path that depends on the motion, as of a hand in
+    /// best made to bend between two steps; it must be finite at all times, or the run ends with
+    /// [`Error::Path`](crate::Error::Path). A path that depends on the motion, as of a hand in
     /// a game, is [`set_body`](crate::Stepper::set_body) between steps.
     ///
     /// ```

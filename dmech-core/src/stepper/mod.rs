@@ -120,8 +120,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// Advances by one time step.
     ///
     /// # Errors
-    /// [`Error::NotConverged`], [`Error::LawInStep`] or [`Error::NotFinite`]; for scenes [`Error::Link`] and [`Error::Body`]
-    /// where it can be said between or on which bodies a law is not finite. The stepper then stays where it was.
+    /// [`Error::NotConverged`], [`Error::LawInStep`] or [`Error::NotFinite`]; for scenes [`Error::Link`], [`Error::Body`] and
+    /// [`Error::Path`] where it can be said between or on which bodies a law is not finite. The stepper then stays where it was.
     #[inline(always)]
     pub fn step(&mut self) -> Result<(), Error> {
         self.step_and(|_, _, _| ())

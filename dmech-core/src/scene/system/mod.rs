@@ -128,6 +128,7 @@ fn told(fault: Fault, step: u64, time: f64) -> Error {
     match fault {
         Fault::Link { a, b, distance } => Error::Link { a, b, distance, step, time },
         Fault::Body { body, value, place } => Error::Body { body, value, place, step, time },
+        Fault::Path { body, at } => Error::Path { body, at, step, time },
     }
 }
 
@@ -533,7 +534,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
             }
             if b.is_finite() { self.acts.fault(Some(q), &b, v, t + passed) } else { None }
         };
-        match PARTS.iter().find_map(fault) {
+        let lost = self.acts.lost(PARTS.map(|part| t + part * dt));
+        match lost.or_else(|| PARTS.iter().find_map(fault)) {
             Some(fault) => told(fault, step, t),
             None => not_converged(step, t, dt, cause),
         }
@@ -541,8 +543,9 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     #[cold]
     fn not_finite(&self, step: u64, [q, v]: [&Vectors<D>; 2], t: f64, dt: f64) -> Error {
-        let fault = if q.is_finite() { self.acts.fault(None, q, v, t + dt) } else { None };
-        fault.map_or(Error::NotFinite { step, time: t, dt }, |fault| told(fault, step, t))
+        let fault = || if q.is_finite() { self.acts.fault(None, q, v, t + dt) } else { None };
+        let lost = self.acts.lost(PARTS.map(|part| t + part * dt));
+        lost.or_else(fault).map_or(Error::NotFinite { step, time: t, dt }, |fault| told(fault, step, t))
     }
 
     fn conserves(&self, invariant: Invariant) -> bool {

@@ -43,6 +43,15 @@ impl<const D: usize, A> Driven<D, A> {
         self.drives.back(v);
         said
     }
+
+    /// The first path that is not finite at one of these times.
+    pub(in crate::scene) fn lost(&self, times: impl IntoIterator<Item = f64>) -> Option<Fault> {
+        let is_lost = |[q, v]: [[f64; D]; 2]| q.iter().chain(&v).any(|x| !x.is_finite());
+        times.into_iter().find_map(|at| {
+            let (body, _) = self.drives.at(at).find(|&(_, place)| is_lost(place))?;
+            Some(Fault::Path { body, at })
+        })
+    }
 }
 
 impl<const D: usize, A: WithoutVelocities> WithoutVelocities for Driven<D, A> {}
@@ -162,6 +171,9 @@ impl<const D: usize, A: Acts<D>> Acts<D> for Driven<D, A> {
     }
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
+        if let Some(lost) = self.lost([t]) {
+            return Some(lost);
+        }
         self.moving(t, q, v, |acts, q, v| match from {
             None => acts.fault(None, q, v, t),
             Some(from) => self.at(t, from, |_, from| acts.fault(Some(from), q, v, t)),

@@ -183,4 +183,11 @@ pub enum Fault {
         /// Where the body is.
         place: Place,
     },
+    /// The path that a body is driven along.
+    Path {
+        /// The body.
+        body: usize,
+        /// The time at which it is not finite.
+        at: f64,
+    },
 }

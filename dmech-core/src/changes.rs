@@ -116,10 +116,7 @@ impl<Y: System + Holds<X>, S: Scheme<Y>, X: Clone> Drop for LawMut<'_, Y, S, X> 
         if let Some(law) = self.stepper.system.law_mut() {
             law.clone_from(&self.law);
         }
-        // Where the law has no value, the next step begins from here, or says why it cannot.
-        if self.stepper.begin_from(state.clone()).is_err() {
-            self.stepper.wait_at(state);
-        }
+        self.stepper.begin_or_wait_at(state);
     }
 }
 

@@ -72,8 +72,8 @@ where
         let since = saved.steps.saturating_sub(saved.steps_before);
         self.put(start, memory, [saved.steps_before, since, saved.evaluations, saved.iterations]);
         // It may have waited for a law to have a value.
-        if since == 0 && self.begin_from(self.start.clone()).is_err() {
-            self.wait_at(self.start.clone());
+        if since == 0 {
+            self.begin_or_wait_at(self.start.clone());
         }
         if self.fingerprint() == saved.laws { Ok(()) } else { Err(Difference::Laws) }
     }

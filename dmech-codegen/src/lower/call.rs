@@ -111,7 +111,7 @@ impl<'m> Interpreter<'m> {
             }
             return self.function(function, receiver, arguments, e);
         }
-        self.refuse(body::foreign_function(path, false))
+        self.refuse(body::foreign_function(path, false, arity))
     }
 
     /// `f(x)`, which is never right.
@@ -123,7 +123,7 @@ impl<'m> Interpreter<'m> {
         }
         let is_own =
             self.model.methods.contains_key(&name) || self.model.formulas().any(|formula| formula.ident == *name);
-        self.refuse(body::foreign_function(path, is_own))
+        self.refuse(body::foreign_function(path, is_own, arity))
     }
 
     /// A method of the same block, read as if it stood in place of the call.

@@ -25,7 +25,7 @@ fn unary(name: &str) -> Option<Unary> {
 }
 
 /// How many arguments beside the receiver a function takes.
-pub(crate) fn arity(name: &str) -> Option<usize> {
+pub(super) fn arity(name: &str) -> Option<usize> {
     match name {
         "recip" | "sin_cos" | "to_radians" | "to_degrees" | "ceil" | "fract" => Some(0),
         "powi" | "powf" | "atan2" | "hypot" | "min" | "max" | "log" | "rem_euclid" => Some(1),

@@ -56,7 +56,6 @@ mod tests;
 use crate::diagnostics::Mistakes;
 use crate::model::Model;
 
-pub(crate) use function::arity;
 pub use lowered::{Lowered, LoweredPair, Parameter, Read, Source};
 pub(crate) use pair::data;
 

@@ -106,10 +106,12 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         Ok(())
     }
 
-    /// Begins anew from a state as soon as the law has a value there.
-    pub(crate) fn wait_at(&mut self, start: Y::State) {
-        self.steps_before += core::mem::take(&mut self.steps);
-        (self.start, self.waits) = (start, true);
+    /// Begins anew from a state, or as soon as the law has a value there: the next step begins then, or says why it cannot.
+    pub(crate) fn begin_or_wait_at(&mut self, start: Y::State) {
+        if self.begin_from(start.clone()).is_err() {
+            self.steps_before += core::mem::take(&mut self.steps);
+            (self.start, self.waits) = (start, true);
+        }
     }
 
     #[cold]

@@ -4,7 +4,6 @@ use quote::ToTokens;
 use syn::{Error, Ident};
 
 use crate::diagnostics::{at, text};
-use crate::lower::arity;
 
 pub(crate) fn unknown_helper(name: &Ident, law: &str, near: Option<&str>) -> Error {
     if let Some(near) = near {
@@ -48,7 +47,8 @@ pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {
     }
 }
 
-pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool) -> Error {
+/// A function that is no helper; the arity is that of a method of numbers, by its name.
+pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool, arity: fn(&str) -> Option<usize>) -> Error {
     let name = text(path);
     if is_helper {
         return at(
@@ -57,7 +57,7 @@ pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool) -> Error {
         );
     }
     let last = name.rsplit("::").next().unwrap_or(&name);
-    let instead = match method(last) {
+    let instead = match method(last, arity) {
         Some(method) => format!("functions of numbers are methods: {method}"),
         None if last.starts_with(char::is_uppercase) => {
             "a law is made of numbers, and this makes something else".to_owned()
@@ -68,7 +68,7 @@ pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool) -> Error {
 }
 
 /// What other languages write as a function, as Rust has it.
-fn method(name: &str) -> Option<String> {
+fn method(name: &str, arity: fn(&str) -> Option<usize>) -> Option<String> {
     let alike = match name {
         "pow" | "power" => return Some("`x.powi(2)`, `x.powf(1.5)`".to_owned()),
         "log" => "ln",

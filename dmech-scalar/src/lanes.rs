@@ -79,8 +79,12 @@ impl Lanes {
 
     /// f(i) in lane i.
     #[inline(always)]
-    pub fn from_fn(f: impl FnMut(usize) -> f64) -> Self {
-        Self::from_array(core::array::from_fn(f))
+    pub fn from_fn(mut f: impl FnMut(usize) -> f64) -> Self {
+        let mut lanes = [0.0; 8];
+        for lane in 0..8 {
+            lanes[lane] = f(lane);
+        }
+        Self::from_array(lanes)
     }
 
     /// The first eight numbers of a slice; it need not be aligned. `as_chunks::<8>` and [`Lanes::from_array`] do the same

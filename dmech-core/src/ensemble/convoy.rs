@@ -1,6 +1,5 @@
 //! Members side by side, one in each lane.
 
-use core::array::from_fn;
 use core::cell::LazyCell;
 use core::mem::{replace, take};
 use core::ops::Range;
@@ -10,7 +9,7 @@ use dmech_scalar::{Mask, Real, Rows};
 use super::lanes::Together;
 use super::member::Member;
 use super::steps::InLanes;
-use crate::invariant::{Drift, Drifts, Invariant};
+use crate::invariant::{Drift, Invariant};
 use crate::law::{Fields, Numbered, Numbers};
 use crate::ride::LANES;
 use crate::run::Attend;
@@ -52,28 +51,29 @@ fn together<L: Fields<D>, const D: usize, const W: usize>(numbers: &[(L::Numbers
 
 impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L, S, D, W> {
     pub(super) fn of<O: Attend<State<D>>>(seats: &[Member<L, S, O, D>]) -> Self {
-        let stepper = |lane: usize| &seats.get(lane).unwrap_or(&seats[0]).stepper;
         let numbers: Vec<_> = seats.iter().map(Member::numbers).collect();
         let system = together(&numbers);
-        let scheme = seats[0].stepper.scheme;
-        let all = scheme.gather(&system, &stepper);
-        let first = State::of(ByLane::of(&|lane| &stepper(lane).start.q), ByLane::of(&|lane| &stepper(lane).start.v));
-        let watched: Vec<Drifts> = seats.iter().map(|member| member.log.watch.drifts()).collect();
-        let drifts = from_fn(|i| {
+        let Member { stepper, log, .. } = &seats[0];
+        let scheme = stepper.scheme;
+        let all = scheme.alike(&system, stepper);
+        let first = State::of(ByLane::alike(&stepper.start.q), ByLane::alike(&stepper.start.v));
+        let mut drifts = [None; Invariant::ALL.len()];
+        for (of, watched) in Invariant::ALL.into_iter().zip(log.watch.drifts()) {
             // Where bodies of some members are pinned, others keep their momenta.
-            let of = Invariant::ALL[i];
             let may = matches!(of, Invariant::LinearMomentum | Invariant::AngularMomentum) && system.conserves(of);
-            let of_first = watched[0][i].or(may.then(|| Drift::new(0.0, 0.0)))?;
-            let of = |lane: usize| watched.get(lane).and_then(|drifts| drifts[i].as_ref()).unwrap_or(&of_first);
-            Some(ByLane::of(&of))
-        });
+            drifts[of as usize] = watched.or(may.then(|| Drift::new(0.0, 0.0))).as_ref().map(ByLane::alike);
+        }
         let now = States::default();
         let none = [u64::MAX; LANES];
         let (left, until_look, every) = (none, none, none);
         let (made, looked_at, cost) = ([0; LANES], [None; LANES], Effort::default());
         let mut convoy =
             Convoy { scheme, numbers, system, all, first, now, drifts, left, until_look, every, made, looked_at, cost };
-        seats.iter().enumerate().for_each(|(lane, member)| convoy.count(lane, member));
+        for (lane, member) in seats.iter().enumerate() {
+            convoy.place(lane, member);
+            convoy.count(lane, member);
+        }
+        convoy.set_strides();
         convoy
     }
 
@@ -93,6 +93,7 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         self.system = together(&self.numbers);
         self.place(lane, member);
         self.count(lane, member);
+        self.set_strides();
     }
 
     /// Leaves the last lane that a member has.
@@ -105,13 +106,16 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
     pub(super) fn vacate<O: Attend<State<D>>>(&mut self, lanes: Range<usize>, member: &Member<L, S, O, D>) {
         if !lanes.is_empty() {
             self.system = together(&self.numbers);
-            lanes.for_each(|lane| self.place(lane, member));
+            for lane in lanes {
+                self.place(lane, member);
+            }
+            self.set_strides();
         }
     }
 
     /// Has a lane move as a member does.
     fn place<O: Attend<State<D>>>(&mut self, lane: usize, member: &Member<L, S, O, D>) {
-        self.scheme.seat(&self.system, &mut self.all, lane, &member.stepper);
+        self.scheme.seat(&mut self.all, lane, &member.stepper);
         let State { q, v, .. } = &member.stepper.start;
         self.first.q.set(lane, q);
         self.first.v.set(lane, v);
@@ -122,21 +126,31 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         }
     }
 
+    /// Each moves with steps of its own length.
+    fn set_strides(&mut self) {
+        self.scheme.set_strides(&self.system, &mut self.all);
+    }
+
     pub(super) fn has_ended(&self) -> bool {
         self.left.contains(&0)
     }
 
     /// Steps until one ends, or is to be looked at.
     pub(super) fn row(&self) -> u64 {
-        self.left.iter().chain(&self.until_look).fold(ROW, |least, &steps| least.min(steps))
+        let mut row = ROW;
+        for lane in 0..LANES {
+            row = row.min(self.left[lane]).min(self.until_look[lane]);
+        }
+        row
     }
 
     /// So many steps, or fewer if one arrives; none, and false, where they cannot be made together.
     pub(super) fn advance(&mut self, steps: u64) -> bool {
         let Some(made) = self.scheme.advance(&self.system, &mut self.all, steps, &mut self.cost) else { return false };
-        self.made.iter_mut().for_each(|all| *all += made);
-        for column in [&mut self.left, &mut self.until_look] {
-            column.iter_mut().for_each(|left| *left -= made);
+        for lane in 0..LANES {
+            self.made[lane] += made;
+            self.left[lane] -= made;
+            self.until_look[lane] -= made;
         }
         if let Some(arrived) = self.scheme.at_the_end(&self.all) {
             for (lane, left) in self.left.iter_mut().enumerate().take(self.numbers.len()) {
@@ -149,7 +163,9 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
 
     /// Gives each what is in its lane.
     pub(super) fn land_all<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
-        seats.iter_mut().enumerate().for_each(|(lane, member)| self.land(lane, member));
+        for (lane, member) in seats.iter_mut().enumerate() {
+            self.land(lane, member);
+        }
         self.cost = Effort::default();
     }
 
@@ -161,8 +177,13 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         stepper.evaluations += take(&mut evaluations[lane]) as u64;
         stepper.iterations += take(&mut iterations[lane]) as u64;
         stepper.memory = self.scheme.lane(&self.all, lane);
-        let watched = log.watch.drifts();
-        log.watch.set_drifts(from_fn(|i| watched[i].and(self.drifts[i].as_ref()).map(|drift| drift.lane(lane))));
+        let mut drifts = log.watch.drifts();
+        for (watched, all) in drifts.iter_mut().zip(&self.drifts) {
+            if let (Some(watched), Some(all)) = (watched, all) {
+                *watched = all.lane(lane);
+            }
+        }
+        log.watch.set_drifts(drifts);
         if member.every.is_some() {
             log.until_record = self.until_look[lane];
         }
@@ -180,7 +201,9 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
     /// Everything that follows a step, or a row of steps into which nobody looks.
     pub(super) fn look_back<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
         if O::EVENTS > 0 || O::OBSERVES {
-            seats.iter_mut().enumerate().for_each(|(lane, member)| self.land_steps(lane, member));
+            for (lane, member) in seats.iter_mut().enumerate() {
+                self.land_steps(lane, member);
+            }
         }
         if O::EVENTS > 0 {
             let after = self.states();
@@ -193,16 +216,21 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         self.look(seats);
         if O::OBSERVES {
             let now = LazyCell::new(|| self.states());
-            let on_their_way = seats.iter_mut().enumerate().filter(|(_, member)| !member.is_stopped());
-            on_their_way.for_each(|(lane, member)| member.observe(|| now.lane(lane)));
+            for (lane, member) in seats.iter_mut().enumerate() {
+                if !member.is_stopped() {
+                    member.observe(|| now.lane(lane));
+                }
+            }
         }
         self.dismiss(seats);
     }
 
     /// Those who were stopped, or have failed, make no more steps.
     fn dismiss<O: Attend<State<D>>>(&mut self, seats: &[Member<L, S, O, D>]) {
-        for (lane, _) in seats.iter().enumerate().filter(|(_, member)| member.is_stopped()) {
-            (self.left[lane], self.until_look[lane]) = (0, u64::MAX);
+        for (lane, member) in seats.iter().enumerate() {
+            if member.is_stopped() {
+                (self.left[lane], self.until_look[lane]) = (0, u64::MAX);
+            }
         }
     }
 

@@ -17,14 +17,14 @@ pub trait InLanes<L: Fields<D>, const D: usize, const W: usize>: Scheme<Particle
     /// What all carry.
     type All;
 
-    /// Takes up what each carries, lane by lane.
-    fn gather<'a>(&self, system: &Together<L, D, W>, alone: &impl Fn(usize) -> &'a Alone<L, Self, D>) -> Self::All
-    where
-        L: 'a,
-        Self: 'a;
+    /// Takes up what one carries, in every lane.
+    fn alike(&self, system: &Together<L, D, W>, alone: &Alone<L, Self, D>) -> Self::All;
 
     /// Takes up what one carries in its lane.
-    fn seat(&self, system: &Together<L, D, W>, all: &mut Self::All, lane: usize, alone: &Alone<L, Self, D>);
+    fn seat(&self, all: &mut Self::All, lane: usize, alone: &Alone<L, Self, D>);
+
+    /// Takes the lengths of the steps of those who have been seated.
+    fn set_strides(&self, system: &Together<L, D, W>, all: &mut Self::All);
 
     /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together.
     fn advance(
@@ -67,6 +67,17 @@ type Memory<L, S, const D: usize, const W: usize> = <S as Scheme<Together<L, D, 
 type Workspace<L, S, const D: usize, const W: usize> = <S as Scheme<Together<L, D, W>>>::Workspace;
 type Stride<L, const D: usize, const W: usize> = <Together<L, D, W> as System>::Stride;
 
+/// A workspace that sees what the scheme can see.
+fn watching<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize>(
+    scheme: &S,
+    system: &Together<L, D, W>,
+    stride: &Stride<L, D, W>,
+) -> Workspace<L, S, D, W> {
+    let mut workspace = scheme.workspace(system, stride);
+    <S as Scheme<Together<L, D, W>>>::watch(scheme, <S as Scheme<Together<L, D, W>>>::SEES_ROUGH, &mut workspace);
+    workspace
+}
+
 /// Members with steps of one length each.
 pub struct Even<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> {
     stride: Stride<L, D, W>,
@@ -86,30 +97,21 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> Even<L, S
 impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L, D, W> for S {
     type All = Even<L, S, D, W>;
 
-    fn gather<'a>(&self, system: &Together<L, D, W>, alone: &impl Fn(usize) -> &'a Alone<L, S, D>) -> Even<L, S, D, W>
-    where
-        L: 'a,
-        S: 'a,
-    {
-        let dt = Rows::from_fn(|lane| alone(lane).dt);
+    fn alike(&self, system: &Together<L, D, W>, alone: &Alone<L, S, D>) -> Even<L, S, D, W> {
+        let [start, dt, made] = [alone.start.t, alone.dt, alone.steps as f64].map(Rows::from_f64);
         let stride = system.stride(dt, <S as Scheme<Together<L, D, W>>>::SHARE);
-        let mut workspace = self.workspace(system, &stride);
-        <S as Scheme<Together<L, D, W>>>::watch(self, <S as Scheme<Together<L, D, W>>>::SEES_ROUGH, &mut workspace);
-        Even {
-            stride,
-            memory: ByLane::of(&|lane| &alone(lane).memory),
-            workspace,
-            start: Rows::from_fn(|lane| alone(lane).start.t),
-            dt,
-            made: Rows::from_fn(|lane| alone(lane).steps as f64),
-        }
+        let workspace = watching::<L, S, D, W>(self, system, &stride);
+        Even { stride, memory: ByLane::alike(&alone.memory), workspace, start, dt, made }
     }
 
-    fn seat(&self, system: &Together<L, D, W>, all: &mut Even<L, S, D, W>, lane: usize, alone: &Alone<L, S, D>) {
+    fn seat(&self, all: &mut Even<L, S, D, W>, lane: usize, alone: &Alone<L, S, D>) {
         all.start[lane] = alone.start.t;
         all.dt[lane] = alone.dt;
         all.made[lane] = alone.steps as f64;
         all.memory.set(lane, &alone.memory);
+    }
+
+    fn set_strides(&self, system: &Together<L, D, W>, all: &mut Even<L, S, D, W>) {
         all.stride = system.stride(all.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
         <S as Scheme<Together<L, D, W>>>::pace(self, system, &all.stride, &mut all.workspace);
     }
@@ -162,31 +164,23 @@ pub struct Paced<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usiz
 impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usize> InLanes<L, D, W> for Adaptive<S> {
     type All = Paced<L, S, D, W>;
 
-    fn gather<'a>(
-        &self,
-        system: &Together<L, D, W>,
-        alone: &impl Fn(usize) -> &'a Alone<L, Self, D>,
-    ) -> Paced<L, S, D, W>
-    where
-        L: 'a,
-        S: 'a,
-    {
-        let pacing: Pacing<Rows<W>> = ByLane::of(&|lane| &alone(lane).memory.pacing);
+    fn alike(&self, system: &Together<L, D, W>, alone: &Alone<L, Self, D>) -> Paced<L, S, D, W> {
+        let pacing: Pacing<Rows<W>> = ByLane::alike(&alone.memory.pacing);
         let stride = system.stride(pacing.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
-        let scheme = self.inner();
-        let mut workspace = scheme.workspace(system, &stride);
-        <S as Scheme<Together<L, D, W>>>::watch(&scheme, <S as Scheme<Together<L, D, W>>>::SEES_ROUGH, &mut workspace);
-        let memory = ByLane::of(&|lane| &alone(lane).memory.inner);
-        Paced { stride, memory, workspace, pacing, longest: Rows::from_fn(|lane| alone(lane).dt) }
+        let workspace = watching::<L, S, D, W>(&self.inner(), system, &stride);
+        let memory = ByLane::alike(&alone.memory.inner);
+        Paced { stride, memory, workspace, pacing, longest: Rows::from_f64(alone.dt) }
     }
 
-    fn seat(&self, system: &Together<L, D, W>, all: &mut Paced<L, S, D, W>, lane: usize, alone: &Alone<L, Self, D>) {
-        let (scheme, memory) = (self.inner(), &alone.memory);
-        all.pacing.set(lane, &memory.pacing);
-        all.memory.set(lane, &memory.inner);
+    fn seat(&self, all: &mut Paced<L, S, D, W>, lane: usize, alone: &Alone<L, Self, D>) {
+        all.pacing.set(lane, &alone.memory.pacing);
+        all.memory.set(lane, &alone.memory.inner);
         all.longest[lane] = alone.dt;
+    }
+
+    fn set_strides(&self, system: &Together<L, D, W>, all: &mut Paced<L, S, D, W>) {
         all.stride = system.stride(all.pacing.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
-        scheme.pace(system, &all.stride, &mut all.workspace);
+        self.inner().pace(system, &all.stride, &mut all.workspace);
     }
 
     fn advance(

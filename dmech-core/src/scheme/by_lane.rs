@@ -6,10 +6,8 @@ use crate::invariant::Drift;
 
 /// Values of a kind, one in each lane of W rows.
 pub trait ByLane<T, const W: usize> {
-    /// Of one by one.
-    fn of<'a>(one: &impl Fn(usize) -> &'a T) -> Self
-    where
-        T: 'a;
+    /// One in every lane.
+    fn alike(one: &T) -> Self;
     /// The one in a lane.
     fn lane(&self, lane: usize) -> T;
     /// Another in a lane.
@@ -20,8 +18,8 @@ pub trait ByLane<T, const W: usize> {
 
 impl<const W: usize> ByLane<f64, W> for Rows<W> {
     #[inline(always)]
-    fn of<'a>(one: &impl Fn(usize) -> &'a f64) -> Self {
-        Rows::from_fn(|lane| *one(lane))
+    fn alike(one: &f64) -> Self {
+        Rows::from_f64(*one)
     }
     #[inline(always)]
     fn lane(&self, lane: usize) -> f64 {
@@ -39,42 +37,47 @@ impl<const W: usize> ByLane<f64, W> for Rows<W> {
 
 /// The stages of one stand in lanes, those of several one after another.
 impl<const W: usize> ByLane<Lanes, W> for [Rows<W>; Lanes::COUNT] {
-    fn of<'a>(one: &impl Fn(usize) -> &'a Lanes) -> Self {
-        core::array::from_fn(|stage| Rows::from_fn(|lane| one(lane)[stage]))
+    fn alike(one: &Lanes) -> Self {
+        one.to_array().map(Rows::from_f64)
     }
     fn lane(&self, lane: usize) -> Lanes {
         Lanes::from_fn(|stage| self[stage][lane])
     }
     fn set(&mut self, lane: usize, one: &Lanes) {
-        self.iter_mut().enumerate().for_each(|(stage, own)| own[lane] = one[stage]);
+        for (stage, own) in self.iter_mut().enumerate() {
+            own[lane] = one[stage];
+        }
     }
     fn put(&mut self, which: RowsMask<W>, other: &Self) {
-        self.iter_mut().zip(other).for_each(|(own, other)| ByLane::<f64, W>::put(own, which, other));
+        for (own, other) in self.iter_mut().zip(other) {
+            ByLane::<f64, W>::put(own, which, other);
+        }
     }
 }
 
 impl<A: ByLane<T, W>, T, const N: usize, const W: usize> ByLane<[T; N], W> for [A; N] {
-    fn of<'a>(one: &impl Fn(usize) -> &'a [T; N]) -> Self
-    where
-        T: 'a,
-    {
-        core::array::from_fn(|i| A::of(&|lane| &one(lane)[i]))
+    fn alike(one: &[T; N]) -> Self {
+        one.each_ref().map(A::alike)
     }
     fn lane(&self, lane: usize) -> [T; N] {
-        core::array::from_fn(|i| self[i].lane(lane))
+        self.each_ref().map(|own| own.lane(lane))
     }
     fn set(&mut self, lane: usize, one: &[T; N]) {
-        self.iter_mut().zip(one).for_each(|(own, one)| own.set(lane, one));
+        for i in 0..N {
+            self[i].set(lane, &one[i]);
+        }
     }
     #[inline(always)]
     fn put(&mut self, which: RowsMask<W>, other: &Self) {
-        self.iter_mut().zip(other).for_each(|(own, other)| own.put(which, other));
+        for i in 0..N {
+            self[i].put(which, &other[i]);
+        }
     }
 }
 
 impl<const D: usize, const W: usize> ByLane<CompensatedVector<D, f64>, W> for CompensatedVector<D, Rows<W>> {
-    fn of<'a>(one: &impl Fn(usize) -> &'a CompensatedVector<D, f64>) -> Self {
-        CompensatedVector { hi: ByLane::of(&|lane| &one(lane).hi), lo: ByLane::of(&|lane| &one(lane).lo) }
+    fn alike(CompensatedVector { hi, lo }: &CompensatedVector<D, f64>) -> Self {
+        CompensatedVector { hi: ByLane::alike(hi), lo: ByLane::alike(lo) }
     }
     fn lane(&self, lane: usize) -> CompensatedVector<D, f64> {
         CompensatedVector { hi: self.hi.lane(lane), lo: self.lo.lane(lane) }
@@ -91,15 +94,18 @@ impl<const D: usize, const W: usize> ByLane<CompensatedVector<D, f64>, W> for Co
 }
 
 impl<const W: usize> ByLane<Drift, W> for Drift<Rows<W>> {
-    fn of<'a>(one: &impl Fn(usize) -> &'a Drift) -> Self {
-        Drift::by_field(|field| Rows::from_fn(|lane| one(lane).fields()[field]))
+    fn alike(one: &Drift) -> Self {
+        let fields = one.fields();
+        Drift::by_field(|field| Rows::from_f64(fields[field]))
     }
     fn lane(&self, lane: usize) -> Drift {
         let all = self.each_field();
         Drift::by_field(|field| all[field][lane])
     }
     fn set(&mut self, lane: usize, one: &Drift) {
-        self.each_field_mut().into_iter().zip(one.fields()).for_each(|(all, own)| all[lane] = own);
+        for (all, own) in self.each_field_mut().into_iter().zip(one.fields()) {
+            all[lane] = own;
+        }
     }
     fn put(&mut self, which: RowsMask<W>, other: &Self) {
         let (own, other) = (self.fields(), other.fields());
@@ -122,13 +128,10 @@ macro_rules! by_lane {
             > $(+ crate::system::$system<$more: crate::scheme::by_lane::ByLane<B::$more, W>>)?,
             B: crate::system::System $(+ crate::system::$system)?,
         {
-            fn of<'a>(one: &impl Fn(usize) -> &'a $name<B $(, $n)?>) -> Self
-            where
-                $name<B $(, $n)?>: 'a,
-            {
+            fn alike(one: &$name<B $(, $n)?>) -> Self {
                 $name {
-                    $($field: crate::scheme::by_lane::ByLane::of(&|lane| &one(lane).$field),)*
-                    $($($same: one(0).$same,)*)?
+                    $($field: crate::scheme::by_lane::ByLane::alike(&one.$field),)*
+                    $($($same: one.$same,)*)?
                     $($($new: Default::default(),)*)?
                 }
             }

@@ -2,7 +2,7 @@
 
 use super::by_lane::by_lane;
 use super::memory::{memory, q_and_v};
-use super::{Effort, Method, Newton, Scheme, remember};
+use super::{Effort, Method, Newton, Scheme, alike, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Beginning, Step, System};
@@ -110,8 +110,7 @@ impl<Y: System> Scheme<Y> for DiscreteGradient {
         start: &Beginning<'_, Y>,
         _: &mut Y::Solver,
     ) -> Result<Self::Memory, NotConverged> {
-        let slopes = core::array::from_fn(|_| start.slope.clone());
-        Ok(DiscreteGradientMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes })
+        Ok(DiscreteGradientMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes: alike(start.slope) })
     }
 
     /// (v′ + v)/2 = (q′ − q)/h; m (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.

@@ -4,7 +4,7 @@ use dmech_scalar::Real;
 
 use super::by_lane::by_lane;
 use super::memory::{memory, q_and_v};
-use super::{Effort, Method, Newton, Scheme, remember};
+use super::{Effort, Method, Newton, Scheme, alike, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Beginning, Step, System};
@@ -99,8 +99,7 @@ impl<Y: System> Scheme<Y> for Implicit {
         start: &Beginning<'_, Y>,
         _: &mut Y::Solver,
     ) -> Result<Self::Memory, NotConverged> {
-        let slopes = core::array::from_fn(|_| start.slope.clone());
-        Ok(ImplicitMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes })
+        Ok(ImplicitMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes: alike(start.slope) })
     }
 
     /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2.

@@ -4,7 +4,9 @@ use dmech_scalar::Real;
 
 use super::by_lane::by_lane;
 use super::memory::memory;
-use super::{DiscreteGradient, Effort, Method, Newton, Reached, Scheme, WithoutVelocities, remember, single_step};
+use super::{
+    DiscreteGradient, Effort, Method, Newton, Reached, Scheme, WithoutVelocities, alike, remember, single_step,
+};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::system::{Ahead, Kick, Step, System};
@@ -94,8 +96,7 @@ impl<Y: System> KanataniMemory<Y> {
     }
 
     fn new(q_before: Y::Vector, q: &Y::Vector, z: &Y::Vector, slope: &Y::Vector) -> Self {
-        let slopes = core::array::from_fn(|_| slope.clone());
-        KanataniMemory { q_before, q: Y::sum(q), z: Y::sum(z), slopes }
+        KanataniMemory { q_before, q: Y::sum(q), z: Y::sum(z), slopes: alike(slope) }
     }
 
     /// q₋, the position a step before.

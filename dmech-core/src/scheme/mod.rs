@@ -212,6 +212,11 @@ fn single_step<Y: System, S: Scheme<Y>>(
     Ok(([scheme.position(&memory).clone(), v], effort))
 }
 
+/// The same slope so many times: what the first steps are guessed from.
+fn alike<V: Clone, const N: usize>(slope: &V) -> [V; N] {
+    core::array::from_fn(|_| slope.clone())
+}
+
 /// Makes the slope that was found the newest of three, and forgets the oldest.
 #[inline(always)]
 fn remember<Y: System>(solver: &mut Y::Solver, found: &Y::Found, slopes: &mut [Y::Vector; 3]) {

@@ -94,17 +94,11 @@ impl<S: Adaptable> Adaptive<S> {
 }
 
 impl<const W: usize> ByLane<Pacing, W> for Pacing<Rows<W>> {
-    fn of<'a>(one: &impl Fn(usize) -> &'a Pacing) -> Self {
-        let of = |field: fn(&Pacing) -> f64| Rows::from_fn(|lane| field(one(lane)));
-        Pacing {
-            density: of(|pacing| pacing.density),
-            last: of(|pacing| pacing.last),
-            dt: of(|pacing| pacing.dt),
-            left: of(|pacing| pacing.left),
-            landing: of(|pacing| f64::from(pacing.landing)).equal(Rows::ONE),
-            time: Compensated { hi: of(|pacing| pacing.time.hi), lo: of(|pacing| pacing.time.lo) },
-            range: [of(|pacing| pacing.range[0]), of(|pacing| pacing.range[1])],
-        }
+    fn alike(one: &Pacing) -> Self {
+        let Pacing { density, last, dt, left, landing, time: Compensated { hi, lo }, range } = *one;
+        let [density, last, dt, left, hi, lo] = [density, last, dt, left, hi, lo].map(Rows::from_f64);
+        let (landing, range) = (Rows::from_f64(f64::from(landing)).equal(Rows::ONE), range.map(Rows::from_f64));
+        Pacing { density, last, dt, left, landing, time: Compensated { hi, lo }, range }
     }
 
     fn lane(&self, lane: usize) -> Pacing {

@@ -21,6 +21,7 @@ use super::splitting::digits;
 use super::{Boris, DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
+use crate::system::System;
 
 /// A symmetric scheme composed of steps of different lengths, forward and backward, to order 4, 6 or 8.
 ///
@@ -138,16 +139,25 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
         ends
     };
 
-    /// γ_k, to all the digits that the scalar has and that are known.
-    #[inline(always)]
-    pub(crate) fn gamma<R: Real>(k: usize) -> R {
-        digits(C::GAMMA[k], C::LOW[k])
-    }
-
     /// Where in the step a stage begins.
     pub(crate) const fn begins(k: usize) -> f64 {
         if k == 0 { 0.0 } else { Self::ENDS[k - 1] }
     }
+}
+
+/// γ_k, to all the digits that the scalar has and that are known.
+#[inline(always)]
+fn gamma<R: Real, C: Coefficients<N>, const N: usize>(k: usize) -> R {
+    digits(C::GAMMA[k], C::LOW[k])
+}
+
+/// The steps of the stages, γ_k h long each.
+fn strides<Y: System, C: Coefficients<N>, const N: usize>(
+    system: &Y,
+    stride: &Y::Stride,
+    share: f64,
+) -> [Y::Stride; N] {
+    core::array::from_fn(|k| system.stage(stride, gamma::<_, C, N>(k), share))
 }
 
 impl<S: Composable> Composed<S, Suzuki4S7, 7> {

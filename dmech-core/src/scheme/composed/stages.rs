@@ -1,15 +1,13 @@
 //! Compositions of implicit schemes: one step after another, each guessed from the stages of the step before.
 
-use core::array::from_fn;
-
 use dmech_scalar::Real;
 
 use super::predictor::{Resample, SlopeAt, weights};
-use super::{Coefficients, Composable, Composed};
+use super::{Coefficients, Composable, Composed, strides};
 use crate::newton::NotConverged;
 use crate::scheme::by_lane::by_lane;
 use crate::scheme::memory::{memory, q_and_v};
-use crate::scheme::{DiscreteGradient, Effort, Implicit, Scheme};
+use crate::scheme::{DiscreteGradient, Effort, Implicit, Scheme, alike};
 use crate::system::{Ahead, Beginning, Step, System};
 
 memory! {
@@ -135,10 +133,6 @@ impl<Y: System, const N: usize> core::fmt::Debug for Stages<Y, N> {
 impl<S: Stage, C: Coefficients<N>, const N: usize> Composed<S, C, N> {
     const WEIGHTS: [[f64; N]; N] = weights(C::GAMMA, S::SLOPE_AT);
     const RESAMPLE: Resample<N> = Resample::new(C::GAMMA, S::SLOPE_AT);
-
-    fn strides<Y: System>(system: &Y, stride: &Y::Stride) -> [Y::Stride; N] {
-        from_fn(|k| system.stage(stride, Self::gamma(k), S::SHARE))
-    }
 }
 
 impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<S, C, N> {
@@ -146,12 +140,12 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
     type Workspace = Stages<Y, N>;
 
     fn workspace(&self, system: &Y, stride: &Y::Stride) -> Stages<Y, N> {
-        let strides = Self::strides(system, stride);
+        let strides = strides::<Y, C, N>(system, stride, S::SHARE);
         Stages { solver: system.solver(), strides, expected: system.zero() }
     }
 
     fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut Stages<Y, N>) {
-        workspace.strides = Self::strides(system, stride);
+        workspace.strides = strides::<Y, C, N>(system, stride, S::SHARE);
     }
 
     fn begin(
@@ -161,8 +155,8 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         start: &Beginning<'_, Y>,
         _: &mut Stages<Y, N>,
     ) -> Result<Self::Memory, NotConverged> {
-        let slopes = from_fn(|_| start.slope.clone());
-        Ok(StagesMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes, work: Y::Scalar::ZERO })
+        let (q, v) = (Y::sum(start.q), Y::sum(start.v));
+        Ok(StagesMemory { q, v, slopes: alike(start.slope), work: Y::Scalar::ZERO })
     }
 
     #[inline(always)]

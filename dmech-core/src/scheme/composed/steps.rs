@@ -1,10 +1,8 @@
 //! Compositions of any symmetric one-step scheme, step by step.
 
-use core::array::from_fn;
-
 use dmech_scalar::Real;
 
-use super::{Coefficients, Composable, Composed};
+use super::{Coefficients, Composable, Composed, gamma, strides};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::scheme::{Effort, Method, Scheme};
@@ -73,13 +71,6 @@ impl<M: crate::checkpoint::Carried, R: Clone> crate::checkpoint::Carried for Ste
 
 impl<S: OneStep, C: Coefficients<N>, const N: usize> Composed<Steps<S>, C, N> {
     const SYMMETRIC_STAGES: () = assert!(S::SYMMETRIC, "only symmetric schemes gain an order by composition");
-
-    fn strides<Y: System>(system: &Y, stride: &Y::Stride) -> [Y::Stride; N]
-    where
-        S: Scheme<Y>,
-    {
-        from_fn(|k| system.stage(stride, Self::gamma(k), S::SHARE))
-    }
 }
 
 impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<Steps<S>, C, N> {
@@ -90,13 +81,13 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
 
     fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
         let () = Self::SYMMETRIC_STAGES;
-        let strides = Self::strides(system, stride);
+        let strides = strides::<Y, C, N>(system, stride, S::SHARE);
         let inner = self.scheme.0.workspace(system, &strides[0]);
         StepsRoom { strides, inner, paced: 0, before: None, stretched: false, watched: true }
     }
 
     fn pace(&self, system: &Y, stride: &Y::Stride, room: &mut Self::Workspace) {
-        room.strides = Self::strides(system, stride);
+        room.strides = strides::<Y, C, N>(system, stride, S::SHARE);
         room.paced = 0;
         self.scheme.0.pace(system, &room.strides[0], &mut room.inner);
     }
@@ -172,7 +163,7 @@ impl<Y: System, S: OneStep + Scheme<Y>, C: Coefficients<N>, const N: usize> Sche
     }
 
     fn velocity(&self, system: &Y, stride: &Y::Stride, t: Y::Scalar, memory: &Self::Memory) -> Y::Vector {
-        let last = system.stage(stride, Self::gamma(N - 1), S::SHARE);
+        let last = system.stage(stride, gamma::<_, C, N>(N - 1), S::SHARE);
         self.scheme.0.velocity(system, &last, t, &memory.inner)
     }
 

@@ -10,6 +10,14 @@ pub enum StudyError {
     /// It has no schemes.
     #[error("the study has no schemes: call .scheme(...)")]
     NoSchemes,
+    /// Its ladder has no steps.
+    #[error(
+        "the ladder has no steps: .ladder([0.1, 0.05, 0.025]), or leave it out for halvings of a step that suits the motion"
+    )]
+    NoSteps,
+    /// A scheme whose steps follow the motion has no tolerances.
+    #[error("a scheme that follows the motion has no tolerances: .adaptive(scheme, [1e-4, 1e-6, 1e-8])")]
+    NoTolerances,
     /// The exact solution is infinite or NaN.
     #[error("the exact solution has the component {value:e} at the end, t = {time}")]
     Exact {

@@ -203,6 +203,49 @@ fn a_motion_goes_on_from_a_stop() {
     assert!(seen > 1000, "{seen}");
 }
 
+/// Of two runs, one that is stopped and one that goes on from there, one tells of each event, also where several happen at once: in
+/// whatever order they were asked for, and as an encounter.
+#[test]
+fn what_happens_as_a_run_is_stopped_is_told_once() {
+    let line = || Scene::<1>::new().body(1.0, [0.0], [0.0]).body(1.0, [3.0], [-1.0]).body(0.3, [-9.0], [2.0]);
+    let near = |at: f64| move |state: &SceneState<1>| state.q[1][0] - state.q[0][0] - at;
+    let mut checked = 0;
+    macro_rules! both {
+        ($scheme:expr, $scene:expr, $end:expr, |$s:ident| $attended:expr) => {{
+            let anew = |$s: Simulation<(), _>| $attended.scheme($scheme).dt(0.07).run_until($end).unwrap();
+            let first = anew(Simulation::scene($scene));
+            let last = first.last().clone();
+            let second = anew(Simulation::scene($scene.starting_from(&last)));
+            assert!(first.stopped() && first.events().iter().all(|event| event.state().t <= last.t));
+            checked += 1;
+            [first.events().to_vec(), second.events().to_vec()]
+        }};
+    }
+    macro_rules! schemes {
+        ($($scheme:expr),*) => {$(
+            for at in [0.5, 0.7, 1.0 / 3.0, 0.1] {
+                let told = |events: [Vec<Event<SceneState<1>>>; 2]| {
+                    events.concat().iter().filter(|event| event.bodies() == Some([0, 1]) || event.which() == 1).count()
+                };
+                let end = 3.0 - at + 0.5;
+                let events = both!($scheme, line(), end, |s| s.stop_when(near(at), Crossing::Falling).encounter(at));
+                assert_eq!(told(events), 1, "{at}");
+                let events = both!($scheme, line(), end, |s| s.stop_when(near(at), Crossing::Falling).event(near(at), Crossing::Any));
+                assert_eq!(told(events), 1, "{at}");
+                // The same but for the rounding of its values, and from below.
+                let other = |state: &SceneState<1>| 3.0 * (at + state.q[0][0]) - 3.0 * state.q[1][0];
+                let events = both!($scheme, line(), end, |s| s.stop_when(near(at), Crossing::Falling).event(other, Crossing::Rising));
+                assert_eq!(told(events), 1, "{at}");
+                // Later in the step of the stop, it is told by the second.
+                let events = both!($scheme, line(), end, |s| s.stop_when(near(at), Crossing::Falling).event(near(at - 1e-9), Crossing::Any));
+                assert_eq!(events.map(|events| events.iter().filter(|event| event.which() == 1).count()), [0, 1], "{at}");
+            }
+        )*};
+    }
+    schemes!(Leapfrog, Nystrom::order6(), DiscreteGradient, Gauss::order16());
+    assert_eq!(checked, 64);
+}
+
 #[test]
 fn observers_see_every_nth_state_and_may_stop() {
     let (seen, other) = (Cell::new(0), Cell::new(0));

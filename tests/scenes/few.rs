@@ -388,3 +388,35 @@ fn what_cannot_be_a_law_says_why() {
     assert_eq!(in_box(9.0, 0.0), SceneError::Cutoff { cutoff: 0.0 }.into());
     assert_eq!(in_box(2.0, 1.1), SceneError::CutoffInBox { cutoff: 1.1, component: 0, length: 2.0 }.into());
 }
+
+/// What is verified of a law holds for the law of a scene, whatever its masses and pins; one that cannot be run says why.
+#[test]
+fn scenes_as_laws_are_verified() {
+    let mut measured = 0;
+    macro_rules! verified {
+        ($($scene:path, $members:expr, $n:literal, $k:literal;)*) => {$(for k in $members {
+            let law = $scene(k).as_law::<$n, $k>();
+            let report = verify(law.clone(), law.start());
+            assert!(report.passed(), "{} {k} {report}", stringify!($scene));
+            measured += report.checks().iter().filter(|check| check.measured().is_some()).count();
+        })*};
+    }
+    verified! {
+        stars, [1, 2], 3, 6;
+        rope, [2, 5], 4, 4;
+        creatures, [3], 3, 6;
+        tides, [1, 3], 3, 6;
+        ions, [4], 3, 6;
+        molecules, 0..5, 4, 8;
+        clusters, [5, 20, 36], 4, 12;
+        beads, [1, 2, 3], 4, 4;
+        packs, 0..4, 3, 6;
+        tied, 0..4, 4, 8;
+        hung, 0..4, 4, 8;
+    }
+    assert!(measured > 200, "{measured}");
+    let refused = stars(0).body(-1.0, [3.0, 0.0], [0.0; 2]).as_law::<4, 8>();
+    let report = verify(refused.clone(), refused.start());
+    let told: Vec<_> = report.checks().iter().map(|check| (check.name(), check.note().contains("mass"))).collect();
+    assert!(!report.passed() && told == [("law", true)], "{report}");
+}

@@ -6,4 +6,5 @@ mod driven;
 mod few;
 mod optional;
 mod pair_models;
+mod stops;
 mod test_bodies;

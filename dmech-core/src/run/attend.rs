@@ -38,6 +38,11 @@ pub trait Attend<X> {
         Ok(())
     }
 
+    /// Whether an event that was found in a step is behind a state of that step, too; the number of its first event is `which`.
+    fn is_behind(&mut self, _which: usize, _event: &Event<X>, _state: &X) -> bool {
+        false
+    }
+
     /// After so many steps, may look at the state, and stop the run.
     fn observe(&mut self, _steps: u64, _now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
         ControlFlow::Continue(())
@@ -86,6 +91,15 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
         self.0.meet(which, step)?;
         self.1.meet(which + A::EVENTS, step)
+    }
+
+    fn is_behind(&mut self, which: usize, event: &Event<X>, state: &X) -> bool {
+        let others = which + A::EVENTS;
+        if event.which() < others {
+            self.0.is_behind(which, event, state)
+        } else {
+            self.1.is_behind(others, event, state)
+        }
     }
 
     fn observe(&mut self, steps: u64, now: &mut dyn FnMut() -> X) -> ControlFlow<()> {

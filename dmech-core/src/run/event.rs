@@ -37,6 +37,11 @@ impl<X> Event<X> {
         Event { which, state, crossing, bodies }
     }
 
+    /// The same in another state.
+    pub(super) fn at(self, state: X) -> Self {
+        Event { state, ..self }
+    }
+
     /// Which of the events of the simulation it is, counted from 0 in the order in which they were asked for.
     pub fn which(&self) -> usize {
         self.which

@@ -244,16 +244,19 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         before: &dyn Fn() -> X,
         after: &X,
     ) -> Result<Option<X>, Error> {
-        let Log { happened, time, .. } = self;
+        let Log { run, attend, happened, time, .. } = self;
         let time = *time;
         in_order(happened, time);
-        let mut stopped = None;
+        let mut stopped: Option<X> = None;
         for Happened { stops, event } in happened.drain(..) {
-            let state = stops.then(|| event.state().clone());
-            self.run.happened(event);
-            if state.is_some() {
-                stopped = state;
-                break;
+            match &stopped {
+                None => {
+                    stopped = stops.then(|| event.state().clone());
+                    run.happened(event);
+                }
+                // Found later by a rounding; a run that goes on from the stop would not pass it.
+                Some(stop) if attend.is_behind(0, &event, stop) => run.happened(event.at(stop.clone())),
+                Some(_) => {}
             }
         }
         let end = time(stopped.as_ref().unwrap_or(after));

@@ -47,7 +47,8 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     }
 
     /// As [`event`](Simulation::event), and the run ends there: [`Run::last`](crate::Run::last) is the state at the event,
-    /// [`Run::stopped`](crate::Run::stopped) says so, and the step in which it happened counts as made.
+    /// [`Run::stopped`](crate::Run::stopped) says so, and the step in which it happened counts as made. What else has happened by then
+    /// is an event of this run, to the last rounding of the time; what has not, one of the run that goes on from there.
     pub fn stop_when<F: FnMut(&X::State) -> f64>(
         self,
         function: F,
@@ -100,5 +101,10 @@ impl<X: Clone, F: FnMut(&X) -> f64> Attend<X> for Passage<F> {
         let state = step.zero([before, now], function)?;
         step.happened(*stops, Event::new(which, state, crossing, None));
         Ok(())
+    }
+
+    fn is_behind(&mut self, _: usize, event: &Event<X>, state: &X) -> bool {
+        let value = (self.function)(state);
+        if event.crossing() == Crossing::Rising { value >= 0.0 } else { value <= 0.0 }
     }
 }

@@ -4,6 +4,7 @@ use super::report::Work;
 use super::{Event, Run, Simulation};
 use crate::error::Error;
 use crate::invariant::{Drifts, Invariant, OwnDrifts};
+use crate::method::Method;
 use crate::scheme::Scheme;
 use crate::setup::Setup;
 use crate::system::System;
@@ -33,6 +34,16 @@ impl<X: Clone> Run<X> {
     }
 }
 
+impl<X> Restored<X> {
+    /// The run of a scheme, with what it says it keeps of any system.
+    fn run<M: Method>(self, scheme: &M, dt: Option<f64>, mass: f64) -> Run<X> {
+        let mut run = Run::empty(self.last, scheme, dt.unwrap_or(f64::NAN), mass);
+        (run.states, run.events, run.stopped) = (self.states, self.events, self.stopped);
+        run.report.finish(self.drifts, self.own, self.work);
+        run
+    }
+}
+
 impl<L, X: Setup<L>, S> Simulation<L, X, S> {
     /// The run that this simulation gave; whatever accompanied it is not asked again.
     pub(crate) fn restore(self, before: Restored<X::State>) -> Result<Run<X::State>, Error>
@@ -41,11 +52,9 @@ impl<L, X: Setup<L>, S> Simulation<L, X, S> {
     {
         let length = self.step_length::<<X::System as System>::Scalar>()?;
         let Simulation { law, start, scheme, settings, .. } = self;
-        let mut run = Run::empty(before.last, &scheme, settings.dt.unwrap_or(f64::NAN), start.mass(settings.mass));
+        let mut run = before.run(&scheme, settings.dt, start.mass(settings.mass));
         let system = start.system(law, settings.mass, length)?;
-        (run.states, run.events, run.stopped) = (before.states, before.events, before.stopped);
-        run.report.keep(Invariant::ALL.map(|invariant| S::kept(&system, invariant)));
-        run.report.finish(before.drifts, before.own, before.work);
+        run.report.keep(Invariant::each(&mut |invariant| S::kept(&system, invariant)));
         Ok(run)
     }
 }

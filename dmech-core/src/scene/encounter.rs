@@ -73,4 +73,8 @@ impl<const D: usize, B: Space<D>> Attend<SceneState<D>> for Encounter<B> {
         }
         Ok(())
     }
+
+    fn is_behind(&mut self, _: usize, event: &Event<SceneState<D>>, state: &SceneState<D>) -> bool {
+        event.bodies().is_some_and(|pair| excess(state, pair, self.distance, &self.space) <= 0.0)
+    }
 }

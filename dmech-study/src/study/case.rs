@@ -13,6 +13,8 @@ use crate::motion::{Coordinates, Motion, PositionOf, Repeatable, Scales, StateOf
 pub(super) struct Case<L, X: Repeatable<L>> {
     pub(super) motion: Motion<L, X>,
     pub(super) start: StateOf<L, X>,
+    /// The longest step of a scheme that follows the motion.
+    pub(super) longest: f64,
     pub(super) end: f64,
 }
 

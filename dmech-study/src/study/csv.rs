@@ -9,19 +9,23 @@ use dmech_core::Invariant;
 use super::report::StudyReport;
 
 impl StudyReport {
-    /// Writes a row of names, then a row for each run: scheme, order, dt, steps, evaluations, iterations, seconds,
-    /// error, the largest drift of each invariant (empty where there is none), and the cause where the run failed.
+    /// Writes a row of names, then a row for each run: scheme, order, tolerance (empty where steps are equal), dt, steps, evaluations, iterations,
+    /// seconds, error, the largest drift of each invariant (empty where there is none), and the cause where the run failed.
     ///
     /// # Errors
     /// Those of the writer.
     pub fn write_csv(&self, mut out: impl Write) -> io::Result<()> {
-        write!(out, "scheme,order,dt,steps,evaluations,iterations,seconds,error")?;
+        write!(out, "scheme,order,tolerance,dt,steps,evaluations,iterations,seconds,error")?;
         for invariant in Invariant::ALL {
             write!(out, ",{invariant}")?;
         }
         writeln!(out, ",cause")?;
         for row in self.rows() {
-            write!(out, "\"{}\",{},{:e},{}", row.scheme(), row.order(), row.dt(), row.steps())?;
+            write!(out, "\"{}\",{},", row.scheme(), row.order())?;
+            if let Some(tolerance) = row.tolerance() {
+                write!(out, "{tolerance:e}")?;
+            }
+            write!(out, ",{:e},{}", row.dt(), row.steps())?;
             match row.result() {
                 Ok(figures) => {
                     let seconds = figures.time().as_secs_f64();

@@ -3,6 +3,7 @@
 use dmech_core::Error;
 
 use super::row::StudyRow;
+use crate::error::StudyError;
 use crate::motion::Scales;
 
 /// No run of a default ladder is followed by another with twice its work once it needed this many forces.
@@ -11,17 +12,29 @@ const MOST_FORCES: u64 = 1 << 21;
 /// Halvings in a default ladder: enough for any law whose start has a time of its own.
 const MOST_HALVINGS: i32 = 24;
 
-/// From the largest step to the smallest, each once.
-pub(super) fn checked(mut steps: Vec<f64>) -> Result<Vec<f64>, Error> {
-    if steps.is_empty() {
-        return Err(Error::MissingTimeStep);
-    }
-    if let Some(&dt) = steps.iter().find(|dt| !(**dt > 0.0 && dt.is_finite())) {
-        return Err(Error::TimeStep { dt });
-    }
-    steps.sort_by(|a, b| b.total_cmp(a));
+/// From the largest step to the smallest, each once; none is longer than the span.
+pub(super) fn steps(steps: Vec<f64>, span: f64) -> Result<Vec<f64>, StudyError> {
+    let mut steps = falling(steps, StudyError::NoSteps, |dt| Error::TimeStep { dt })?;
+    steps.iter_mut().for_each(|dt| *dt = dt.min(span));
     steps.dedup();
     Ok(steps)
+}
+
+/// Tolerances, likewise.
+pub(super) fn tolerances(tolerances: Vec<f64>) -> Result<Vec<f64>, StudyError> {
+    falling(tolerances, StudyError::NoTolerances, |tolerance| Error::Tolerance { tolerance })
+}
+
+fn falling(mut rungs: Vec<f64>, none: StudyError, refused: fn(f64) -> Error) -> Result<Vec<f64>, StudyError> {
+    if rungs.is_empty() {
+        return Err(none);
+    }
+    if let Some(&rung) = rungs.iter().find(|rung| !(**rung > 0.0 && rung.is_finite())) {
+        return Err(refused(rung).into());
+    }
+    rungs.sort_by(|a, b| b.total_cmp(a));
+    rungs.dedup();
+    Ok(rungs)
 }
 
 /// h, h/2, h/4, …
@@ -53,7 +66,8 @@ pub(super) fn default(scales: &Scales, resolution: f64, measure: impl Fn(f64) ->
 fn is_long_enough(rows: &[StudyRow], length: f64, resolution: f64) -> bool {
     let figures = |row: &StudyRow| row.result().ok().copied();
     let Some(last) = rows.last().and_then(figures) else {
-        return rows.last().is_some_and(|row| row.steps() > MOST_FORCES);
+        let stands_still = |row: &StudyRow| matches!(row.result(), Err(Error::TimeStandsStill { .. }));
+        return rows.last().is_some_and(|row| row.steps() > MOST_FORCES || stands_still(row));
     };
     let stalled = |before: f64| before < 1e-8 * length && last.error() > 0.5 * before;
     last.evaluations() >= MOST_FORCES

@@ -85,6 +85,7 @@ pub struct Study<'a, L, X: Repeatable<L>> {
     motion: Simulation<L, X>,
     end: f64,
     runners: Vec<Box<dyn Runner<L, X> + 'a>>,
+    longest: f64,
     ladder: Option<Vec<f64>>,
     against: Against<'a, L, X>,
     repetitions: u32,
@@ -149,7 +150,8 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
     /// The motion of any simulation until a time. A scheme that it has is not taken, nor its time step.
     pub fn of<S>(simulation: Simulation<L, X, S>, t_end: f64) -> Self {
         let motion = simulation.without_scheme();
-        Study { motion, end: t_end, runners: Vec::new(), ladder: None, against: Against::Computed, repetitions: 5 }
+        let (runners, longest, against) = (Vec::new(), f64::INFINITY, Against::Computed);
+        Study { motion, end: t_end, runners, longest, ladder: None, against, repetitions: 5 }
     }
 
     /// Adds a scheme, with whatever options it has.
@@ -168,7 +170,13 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
         self
     }
 
-    /// The time steps, in any order.
+    /// The longest step of the schemes that follow the motion, as [`Simulation::dt`] is with a tolerance (default: none). Laws that name
+    /// the time do not tell how long a step may be, and need one.
+    pub fn dt(self, longest: f64) -> Self {
+        Study { longest, ..self }
+    }
+
+    /// The time steps, in any order; one that is longer than the span is the span.
     ///
     /// Without a ladder each scheme has its own. From the shortest of the times |q|/|v|, √(|q|/|a|) and 1/ω of the start, with
     /// the ω that [adaptive](Simulation::adaptive) steps follow, the step is doubled while the error is below |q|/100, and halved until the error does not fall any
@@ -195,15 +203,20 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
     ///
     /// # Errors
     /// [`StudyError`] for what no run could do anything with: no scheme, an end that does not lie after the start, a step,
-    /// mass or state that is refused, an exact solution that is not finite, a reference that cannot be computed.
+    /// tolerance, mass or state that is refused, an exact solution that is not finite, a reference that cannot be computed.
     pub fn run(self) -> Result<StudyReport, StudyError> {
-        let Study { motion, end, runners, ladder, against, repetitions } = self;
-        let case = Case { start: motion.start(), motion, end };
+        let Study { motion, end, runners, longest, ladder, against, repetitions } = self;
+        let case = Case { start: motion.start(), motion, longest, end };
         case.check()?;
         if runners.is_empty() {
             return Err(StudyError::NoSchemes);
         }
-        let ladder = ladder.map(ladder::checked).transpose()?;
+        if longest.is_nan() || longest <= 0.0 {
+            return Err(dmech_core::Error::TimeStep { dt: longest }.into());
+        }
+        let ladder = ladder.map(|steps| ladder::steps(steps, case.end - case.t())).transpose()?;
+        let tolerances = runners.iter().map(|runner| runner.tolerances().map(ladder::tolerances).transpose());
+        let tolerances = tolerances.collect::<Result<Vec<_>, _>>()?;
         let (truth, reference) = match against {
             Against::Exact(exact) => (Truth::new(&case.exact(&exact(case.end))?), None),
             Against::Computed => reference::compute(&case).map(|(q, reference)| (Truth::new(&q), Some(reference)))?,
@@ -213,9 +226,9 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
         let resolution = reference.map_or(0.0, |reference| reference.error()).max(rounding(&truth.position()));
         let scales = case.scales()?;
         let mut rows = Vec::new();
-        for (entrant, runner) in runners.iter().enumerate() {
+        for (entrant, (runner, tolerances)) in runners.iter().zip(&tolerances).enumerate() {
             let measure = |dt| row::measure(&case, entrant, runner.as_ref(), dt, &truth);
-            match (runner.tolerances(), &ladder) {
+            match (tolerances, &ladder) {
                 (Some(tolerances), _) => rows.extend(tolerances.iter().copied().map(measure)),
                 (None, Some(steps)) => rows.extend(steps.iter().copied().map(measure)),
                 (None, None) => rows.extend(ladder::default(&scales, resolution, measure)),

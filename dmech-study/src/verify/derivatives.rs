@@ -5,9 +5,9 @@ use core::array::from_fn;
 
 use super::Subject;
 use super::difference::{Worst, derivative};
-use super::points::{Dice, around, norm, with};
+use super::points::{Dice, norm, with};
 use super::report::Check;
-use crate::motion::{Scales, largest};
+use crate::motion::largest;
 use dmech_core::extend::Field;
 use dmech_core::extend::vector::dot;
 use dmech_core::{Law, Potential, State};
@@ -18,7 +18,7 @@ pub(super) const ULPS: f64 = 64.0;
 pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: &mut Vec<Check>) {
     let Subject { law, start, mass, scales } = subject;
     let field = law.field(*mass, start.t);
-    let points = around(&field, start.q, scales.length);
+    let (points, moves) = (subject.points(), subject.moves());
     if points.is_empty() {
         checks.push(Check::failed("potential", "not finite anywhere around the start"));
         return;
@@ -26,24 +26,26 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     let h = 0.02 * scales.length;
     let (mut gradient, mut hessian) = (Worst::new(), Worst::new());
     for &q in &points {
-        let g = field.gradient(q);
+        let (g, whole) = (field.gradient(q), subject.weighted(field.gradient(q)));
         let second = field.hessian(q);
         let size = second.iter().map(|row| largest(row)).fold(0.0, f64::max);
-        for j in 0..D {
+        let parts = largest(&g).max(size * largest(&q));
+        for j in (0..D).filter(|&j| moves[j]) {
             let at = |x: f64| with(q, j, x);
-            let scale = floor(largest(&g), size * scales.length);
-            gradient.compare(g[j], derivative(|x| field.potential(at(x)), q[j], h), scale);
+            let scale = floor(largest(&whole), size * scales.length);
+            gradient.compare(whole[j], derivative(|x| field.potential(at(x)), q[j], h, 0.0), scale);
             for i in 0..D {
                 let scale = floor(size, largest(&g) / scales.length);
-                hessian.compare(second[i][j], derivative(|x| field.gradient(at(x))[i], q[j], h), scale);
+                let quotient = derivative(|x| field.gradient(at(x))[i], q[j], h, parts);
+                hessian.compare(second[i][j], quotient, scale);
             }
         }
     }
     checks.push(row("gradient", gradient, "against differences of the potential, relative"));
     checks.push(row("Hessian", hessian, "against differences of the gradient, relative"));
     slope(&field, &points, start, checks);
-    force(&field, &points, start, scales, checks);
-    claims::<_, D>(&field, &points, start, checks);
+    force(subject, &field, &points, checks);
+    claims(subject, &field, &points, checks);
 }
 
 /// A size that is not zero.
@@ -79,13 +81,13 @@ fn slope<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &St
 }
 
 /// ∂F/∂q and ∂F/∂v, with which the implicit steps solve their equation, at positions and velocities around the start.
-fn force<F: Field<D>, const D: usize>(
+fn force<L: Law<D>, F: Field<D>, const D: usize>(
+    subject: &Subject<L, D>,
     field: &F,
     points: &[[f64; D]],
-    start: &State<D>,
-    scales: &Scales,
     checks: &mut Vec<Check>,
 ) {
+    let (Subject { start, scales, .. }, moves) = (subject, subject.moves());
     let names = ["force by position", "force by velocity"];
     if !F::FORCED {
         checks.extend(names.map(|name| Check::not_applicable(name, "no force beside the potential")));
@@ -95,16 +97,16 @@ fn force<F: Field<D>, const D: usize>(
     let (mut by_position, mut by_velocity) = (Worst::new(), Worst::new());
     let mut dice = Dice::new();
     for &q in points {
-        let v = dice.near(start.v, 0.15 * speed);
+        let v = dice.near(start.v, moves, 0.15 * speed);
         let size = largest(&field.force(q, v, t));
         let (dq, dv) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
         let entry = |matrix: &[[f64; D]; D]| matrix.iter().map(|row| largest(row)).fold(0.0, f64::max);
         let (size_q, size_v) = (floor(entry(&dq), size / scales.length), floor(entry(&dv), size / speed));
-        for j in 0..D {
+        for j in (0..D).filter(|&j| moves[j]) {
             for i in 0..D {
-                let quotient = derivative(|x| field.force(with(q, j, x), v, t)[i], q[j], 0.02 * scales.length);
+                let quotient = derivative(|x| field.force(with(q, j, x), v, t)[i], q[j], 0.02 * scales.length, size);
                 by_position.compare(dq[i][j], quotient, size_q);
-                let quotient = derivative(|x| field.force(q, with(v, j, x), t)[i], v[j], 0.02 * speed);
+                let quotient = derivative(|x| field.force(q, with(v, j, x), t)[i], v[j], 0.02 * speed, size);
                 by_velocity.compare(dv[i][j], quotient, size_v);
             }
         }
@@ -115,21 +117,29 @@ fn force<F: Field<D>, const D: usize>(
 }
 
 /// Central, linear, without work: what the law says of itself, and what schemes rely on.
-fn claims<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &State<D>, checks: &mut Vec<Check>) {
+fn claims<L: Law<D>, F: Field<D>, const D: usize>(
+    subject: &Subject<L, D>,
+    field: &F,
+    points: &[[f64; D]],
+    checks: &mut Vec<Check>,
+) {
+    let start = &subject.start;
     let (mut turn, mut bend, mut work) = (0.0_f64, 0.0_f64, 0.0_f64);
     let first = field.hessian(points[0]);
     for &q in points {
         let (gradient, slope, hessian) = (field.gradient(q), field.slope(q, start.v), field.hessian(q));
         let size = hessian.iter().map(|row| largest(row)).fold(0.0, f64::max);
         let torque = f64::EPSILON * floor(norm(q) * norm(gradient), 0.0);
-        let power = f64::EPSILON * floor(norm(start.v) * (norm(gradient) + norm(slope)), 0.0);
+        let acting = norm(subject.weighted(gradient)) + norm(subject.weighted(slope));
+        let power = f64::EPSILON * floor(norm(start.v) * acting, 0.0);
         for i in 0..D {
             for j in 0..D {
                 turn = worse(turn, (q[i] * gradient[j] - q[j] * gradient[i]).abs() / torque);
                 bend = worse(bend, (hessian[i][j] - first[i][j]).abs() / (f64::EPSILON * floor(size, 0.0)));
             }
         }
-        work = worse(work, dot(start.v, from_fn(|i| slope[i] - gradient[i])).abs() / power);
+        let force = subject.weighted(from_fn(|i| slope[i] - gradient[i]));
+        work = worse(work, dot(start.v, force).abs() / power);
     }
     if F::CENTRAL {
         checks.push(Check::at_most("claim: central", turn, ULPS, "torque, in units of rounding"));

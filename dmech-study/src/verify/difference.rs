@@ -13,16 +13,17 @@ const ROWS: usize = 10;
 ///
 /// The error is that of the tableau: the largest distance of an entry from the two that it came from, the entry being
 /// that where this distance is least (C. Ridders, Adv. Eng. Softw. 4 (1982) 75). It cannot see an error of rounding
-/// that neighbours share, so that ε|f|/h at the step in use is added: the condition of the quotient. Steps are what x ± h
+/// that neighbours share, so that ε|f|/h at the step in use is added: the condition of the quotient, with `size` in place of a
+/// smaller |f| that is a sum of parts of that size. Steps are what x ± h
 /// are after rounding; a quotient by 2h would magnify that rounding by x/h.
-pub(super) fn derivative(f: impl Fn(f64) -> f64, x: f64, h: f64) -> Estimate {
+pub(super) fn derivative(f: impl Fn(f64) -> f64, x: f64, h: f64, size: f64) -> Estimate {
     let mut table = [[0.0; ROWS]; ROWS];
     let mut best = Estimate { value: f64::NAN, error: f64::INFINITY };
     let mut step = h;
     for row in 0..ROWS {
         let (right, left) = (x + step, x - step);
         let (plus, minus) = (f(right), f(left));
-        let noise = f64::EPSILON * (plus.abs() + minus.abs()) / step;
+        let noise = f64::EPSILON * (plus.abs() + minus.abs()).max(2.0 * size) / step;
         table[row][0] = (plus - minus) / (right - left);
         let mut factor = 1.0;
         for k in 1..=row {

@@ -20,6 +20,8 @@ mod trial;
 pub use report::{Check, Outcome, Verification};
 pub use scheme::{Tested, verify_scheme};
 
+use core::array::from_fn;
+
 use dmech_core::extend::{Field, Particle, Scheme};
 use dmech_core::written::Written;
 use dmech_core::{
@@ -112,6 +114,9 @@ impl<L: Law<D>, const D: usize> Verify<L, D> {
         let Verify { law, start, mass } = self;
         let scales = Scales::of(&Particle::new(Borrowed(&law), mass), &start);
         let of = Subject { law, start, mass, scales };
+        if let Some(why) = of.law.refused() {
+            return Verification { of, checks: vec![Check::failed("law", why.to_string())] };
+        }
         let mut checks = Vec::new();
         text::check(&of, &mut checks);
         derivatives::check(&of, &mut checks);
@@ -134,6 +139,23 @@ impl<L: Law<D> + VelocityIndependent, const D: usize> Verification<Subject<L, D>
 }
 
 impl<L: Law<D>, const D: usize> Subject<L, D> {
+    /// Coordinates that may move: those of bodies that are pinned do not.
+    fn moves(&self) -> [bool; D] {
+        from_fn(|i| !self.law.pinned(i))
+    }
+
+    /// The start and points around it where the potential is finite.
+    fn points(&self) -> Vec<[f64; D]> {
+        let Subject { law, start: State { t, q, .. }, mass, scales } = self;
+        points::around(&law.field(*mass, *t), *q, self.moves(), scales.length)
+    }
+
+    /// What acts, as it is before it is divided by the masses of the coordinates.
+    fn weighted(&self, x: [f64; D]) -> [f64; D] {
+        let ratios = self.law.mass_ratios();
+        from_fn(|i| ratios[i] * x[i])
+    }
+
     fn scheme<'l, S: Scheme<Particle<Borrowed<'l, L>, D>>>(&'l self, scheme: S, checks: &mut Vec<Check>) {
         let Subject { law, start, mass, scales } = self;
         let one_way = match (L::AUTONOMOUS, <L::Field<'_> as Field<D>>::FORCED) {
@@ -162,10 +184,17 @@ impl<L: Law<D>, const D: usize> Law<D> for Borrowed<'_, L> {
         Self: 'a;
 
     const AUTONOMOUS: bool = L::AUTONOMOUS;
+    const BODY: usize = L::BODY;
+    const LINEAR_MOMENTUM: bool = L::LINEAR_MOMENTUM;
+    const ANGULAR_MOMENTUM: bool = L::ANGULAR_MOMENTUM;
 
     #[inline(always)]
     fn field(&self, mass: f64, t: f64) -> L::Field<'_> {
         self.0.field(mass, t)
+    }
+
+    fn pinned(&self, i: usize) -> bool {
+        self.0.pinned(i)
     }
 
     #[inline(always)]

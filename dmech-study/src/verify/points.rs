@@ -32,15 +32,20 @@ impl Dice {
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
-    /// A point in the cube of half-width `radius` around q.
-    pub(super) fn near<const D: usize>(&mut self, q: [f64; D], radius: f64) -> [f64; D] {
-        from_fn(|i| q[i] + radius * self.throw())
+    /// A point in the cube of half-width `radius` around q, by the coordinates that move.
+    pub(super) fn near<const D: usize>(&mut self, q: [f64; D], moves: [bool; D], radius: f64) -> [f64; D] {
+        from_fn(|i| if moves[i] { q[i] + radius * self.throw() } else { q[i] })
     }
 }
 
 /// The start and points around it where the potential is finite.
-pub(super) fn around<P: Potential<D>, const D: usize>(field: &P, q: [f64; D], length: f64) -> Vec<[f64; D]> {
+pub(super) fn around<P: Potential<D>, const D: usize>(
+    field: &P,
+    q: [f64; D],
+    moves: [bool; D],
+    length: f64,
+) -> Vec<[f64; D]> {
     let mut dice = Dice::new();
-    let near = (0..12).map(|_| dice.near(q, 0.15 * length));
+    let near = (0..12).map(|_| dice.near(q, moves, 0.15 * length));
     core::iter::once(q).chain(near).filter(|q| finite(*q) && field.potential(*q).is_finite()).collect()
 }

@@ -3,7 +3,7 @@
 use super::Subject;
 use super::derivatives::{ULPS, floor, row, worse};
 use super::difference::{Worst, derivative};
-use super::points::{Dice, around, norm, with};
+use super::points::{Dice, norm, with};
 use super::report::Check;
 use crate::motion::largest;
 use dmech_core::extend::vector::{difference, dot};
@@ -15,7 +15,7 @@ const GAPS: [f64; 6] = [0.25, 0.1, 1e-2, 1e-4, 1e-6, 1e-9];
 pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: &mut Vec<Check>) {
     let Subject { law, start, mass, scales } = subject;
     let field = law.field(*mass, start.t);
-    let points = around(&field, start.q, scales.length);
+    let (points, moves) = (subject.points(), subject.moves());
     if points.is_empty() {
         checks.push(Check::not_applicable("secant identity", "the potential is not finite around the start"));
         return;
@@ -29,16 +29,17 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
         let same = field.discrete_gradient(a, a);
         limit = worse(limit, largest_difference(same, gradient) / (f64::EPSILON * size));
         for gap in GAPS {
-            let b = dice.near(a, gap * scales.length);
+            let b = dice.near(a, moves, gap * scales.length);
             let other = field.potential(b);
             if !other.is_finite() || a == b {
                 continue;
             }
             let (mean, back) = (field.discrete_gradient(a, b), field.discrete_gradient(b, a));
             // Values are uncertain by a unit of their size and of what a unit of the position changes in them.
-            let moved = norm(gradient) * norm(a) + norm(field.gradient(b)) * norm(b);
+            let [here, there] = [gradient, field.gradient(b)].map(|gradient| norm(subject.weighted(gradient)));
+            let moved = here * norm(a) + there * norm(b);
             let energy = floor(phi.abs() + other.abs() + moved, 0.0);
-            let miss = dot(mean, difference(b, a)) - (other - phi);
+            let miss = dot(subject.weighted(mean), difference(b, a)) - (other - phi);
             secant = worse(secant, miss.abs() / (f64::EPSILON * energy));
             // A discrete gradient that is a quotient of differences has their noise; one in closed form has not.
             let unit = f64::EPSILON * (size + energy / norm(difference(b, a)));
@@ -48,10 +49,10 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
             }
             let exact = field.discrete_gradient_jacobian(a, b);
             let scale = floor(exact.iter().map(|row| largest(row)).fold(0.0, f64::max), curvature);
-            for j in 0..D {
+            for j in (0..D).filter(|&j| moves[j]) {
                 for i in 0..D {
                     let quotient =
-                        derivative(|x| field.discrete_gradient(a, with(b, j, x))[i], b[j], 0.02 * scales.length);
+                        derivative(|x| field.discrete_gradient(a, with(b, j, x))[i], b[j], 0.02 * scales.length, size);
                     jacobian.compare(exact[i][j], quotient, scale);
                 }
             }

@@ -1,20 +1,19 @@
 //! What was derived from the text of a law against the method itself.
 
 use super::Subject;
-use super::points::around;
 use super::report::Check;
 use dmech_core::Law;
 use dmech_core::written::{Agreement, Probe, agreement};
 
 /// At the start and the points around it where the potential is finite.
 pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: &mut Vec<Check>) {
-    let Subject { law, start, mass, scales } = subject;
+    let Subject { law, start, mass, .. } = subject;
     const NAME: &str = "as written";
     let Some(written) = law.written() else {
         checks.push(Check::not_applicable(NAME, "written by hand, not derived from a text"));
         return;
     };
-    let points = around(&law.field(*mass, start.t), start.q, scales.length);
+    let points = subject.points();
     let places = points.iter().map(|&q| Probe { q, v: [start.v; 2], m: [*mass; 2], t: start.t });
     let (mut worst, mut compared) = (0.0_f64, 0);
     for place in places {

@@ -261,11 +261,17 @@ fn refusals() {
         assert_eq!(study(start, end).run().unwrap_err(), StudyError::Motion(Error::Span { start: 0.0, end }));
     }
     assert!(matches!(study(start, f64::NAN).run(), Err(StudyError::Motion(Error::Span { .. }))));
-    assert_eq!(study(start, 1.0).ladder([]).run().unwrap_err(), StudyError::Motion(Error::MissingTimeStep));
+    assert_eq!(study(start, 1.0).ladder([]).run().unwrap_err(), StudyError::NoSteps);
     assert_eq!(
         study(start, 1.0).ladder([0.1, -0.1]).run().unwrap_err(),
         StudyError::Motion(Error::TimeStep { dt: -0.1 })
     );
+    for dt in [0.0, -1.0] {
+        assert_eq!(study(start, 1.0).dt(dt).run().unwrap_err(), StudyError::Motion(Error::TimeStep { dt }));
+    }
+    // Steps longer than the span are the span, once.
+    let report = study(start, 1.0).ladder([3.0, 0.5, 5.0, 1.0]).repetitions(1).run().unwrap();
+    assert_eq!(report.rows().iter().map(|row| row.steps()).collect::<Vec<_>>(), [1, 2]);
     assert_eq!(study(start, 1.0).mass(0.0).run().unwrap_err(), StudyError::Motion(Error::Mass { mass: 0.0 }));
     assert!(matches!(study(State::new([f64::NAN], [0.0]), 1.0).run(), Err(StudyError::Motion(Error::State { .. }))));
     assert!(matches!(study(start.at_time(f64::INFINITY), 1.0).run(), Err(StudyError::Motion(Error::State { .. }))));
@@ -305,13 +311,17 @@ fn adaptive_schemes_have_tolerances() {
     let forces = report.evaluations_at(1e-5);
     assert!(forces[1].1.unwrap() < forces[0].1.unwrap(), "{forces:?}");
 
-    // What a run refuses is its row.
-    let refused = Study::new(SUN, greenspan_orbit(), end)
-        .adaptive(DiscreteGradient, [-1.0])
-        .exact(kepler_position)
-        .run()
-        .unwrap();
-    assert_eq!(refused.rows()[0].result().err(), Some(Error::Tolerance { tolerance: -1.0 }));
+    // In whatever order they are given, each once.
+    let study = || Study::new(SUN, greenspan_orbit(), end).exact(kepler_position).repetitions(1);
+    let shuffled = study().adaptive(Nystrom::order6(), [1e-7, 1e-3, 1e-9, 1e-3]).run().unwrap();
+    assert_eq!(shuffled.rows().iter().map(|row| row.tolerance().unwrap()).collect::<Vec<_>>(), [1e-3, 1e-7, 1e-9]);
+    let falling = study().adaptive(Nystrom::order6(), [1e-3, 1e-7, 1e-9]).run().unwrap();
+    assert_eq!(shuffled.evaluations_at(1e-6), falling.evaluations_at(1e-6));
+    for tolerance in [-1.0, 0.0, f64::INFINITY] {
+        let refused = study().adaptive(DiscreteGradient, [1e-3, tolerance]).run().unwrap_err();
+        assert_eq!(refused, StudyError::Motion(Error::Tolerance { tolerance }));
+    }
+    assert_eq!(study().adaptive(DiscreteGradient, []).run().unwrap_err(), StudyError::NoTolerances);
 }
 
 /// A start so late that the reference cannot halve its steps as often as it would, and times with many digits in the table.
@@ -324,8 +334,22 @@ fn late_starts_have_a_reference() {
     }
     let end = 2.0 * core::f64::consts::PI.powi(2);
     let study = Study::new(Spring { k: 1.0 }, State::new([1.0], [0.0]).at_time(-1.7e-9), end).ladder([0.1]);
-    let report = study.scheme(Leapfrog).adaptive(Nystrom::order6(), [0.0, 1e-3]).repetitions(1).run().unwrap();
+    let report = study.scheme(Leapfrog).adaptive(Nystrom::order6(), [1e-300, 1e-3]).repetitions(1).run().unwrap();
     let table = report.to_string();
     assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
-    assert!(table.contains("tol 1e-3") && table.contains("tol 0e0"), "{table}");
+    assert!(table.contains("tol 1e-3") && table.contains("tol 1e-300"), "{table}");
+}
+
+/// A law that names the time does not tell how long a step may be: the study takes the longest, and says so where it is missing.
+#[test]
+fn laws_of_time_are_studied_with_a_longest_step() {
+    let study = || {
+        Study::new(DrivenSpring { k: 1.3, epsilon: 0.2, omega: 2.1 }, State::new([0.3], [0.1]), 4.0)
+            .adaptive(Nystrom::order6(), [1e-5])
+            .repetitions(1)
+    };
+    let row = &study().run().unwrap().rows()[0].clone();
+    assert!(row.result().unwrap_err().to_string().contains(".dt(h)"), "{:?}", row.result());
+    let row = &study().dt(0.2).run().unwrap().rows()[0].clone();
+    assert!(row.steps() >= 20 && row.result().unwrap().error() < 1e-4, "{row:?}");
 }

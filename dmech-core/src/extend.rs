@@ -126,8 +126,8 @@ pub use crate::ensemble::Flat;
 #[cfg(feature = "store")]
 pub use crate::ensemble::InFile;
 pub use crate::ensemble::{
-    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, Keeps, LANES, Members, NoCompany, NoLaw, NoStart,
-    Nowhere, Outcome, Rides, Starts, Together, With,
+    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, Keeps, LANES, Laws, Members, NoCompany, NoLaw,
+    NoStart, Nowhere, Outcome, Rides, Starts, Together, With,
 };
 #[cfg(feature = "ranks")]
 pub use crate::ensemble::{Ranked, Ranks, Travels};

@@ -121,6 +121,8 @@ fn a_scene_waits_for_a_law_with_a_value() {
             stepper.law_mut::<Gravity>().unwrap().g = f64::NAN;
             let error = stepper.step().unwrap_err();
             assert_eq!(format!("{:?}", stepper.advance(3).unwrap_err()), format!("{error:?}"));
+            let between = stepper.at(stepper.t() + 0.004).unwrap_err();
+            assert_eq!(format!("{between:?}"), format!("{error:?}"));
             assert_eq!((stepper.state(), stepper.steps()), (state.clone(), 5));
             // Where it can be saved: with numbers that are none no checkpoint is taken up.
             let huge = 1e308;

@@ -1,7 +1,6 @@
 //! What accompanies each member.
 
 use crate::run::{Attend, Crossing, Observer, Passage, Quantity, Sink, Stream};
-use crate::state::State;
 
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -75,17 +74,6 @@ impl<F> core::fmt::Debug for With<F> {
         f.write_str("With")
     }
 }
-
-/// The starts of members.
-#[diagnostic::on_unimplemented(
-    message = "the members of this ensemble have no starts yet",
-    label = "call `.start(|k| …)` first",
-    note = "what accompanies a member sees its states: `.with(…)` comes after `.start(…)`"
-)]
-pub trait Starts<const D: usize>: Fn(usize) -> State<D> {}
-
-#[diagnostic::do_not_recommend]
-impl<const D: usize, F: Fn(usize) -> State<D>> Starts<D> for F {}
 
 /// What makes the company of each member.
 pub trait Companies<X>: Sync {

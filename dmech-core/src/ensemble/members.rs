@@ -22,6 +22,28 @@ use crate::state::State;
 #[cfg(any(feature = "ranks", feature = "store"))]
 use crate::system::Particle;
 
+/// The laws of members.
+#[diagnostic::on_unimplemented(
+    message = "the members of this ensemble have no laws yet",
+    label = "call `.law(|k| …)` first",
+    note = "where they are no laws with one start each, `Ensemble::each` takes simulations of any kind"
+)]
+pub trait Laws<L>: Fn(usize) -> L {}
+
+#[diagnostic::do_not_recommend]
+impl<L, F: Fn(usize) -> L> Laws<L> for F {}
+
+/// The starts of members.
+#[diagnostic::on_unimplemented(
+    message = "the members of this ensemble have no starts yet",
+    label = "call `.start(|k| …)` first",
+    note = "what accompanies a member sees its states: `.with(…)` comes after `.start(…)`"
+)]
+pub trait Starts<const D: usize>: Fn(usize) -> State<D> {}
+
+#[diagnostic::do_not_recommend]
+impl<const D: usize, F: Fn(usize) -> State<D>> Starts<D> for F {}
+
 /// An ensemble that has all that its members need: laws, starts, masses, and a scheme that moves them.
 #[diagnostic::on_unimplemented(
     message = "this ensemble cannot be run yet",
@@ -48,8 +70,8 @@ pub trait Members<L: Fields<D>, const D: usize>: Sync {
 
 impl<F, X, S, M, C, L, const D: usize> Members<L, D> for Ensemble<F, X, S, M, C>
 where
-    F: Fn(usize) -> L + Sync,
-    X: Fn(usize) -> State<D> + Sync,
+    F: Laws<L> + Sync,
+    X: Starts<D> + Sync,
     M: Fn(usize) -> f64 + Sync,
     L: Fields<D>,
     S: Rides<L, D> + Sync,

@@ -28,11 +28,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 pub use crate::ride::LANES;
-pub use company::{Companies, Company, Joined, NoCompany, Starts, With};
+pub use company::{Companies, Company, Joined, NoCompany, With};
 pub use each::{Each, Keeps};
 pub use export::End;
 pub use lanes::Together;
-pub use members::Members;
+pub use members::{Laws, Members, Starts};
 pub use plan::Nowhere;
 #[cfg(feature = "ranks")]
 pub use ranks::{Ranked, Ranks, Travels};

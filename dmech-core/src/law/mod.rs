@@ -91,7 +91,8 @@ impl<P: Conservative> MassIndependent for P {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a law in {D} coordinates over `{R}`",
     note = "declare one with `#[dmech::law]` and a `#[potential]` or a `#[force]` of a position with {D} coordinates",
-    note = "a potential written by hand (`impl Potential<{D}> for …`) also needs `impl Conservative for … {{}}`"
+    note = "a potential written by hand (`impl Potential<{D}> for …`) also needs `impl Conservative for … {{}}`",
+    note = "a law between two bodies acts in a scene, `Scene::new().body(m, q, v).body(m, q, v).pairs(law)`, and `Simulation::scene(scene)` moves it"
 )]
 pub trait Law<const D: usize, R: Real = f64> {
     /// What acts at one moment.

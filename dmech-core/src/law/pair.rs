@@ -116,7 +116,8 @@ impl<const D: usize, P, X: PairLaw<D, P, f64> + PairLaw<D, P, dmech_scalar::Lane
     message = "the energy of `{Self}` depends on which of the two bodies comes first",
     label = "not symmetric in a and b",
     note = "on all pairs there is no first body: E(a, b) must be E(b, a), and an energy of the separation must be even in `d`",
-    note = "on a chain or on bonds the order is known: use `.chain(law)` or `.bonds(law, list)`"
+    note = "on a chain or on bonds the order is known: use `.chain(law)` or `.bonds(law, list)`",
+    note = "a law of one body acts on each: `.field(law)`"
 )]
 pub trait Symmetric {}
 

@@ -249,6 +249,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if !(now..=now + dt).contains(&t) {
             return Err(Error::OutsideStep { time: t, from: now, to: now + dt });
         }
+        if self.waits {
+            Place::prepared(&self.system, &self.start)?;
+        }
         self.between(self.steps() + 1, &self.state(), t).map(|(state, _)| state)
     }
 

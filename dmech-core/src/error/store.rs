@@ -18,6 +18,12 @@ pub enum StoreError {
     /// A name of nothing.
     #[error("the path of the store is empty")]
     NoPath,
+    /// The folder in which it is to be is not there.
+    #[error("there is no such folder as that of the store: make it first")]
+    NoFolder,
+    /// A folder has its name.
+    #[error("the path of the store is that of a folder: name a file in it")]
+    Folder,
     /// The file is not a database of SQLite.
     #[error("the file is not a database of SQLite")]
     NotADatabase,

@@ -52,6 +52,12 @@ impl Store {
         }
         // What begins with a root is a path: SQLite takes other names for URIs, for memory, or for a file of nobody.
         let path = std::path::absolute(path).map_err(|_| StoreError::NoPath)?;
+        if path.is_dir() {
+            return Err(StoreError::Folder);
+        }
+        if path.parent().is_some_and(|folder| !folder.is_dir()) {
+            return Err(StoreError::NoFolder);
+        }
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let database = Connection::open_with_flags(path, flags)?;
         database.busy_timeout(PATIENCE)?;

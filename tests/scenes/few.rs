@@ -416,7 +416,7 @@ fn scenes_as_laws_are_verified() {
     }
     assert!(measured > 200, "{measured}");
     let refused = stars(0).body(-1.0, [3.0, 0.0], [0.0; 2]).as_law::<4, 8>();
-    let report = verify(refused.clone(), refused.start());
+    let report = verify(refused, refused.start());
     let told: Vec<_> = report.checks().iter().map(|check| (check.name(), check.note().contains("mass"))).collect();
     assert!(!report.passed() && told == [("law", true)], "{report}");
 }

@@ -30,6 +30,19 @@ pub fn rough(x: f64, digits: usize) -> String {
     number(x)
 }
 
+/// From one number to another, with six digits, or with what is added where these do not tell them apart.
+///
+/// ```
+/// use dmech_plot::span;
+///
+/// assert_eq!([[0.0, 2.5], [1e9, 1e9 + 10.0]].map(span), ["0 … 2.5", "10⁹ … 10⁹ + 10"]);
+/// ```
+pub fn span([from, to]: [f64; 2]) -> String {
+    let [first, last] = [from, to].map(|x| rough(x, 6));
+    let alike = first == last && from != to;
+    if alike { format!("{first} … {last} + {}", rough(to - from, 6)) } else { format!("{first} … {last}") }
+}
+
 /// A whole number in groups of three digits.
 pub fn count(n: u64) -> String {
     let digits = n.to_string();

@@ -6,7 +6,7 @@ use std::path::Path;
 use dmech_plot::plotters::style::RGBColor;
 use dmech_plot::{
     Area, Axis, BLUE, Drawn, GREEN, INK, OCHRE, PALE, PURPLE, RED, TEAL, chart, dots, draw, headed, label_beside, line,
-    rough,
+    span,
 };
 
 use super::report::StudyReport;
@@ -65,9 +65,8 @@ impl StudyReport {
         let (across, down) = (families.len().clamp(1, ACROSS), families.len().div_ceil(ACROSS).max(1));
         let single = families.len() <= 1;
         let [width, height] = if single { [820, 560] } else { [PANEL[0] * across as u32, PANEL[1] * down as u32 + 60] };
-        let [from, to] = self.span().map(|t| rough(t, 6));
         let grey = if single { "" } else { "; grey: the fastest of all other schemes" };
-        let words = format!("t = {from} … {to}; errors in the law's unit of length{grey}");
+        let words = format!("t = {}; errors in the law's unit of length{grey}", span(self.span()));
         draw([width, height], |area| {
             let area = headed(area, title, &words)?;
             let ranges = ranges(&lines);

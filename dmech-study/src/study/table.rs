@@ -21,7 +21,7 @@ impl fmt::Display for StudyReport {
         writeln!(
             f,
             "Error |q − q*| at t = {}, from t = {}; time: shortest of several; drifts: largest",
-            time(end),
+            until(start, end),
             time(start)
         )?;
         match self.reference() {
@@ -145,6 +145,12 @@ fn cost(cost: Cost) -> String {
 fn time(t: f64) -> String {
     let whole = t.to_string();
     if whole.len() <= 12 { whole } else { format!("{t:.6e}") }
+}
+
+/// The end, with what is added to the start where the characters do not tell them apart.
+fn until(start: f64, end: f64) -> String {
+    let (first, last) = (time(start), time(end));
+    if first == last { format!("{first} + {}", time(end - start)) } else { last }
 }
 
 fn duration(time: Duration) -> String {

@@ -331,6 +331,8 @@ fn late_starts_have_a_reference() {
         let study = Study::new(Spring { k: 1.0 }, State::new([1.0], [0.0]).at_time(t), t + 8.0).scheme(Leapfrog);
         let report = study.ladder([0.5, 0.25]).repetitions(1).run().unwrap();
         assert!(report.resolution() < 1e-6, "{report}");
+        // Where start and end look alike, the table says what lies between.
+        assert!(report.to_string().contains(" + 8,"), "{report}");
     }
     let end = 2.0 * core::f64::consts::PI.powi(2);
     let study = Study::new(Spring { k: 1.0 }, State::new([1.0], [0.0]).at_time(-1.7e-9), end).ladder([0.1]);

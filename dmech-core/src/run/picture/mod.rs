@@ -6,7 +6,7 @@ mod motion;
 use std::io;
 use std::path::Path;
 
-use dmech_plot::{count, rough, save};
+use dmech_plot::{count, rough, save, span};
 
 use super::Run;
 use crate::invariant::Invariant;
@@ -102,7 +102,7 @@ impl<X> Run<X> {
     }
 
     /// The scheme, its steps, and the times from and to.
-    fn made(&self, [from, to]: [f64; 2]) -> String {
+    fn made(&self, times: [f64; 2]) -> String {
         let report = &self.report;
         let steps = match (report.tolerance(), report.dt_range()) {
             (None, _) => format!("dt = {}", rough(report.dt(), 6)),
@@ -115,6 +115,6 @@ impl<X> Run<X> {
             1 => "1 step".to_owned(),
             n => format!("{} steps", count(n)),
         };
-        format!("{}, {steps}, {number}, t = {} … {}", report.scheme(), rough(from, 6), rough(to, 6))
+        format!("{}, {steps}, {number}, t = {}", report.scheme(), span(times))
     }
 }

@@ -28,7 +28,26 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// When run: [`SceneError::Encounter`] where the distance is not positive and finite.
     pub fn encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
         let space = self.start.space;
-        self.attended(Encounter { distance, space, excess: Vec::new() })
+        self.attended(Encounter { distance, space, stops: false, excess: Vec::new() })
+    }
+
+    /// As [`encounter`](Simulation::encounter), and the run ends at the first, as at [`stop_when`](Simulation::stop_when): what goes on
+    /// from [`Run::last`](crate::Run::last) stops at the next.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// let scene = Scene::<1>::new().body(1.0, [0.0], [0.0]).body(1.0, [3.0], [-1.0]);
+    /// let run = Simulation::scene(scene).scheme(Leapfrog).dt(0.3).stop_at_encounter(0.5).run_until(6.0)?;
+    /// assert!(run.stopped() && (run.last().t - 2.5).abs() < 1e-14);
+    /// assert_eq!(run.events()[0].bodies(), Some([0, 1]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`encounter`](Simulation::encounter).
+    pub fn stop_at_encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
+        let space = self.start.space;
+        self.attended(Encounter { distance, space, stops: true, excess: Vec::new() })
     }
 }
 
@@ -37,6 +56,7 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
 pub struct Encounter<B> {
     distance: f64,
     space: B,
+    stops: bool,
     excess: Vec<f64>,
 }
 
@@ -68,7 +88,7 @@ impl<const D: usize, B: Space<D>> Attend<SceneState<D>> for Encounter<B> {
             if before > 0.0 && now <= 0.0 {
                 let mut function = |state: &SceneState<D>| excess(state, pair, self.distance, &self.space);
                 let state = step.zero([before, now], &mut function)?;
-                step.happened(false, Event::new(which, state, Crossing::Falling, Some(pair)));
+                step.happened(self.stops, Event::new(which, state, Crossing::Falling, Some(pair)));
             }
         }
         Ok(())

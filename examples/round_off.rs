@@ -21,6 +21,7 @@ mod picture;
 use std::path::PathBuf;
 
 use dmech::plot::plotters::style::{IntoFont, TextStyle};
+use dmech::plot::power;
 use dmech::prelude::*;
 use growth::{Growth, Motion};
 use picture::{Axis, BLUE, Drawn, INK, OCHRE, PURPLE, RED, TEAL};
@@ -93,10 +94,11 @@ fn draw(motion: Motion, lines: &[Growth]) -> Drawn<PathBuf> {
         }
         let panels = area.split_evenly((2, 3));
         for (k, colour) in [RED, OCHRE, PURPLE, TEAL, BLUE].into_iter().enumerate() {
-            let power = lines[k].exponent().map_or(String::new(), |p| format!(": grows as n^{p:.2}"));
+            let grows =
+                lines[k].exponent().map_or(String::new(), |p| format!(": grows as {}", power("n", format!("{p:.2}"))));
             let x = Axis::powers_of_ten("steps n", 2.0..end);
             let y = Axis::powers_of_ten("relative energy error", low..high);
-            let mut chart = picture::chart(&panels[k], &format!("{}{power}", names[k]), x, y, 14)?;
+            let mut chart = picture::chart(&panels[k], &format!("{}{grows}", names[k]), x, y, 14)?;
             for other in lines {
                 picture::line(&mut chart, logs(other), picture::PALE, 1.5)?;
             }

@@ -20,6 +20,7 @@ use std::time::Instant;
 
 use dmech::models::HenonHeiles;
 use dmech::plot::plotters::prelude::{Color, RGBColor, Rectangle};
+use dmech::plot::power;
 use dmech::prelude::*;
 use henon_heiles::{APART, END, SIDE, V, Y, cells, start};
 use picture::{Axis, Drawn, INK};
@@ -95,8 +96,8 @@ fn main() -> Drawn {
         for (i, (from, shade)) in COLOURS.iter().enumerate() {
             let top = V[1] - 0.06 - 0.045 * i as f64;
             let words = match i {
-                0 => format!("less than 10^{}", COLOURS[1].0),
-                _ => format!("10^{from} and more"),
+                0 => format!("less than {}", power("10", COLOURS[1].0)),
+                _ => format!("{} and more", power("10", from)),
             };
             picture::label(&chart, (Y[1], top), (12, 0), "\u{25a0}", *shade)?;
             picture::label(&chart, (Y[1], top), (26, 0), &words, INK)?;

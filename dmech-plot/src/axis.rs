@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::number::{number, superscript};
+use crate::number::{number, power};
 
 /// The largest number on an axis: beyond it the length of an axis is no number.
 const MOST: f64 = 1e300;
@@ -49,11 +49,7 @@ impl<'a> Axis<'a> {
 
 fn power_of_ten(exponent: &f64) -> String {
     // Between the powers there is room for marks where there are few of them.
-    if (exponent - exponent.round()).abs() > 1e-6 {
-        String::new()
-    } else {
-        format!("10{}", superscript(*exponent as i64))
-    }
+    if (exponent - exponent.round()).abs() > 1e-6 { String::new() } else { power("10", *exponent as i64) }
 }
 
 /// A range that can be divided and marked.

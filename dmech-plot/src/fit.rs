@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::axis::{rounded, sound};
-use crate::number::{number, superscript};
+use crate::number::{number, power};
 
 /// How values of any size are shown on an axis: less an offset that they have in common, in units of a power of ten.
 ///
@@ -32,11 +32,11 @@ impl Fit {
         let (least, most) = if least > most { (0.0, 0.0) } else { (least, most) };
         let (half, size) = (0.5 * most - 0.5 * least, least.abs().max(most.abs()));
         let offset = if half > 0.0 && half < 1e-4 * size {
-            rounded(least, 10_f64.powi(power(half)).max(f64::MIN_POSITIVE))
+            rounded(least, 10_f64.powi(magnitude(half)).max(f64::MIN_POSITIVE))
         } else {
             0.0
         };
-        let exponent = power((least - offset).abs().max((most - offset).abs()));
+        let exponent = magnitude((least - offset).abs().max((most - offset).abs()));
         Fit { least, most, offset, exponent: if (-2..5).contains(&exponent) { 0 } else { exponent } }
     }
 
@@ -75,13 +75,13 @@ impl Fit {
         };
         match (self.exponent, self.offset) {
             (0, _) => less,
-            (exponent, 0.0) => format!("{less} / 10{}", superscript(exponent.into())),
-            (exponent, _) => format!("({less}) / 10{}", superscript(exponent.into())),
+            (exponent, 0.0) => format!("{less} / {}", power("10", exponent)),
+            (exponent, _) => format!("({less}) / {}", power("10", exponent)),
         }
     }
 }
 
 /// The power of ten below a number.
-fn power(x: f64) -> i32 {
+fn magnitude(x: f64) -> i32 {
     if x > 0.0 { x.log10().floor() as i32 } else { 0 }
 }

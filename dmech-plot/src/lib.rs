@@ -33,7 +33,7 @@ pub use colour::{BLUE, GREEN, INK, OCHRE, PALE, PURPLE, RED, TEAL};
 pub use fit::Fit;
 pub use labels::{label, label_beside, label_clear, name_column, name_ends};
 pub use marks::{apart, dashed, dots, line, lines, rings, squares};
-pub use number::{count, number, rough, span};
+pub use number::{count, number, power, rough, span};
 pub use plotters;
 
 use std::error::Error;

@@ -1,5 +1,7 @@
 //! Numbers in words and at axes.
 
+use core::fmt::Display;
+
 /// A number as it is printed: −2.5, 3·10⁻⁸.
 ///
 /// ```
@@ -12,7 +14,7 @@ pub fn number(x: f64) -> String {
     let text = if plain { format!("{x}") } else { format!("{x:e}") };
     let text = match text.split_once('e') {
         Some((mantissa, exponent)) => {
-            let power = format!("10{}", superscript(exponent.parse().unwrap_or(0)));
+            let power = power("10", exponent);
             match mantissa {
                 "1" => power,
                 "-1" => format!("-{power}"),
@@ -53,13 +55,22 @@ pub fn count(n: u64) -> String {
     digits.chars().enumerate().flat_map(grouped).collect()
 }
 
-pub(crate) fn superscript(exponent: i64) -> String {
+/// A power as it is printed.
+///
+/// ```
+/// use dmech_plot::power;
+///
+/// assert_eq!([power("10", 1.5), power("n", -2)], ["10¹·⁵", "n⁻²"]);
+/// ```
+pub fn power(base: &str, exponent: impl Display) -> String {
     let digit = |digit: char| match digit {
         '-' => '⁻',
+        '.' => '·',
         '1' => '¹',
         '2' => '²',
         '3' => '³',
         digit => char::from_u32('⁰' as u32 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
     };
-    exponent.to_string().chars().map(digit).collect()
+    let exponent = exponent.to_string();
+    base.chars().chain(exponent.chars().map(digit)).collect()
 }

@@ -119,11 +119,24 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         let State { q, v, .. } = &member.stepper.start;
         self.first.q.set(lane, q);
         self.first.v.set(lane, v);
+        self.take_drifts(lane, member);
+    }
+
+    fn take_drifts<O: Attend<State<D>>>(&mut self, lane: usize, member: &Member<L, S, O, D>) {
         for (drift, watched) in self.drifts.iter_mut().zip(member.log.watch.drifts()) {
             if let (Some(drift), Some(watched)) = (drift, &watched) {
                 drift.set(lane, watched);
             }
         }
+    }
+
+    /// Goes on from a step after which each was looked at by itself: all are where they were, and what was seen is theirs.
+    pub(super) fn resume<O: Attend<State<D>>>(&mut self, seats: &[Member<L, S, O, D>]) {
+        for (lane, member) in seats.iter().enumerate() {
+            self.take_drifts(lane, member);
+            self.count(lane, member);
+        }
+        self.dismiss(seats);
     }
 
     /// Each moves with steps of its own length.

@@ -101,7 +101,11 @@ where
             let together = convoy.advance(1);
             convoy.land_all(seats);
             seats.iter_mut().for_each(|member| if together { member.look_back() } else { member.advance(1) });
-            return false;
+            if !together {
+                return false;
+            }
+            convoy.resume(seats);
+            continue;
         }
         let free = if by_time { seats.iter().map(Member::free).min() } else { None };
         let mut steps = convoy.row().min(free.unwrap_or(u64::MAX));

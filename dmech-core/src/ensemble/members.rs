@@ -45,10 +45,6 @@ pub trait Starts<const D: usize>: Fn(usize) -> State<D> {}
 impl<const D: usize, F: Fn(usize) -> State<D>> Starts<D> for F {}
 
 /// An ensemble that has all that its members need: laws, starts, masses, and a scheme that moves them.
-#[diagnostic::on_unimplemented(
-    message = "this ensemble cannot be run yet",
-    note = "it needs `.law(|k| …)`, `.start(|k| …)` and `.scheme(…)`; where its members are no laws with one start each, `Ensemble::each` takes simulations of any kind"
-)]
 pub trait Members<L: Fields<D>, const D: usize>: Sync {
     /// The scheme of all.
     type Scheme: Rides<L, D> + Sync;

@@ -27,8 +27,7 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Errors
     /// When run: [`SceneError::Encounter`] where the distance is not positive and finite.
     pub fn encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
-        let space = self.start.space;
-        self.attended(Encounter { distance, space, stops: false, excess: Vec::new() })
+        self.watch_for(distance, false)
     }
 
     /// As [`encounter`](Simulation::encounter), and the run ends at the first, as at [`stop_when`](Simulation::stop_when): what goes on
@@ -46,8 +45,12 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Errors
     /// As [`encounter`](Simulation::encounter).
     pub fn stop_at_encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
+        self.watch_for(distance, true)
+    }
+
+    fn watch_for(self, distance: f64, stops: bool) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
         let space = self.start.space;
-        self.attended(Encounter { distance, space, stops: true, excess: Vec::new() })
+        self.attended(Encounter { distance, space, stops, excess: Vec::new() })
     }
 }
 

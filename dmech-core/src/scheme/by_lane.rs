@@ -57,10 +57,10 @@ impl<const W: usize> ByLane<Lanes, W> for [Rows<W>; Lanes::COUNT] {
 
 impl<A: ByLane<T, W>, T, const N: usize, const W: usize> ByLane<[T; N], W> for [A; N] {
     fn alike(one: &[T; N]) -> Self {
-        one.each_ref().map(A::alike)
+        core::array::from_fn(|i| A::alike(&one[i]))
     }
     fn lane(&self, lane: usize) -> [T; N] {
-        self.each_ref().map(|own| own.lane(lane))
+        core::array::from_fn(|i| self[i].lane(lane))
     }
     fn set(&mut self, lane: usize, one: &[T; N]) {
         for i in 0..N {

@@ -19,7 +19,7 @@ pub(super) trait Runner<L, X: Repeatable<L>> {
     /// The order that the scheme declares.
     fn order(&self) -> u32;
     /// The tolerances of a scheme that follows the motion: they take the place of time steps.
-    fn tolerances(&self) -> Option<Vec<f64>> {
+    fn tolerances(&self) -> Option<&[f64]> {
         None
     }
     /// Runs and watches the invariants.
@@ -104,8 +104,8 @@ impl<L: Clone, X: Repeatable<L>, S: Adaptable + Scheme<X::System>> Runner<L, X> 
         S::ORDER
     }
 
-    fn tolerances(&self) -> Option<Vec<f64>> {
-        Some(self.tolerances.clone())
+    fn tolerances(&self) -> Option<&[f64]> {
+        Some(&self.tolerances)
     }
 
     fn watch(&self, case: &Case<L, X>, tolerance: f64, _: u64) -> Result<Watched, Error> {

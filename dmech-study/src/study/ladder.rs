@@ -21,8 +21,8 @@ pub(super) fn steps(steps: Vec<f64>, span: f64) -> Result<Vec<f64>, StudyError> 
 }
 
 /// Tolerances, likewise.
-pub(super) fn tolerances(tolerances: Vec<f64>) -> Result<Vec<f64>, StudyError> {
-    falling(tolerances, StudyError::NoTolerances, |tolerance| Error::Tolerance { tolerance })
+pub(super) fn tolerances(tolerances: &[f64]) -> Result<Vec<f64>, StudyError> {
+    falling(tolerances.to_vec(), StudyError::NoTolerances, |tolerance| Error::Tolerance { tolerance })
 }
 
 fn falling(mut rungs: Vec<f64>, none: StudyError, refused: fn(f64) -> Error) -> Result<Vec<f64>, StudyError> {

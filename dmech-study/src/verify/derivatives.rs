@@ -30,9 +30,10 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
         let second = field.hessian(q);
         let size = second.iter().map(|row| largest(row)).fold(0.0, f64::max);
         let parts = largest(&g).max(size * largest(&q));
+        let stiffness = largest(&subject.weighted(second.map(|row| largest(&row))));
         for j in (0..D).filter(|&j| moves[j]) {
             let at = |x: f64| with(q, j, x);
-            let scale = floor(largest(&whole), size * scales.length);
+            let scale = floor(largest(&whole), stiffness * scales.length);
             gradient.compare(whole[j], derivative(|x| field.potential(at(x)), q[j], h, 0.0), scale);
             for i in 0..D {
                 let scale = floor(size, largest(&g) / scales.length);

@@ -45,16 +45,17 @@ pub(super) struct Store {
 impl Store {
     /// Opens the store of an ensemble, or makes it.
     pub(super) fn open<X: Flat>(path: &Path, ensemble: &dyn Told<X>) -> Result<Self, StoreError> {
-        // SQLite takes the beginning of a database for an empty one.
-        let length = std::fs::metadata(path).map_or(0, |file| file.len());
-        if (1..SMALLEST).contains(&length) {
-            return Err(StoreError::NotADatabase);
+        if let Ok(file) = std::fs::metadata(path) {
+            if file.is_dir() {
+                return Err(StoreError::Folder);
+            }
+            // SQLite takes the beginning of a database for an empty one.
+            if (1..SMALLEST).contains(&file.len()) {
+                return Err(StoreError::NotADatabase);
+            }
         }
         // What begins with a root is a path: SQLite takes other names for URIs, for memory, or for a file of nobody.
         let path = std::path::absolute(path).map_err(|_| StoreError::NoPath)?;
-        if path.is_dir() {
-            return Err(StoreError::Folder);
-        }
         if path.parent().is_some_and(|folder| !folder.is_dir()) {
             return Err(StoreError::NoFolder);
         }

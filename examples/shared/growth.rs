@@ -121,7 +121,14 @@ impl Motion {
         })
     }
 
-    /// Root mean squares over the starts, for numbers of steps from 10² to 10^decades.
+    /// The root mean square over the starts of the largest relative error in so many steps.
+    pub(crate) fn error<S: Any + Send>(self, scheme: S, invariant: Invariant, steps: u64) -> Result<f64, String> {
+        let drifts = self.drifts(scheme, invariant, steps)?;
+        let squares: f64 = drifts.iter().map(|drift| drift.max_relative().powi(2)).sum();
+        Ok((squares / f64::from(STARTS)).sqrt())
+    }
+
+    /// These errors for numbers of steps from 10² to 10^decades.
     pub(crate) fn growth<S: Any + Send>(
         self,
         scheme: S,
@@ -131,9 +138,7 @@ impl Motion {
         let mut points = Vec::new();
         for half_decade in 4..=2 * decades {
             let steps = 10_f64.powf(0.5 * f64::from(half_decade)).round() as u64;
-            let drifts = self.drifts(scheme, invariant, steps)?;
-            let squares: f64 = drifts.iter().map(|drift| drift.max_relative().powi(2)).sum();
-            points.push((steps as f64, (squares / f64::from(STARTS)).sqrt()));
+            points.push((steps as f64, self.error(scheme, invariant, steps)?));
         }
         Ok(Growth { scheme: <S as Method>::NAME, points })
     }

@@ -17,6 +17,8 @@ mod checkpoint;
 mod components;
 mod ensemble;
 mod error;
+#[cfg(any(feature = "ranks", feature = "store"))]
+mod flat;
 mod invariant;
 mod law;
 mod look;

@@ -53,7 +53,7 @@ impl<const D: usize, R: Real> State<D, R> {
 }
 
 #[cfg(any(feature = "ranks", feature = "store"))]
-impl<const D: usize> crate::ensemble::Flat for State<D> {
+impl<const D: usize> crate::flat::Flat for State<D> {
     const DIMENSION: usize = D;
     const LISTED: bool = false;
 

@@ -6,18 +6,10 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 use super::body::{Printed, body};
-use super::kernels::Printer;
 use super::names::{ident, receiver, underscored};
+use super::printer::{Printer, Reached};
 use super::rank::Rank;
 use crate::lower::Source;
-
-/// How a function reaches what it reads of the law.
-pub(super) enum Reached {
-    /// By the law, which is this.
-    Law(TokenStream),
-    /// As numbers, in the order of the parameters: `self.law[2]`.
-    Numbers,
-}
 
 impl Printer<'_> {
     pub(super) fn function(

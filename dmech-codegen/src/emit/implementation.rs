@@ -7,9 +7,8 @@ use quote::quote;
 use syn::{GenericParam, Lifetime};
 
 use super::document::pointwise_texts;
-use super::function::Reached;
-use super::kernels::Printer;
 use super::names::{Names, ident, receiver, runtime, underscored};
+use super::printer::{Printer, Reached};
 use super::rank::{POINTWISE, Rank};
 use crate::Derivation;
 use crate::lower::{Lowered, Parameter, Source};

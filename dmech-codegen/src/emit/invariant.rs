@@ -5,8 +5,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::body::{Printed, body};
-use super::kernels::Printer;
 use super::names::{ident, receiver, underscored};
+use super::printer::Printer;
 use crate::lower::Source;
 use crate::model::Formula;
 

@@ -1,35 +1,16 @@
 //! The functions of the implementation, one for each kernel.
 
-use dmech_symbolic::expression::{Graph, Symbol};
-use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, KickByMean, Step, Variables};
+use dmech_symbolic::expression::Symbol;
+use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, KickByMean, Step};
 use dmech_symbolic::program::Program;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::document::{force_texts, increment, pointwise_texts, step_texts};
-use super::function::Reached;
-use super::names::{Names, ident, underscored};
+use super::names::{ident, underscored};
+use super::printer::Printer;
 use super::rank::{POINTWISE, Rank};
-use crate::lower::{Parameter, Read, Source};
-
-/// What all functions share.
-pub(super) struct Printer<'a> {
-    pub(super) graph: &'a Graph,
-    pub(super) names: Names,
-    pub(super) variables: &'a Variables,
-    pub(super) parameters: &'a [Parameter],
-    pub(super) scalar: Ident,
-    /// The hidden module of the facade.
-    pub(super) runtime: TokenStream,
-    /// D, as it is to be printed.
-    pub(super) dimension: TokenStream,
-    /// The law is one between two bodies.
-    pub(super) between: bool,
-    /// What is read of a body, in order.
-    pub(super) layout: &'a [Read],
-    /// How a method of the implementation reaches what it reads of the law.
-    pub(super) law: Reached,
-}
+use crate::lower::Source;
 
 impl Printer<'_> {
     /// The functions of `Field` for a law without a force.

@@ -5,8 +5,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Printed, body};
-use super::kernels::Printer;
 use super::names::{ident, receiver, underscored};
+use super::printer::Printer;
 
 impl Printer<'_> {
     /// One correction in two parts, with the residual between them formed of the force as computed:

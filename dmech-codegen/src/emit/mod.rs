@@ -12,6 +12,7 @@ mod names;
 mod operation;
 mod pair;
 mod pair_document;
+mod printer;
 mod rank;
 mod region;
 mod rotation;

@@ -8,14 +8,14 @@ use quote::quote;
 use syn::parse_quote;
 
 use super::body::{Printed, body};
-use super::function::Reached;
 use super::implementation::{
     degree, dimension, generic_name, hidden_lifetime, module, names_of_numbers, numbers_of_law, parameters_of,
     scalar_name,
 };
-use super::kernels::Printer;
 use super::names::{Names, ident, receiver, runtime, underscored};
 use super::pair_document::{self, force_texts, potential_texts};
+use super::printer::Printer;
+use super::printer::Reached;
 use super::rank::{POINTWISE, Rank};
 use crate::PairDerivation;
 use crate::lower::{LoweredPair, Read, Source, data};

@@ -5,8 +5,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Printed, body};
-use super::kernels::Printer;
 use super::names::{ident, receiver};
+use super::printer::Printer;
 
 impl Printer<'_> {
     /// The rotation, amid two halves of a push if there is one:

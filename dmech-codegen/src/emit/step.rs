@@ -5,8 +5,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Printed, body};
-use super::kernels::Printer;
 use super::names::{ident, receiver, underscored};
+use super::printer::Printer;
 
 impl Printer<'_> {
     pub(super) fn step(&self, name: &str, step: &Step, between: bool) -> TokenStream {

@@ -4,23 +4,10 @@ use super::Checksum;
 use super::plan::Plan;
 use crate::checkpoint::{Fingerprint, Saved};
 use crate::error::Error;
+pub use crate::flat::Flat;
 use crate::method::Method;
 use crate::run::{Attend, Restored, Run};
 use crate::span::Span;
-
-/// A state as a list of numbers: its time, then position and velocity of one body after another.
-pub trait Flat: Clone + Send {
-    /// Coordinates of a body.
-    const DIMENSION: usize;
-    /// How many bodies there are is known when it runs; else there is one.
-    const LISTED: bool;
-
-    /// All numbers.
-    fn flat(&self) -> Vec<f64>;
-
-    /// The state of these numbers.
-    fn of_flat(numbers: &[f64]) -> Self;
-}
 
 /// Members that can be told from others, and put together from what became of them.
 pub(super) trait Told<X>: Plan<X> {

@@ -7,7 +7,7 @@ use std::path::Path;
 use dmech_scalar::Real;
 
 use super::Run;
-use super::stream::{Csv, Sink};
+use super::stream::Sink;
 use crate::state::State;
 
 /// A state that can be written as a row of numbers.
@@ -51,16 +51,33 @@ impl<const D: usize, R: Real> Columns for State<D, R> {
     }
 }
 
-impl<X> Run<X> {
-    /// Writes the recorded states to what [`stream`](crate::Simulation::stream) would have written them to: `Csv::new(file)`,
-    /// `Csv::long(file)` for scenes, `Npy::new(file)`.
-    ///
-    /// # Errors
-    /// Those of the writer.
-    pub fn write(&self, mut sink: impl Sink<X>) -> io::Result<()> {
-        sink.begin(self.last())?;
-        self.states().iter().try_for_each(|state| sink.write(state))?;
-        sink.end(self.states().len() as u64)
+/// Comma-separated values: a row of names, then a row for each state, in digits that read back as the same numbers. Give it a
+/// [`BufWriter`](std::io::BufWriter) for a file.
+#[derive(Clone, Debug)]
+pub struct Csv<W> {
+    out: W,
+}
+
+impl<W: Write> Csv<W> {
+    /// Values to a writer.
+    pub fn new(out: W) -> Self {
+        Csv { out }
+    }
+}
+
+impl<X: Columns, W: Write> Sink<X> for Csv<W> {
+    fn begin(&mut self, like: &X) -> io::Result<()> {
+        like.write_names(&mut self.out)?;
+        writeln!(self.out)
+    }
+
+    fn write(&mut self, state: &X) -> io::Result<()> {
+        state.write_values(&mut self.out)?;
+        writeln!(self.out)
+    }
+
+    fn end(&mut self, _: u64) -> io::Result<()> {
+        self.out.flush()
     }
 }
 

@@ -1,15 +1,15 @@
 //! Recorded states that are written as they come.
 
-use std::io::{self, Seek, SeekFrom, Write};
+use std::io;
 
+use super::Run;
 use super::attend::Attend;
-use super::csv::Columns;
 use super::simulation::{Attended, Simulation};
 use crate::error::Error;
 use crate::setup::Setup;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
-    /// Writes the recorded states as they come, as [`Csv`] or [`Npy`], and keeps none of them: however long the run,
+    /// Writes the recorded states as they come, as [`Csv`](crate::Csv) or [`Npy`](crate::Npy), and keeps none of them: however long the run,
     /// [`Run::states`](crate::Run::states) stays empty and memory does not grow.
     ///
     /// ```
@@ -60,89 +60,16 @@ pub trait Sink<X> {
     fn end(&mut self, rows: u64) -> io::Result<()>;
 }
 
-/// Comma-separated values: a row of names, then a row for each state, in digits that read back as the same numbers. Give it a
-/// [`BufWriter`](std::io::BufWriter) for a file.
-#[derive(Clone, Debug)]
-pub struct Csv<W> {
-    out: W,
-}
-
-impl<W: Write> Csv<W> {
-    /// Values to a writer.
-    pub fn new(out: W) -> Self {
-        Csv { out }
-    }
-}
-
-impl<X: Columns, W: Write> Sink<X> for Csv<W> {
-    fn begin(&mut self, like: &X) -> io::Result<()> {
-        like.write_names(&mut self.out)?;
-        writeln!(self.out)
-    }
-
-    fn write(&mut self, state: &X) -> io::Result<()> {
-        state.write_values(&mut self.out)?;
-        writeln!(self.out)
-    }
-
-    fn end(&mut self, _: u64) -> io::Result<()> {
-        self.out.flush()
-    }
-}
-
-/// A table of NumPy, `numpy.load("motion.npy")`: a row of `f64` for each state, with the columns of [`Csv`]. The number of rows
-/// is put into its head when the run ends, also where it ends early.
-#[derive(Clone, Debug)]
-pub struct Npy<W> {
-    out: W,
-    columns: u64,
-    /// Where in the writer the table begins.
-    origin: u64,
-}
-
-impl<W: Write + Seek> Npy<W> {
-    /// The bytes of the head, whatever the numbers (NumPy, format 1.0).
-    const HEAD: u64 = 128;
-
-    /// A table to a writer, from where that stands.
-    pub fn new(out: W) -> Self {
-        Npy { out, columns: 0, origin: 0 }
-    }
-
-    fn head(&mut self, rows: u64) -> io::Result<()> {
-        let magic = b"\x93NUMPY\x01\x00";
-        let shape = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {}), }}", self.columns);
-        let length = Self::HEAD as usize - magic.len() - 2;
-        self.out.write_all(magic)?;
-        self.out.write_all(&(length as u16).to_le_bytes())?;
-        writeln!(self.out, "{shape:<width$}", width = length - 1)
-    }
-}
-
-impl<X: Columns, W: Write + Seek> Sink<X> for Npy<W> {
-    fn begin(&mut self, like: &X) -> io::Result<()> {
-        self.origin = self.out.stream_position()?;
-        self.columns = 0;
-        like.numbers(&mut |_| self.columns += 1);
-        self.head(0)
-    }
-
-    fn write(&mut self, state: &X) -> io::Result<()> {
-        let mut written = Ok(());
-        state.numbers(&mut |x| {
-            if written.is_ok() {
-                written = self.out.write_all(&x.to_le_bytes());
-            }
-        });
-        written
-    }
-
-    fn end(&mut self, rows: u64) -> io::Result<()> {
-        self.out.seek(SeekFrom::Start(self.origin))?;
-        self.head(rows)?;
-        // Past the last whole row: a part of one, which a full disk has left, is none.
-        self.out.seek(SeekFrom::Start(self.origin + Self::HEAD + 8 * rows * self.columns))?;
-        self.out.flush()
+impl<X> Run<X> {
+    /// Writes the recorded states to what [`stream`](crate::Simulation::stream) would have written them to: `Csv::new(file)`,
+    /// `Csv::long(file)` for scenes, `Npy::new(file)`.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(&self, mut sink: impl Sink<X>) -> io::Result<()> {
+        sink.begin(self.last())?;
+        self.states().iter().try_for_each(|state| sink.write(state))?;
+        sink.end(self.states().len() as u64)
     }
 }
 

@@ -107,7 +107,7 @@ impl<const D: usize> Columns for SceneState<D> {
 
 /// Where a list is shorter, as in a state that is refused, NaN stands in it.
 #[cfg(any(feature = "ranks", feature = "store"))]
-impl<const D: usize> crate::ensemble::Flat for SceneState<D> {
+impl<const D: usize> crate::flat::Flat for SceneState<D> {
     const DIMENSION: usize = D;
     const LISTED: bool = true;
 

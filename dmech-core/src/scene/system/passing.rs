@@ -2,15 +2,12 @@
 
 use dmech_scalar::{Lanes, Real};
 
-use super::stages::SceneAim;
+use super::stages::{PLACED_IN_PASSING, SceneAim};
 use super::{SceneStride, SceneSystem};
 use crate::scene::eights::Eights;
 use crate::scene::terms::{ActsAtStages, BodyAtStages, Driven};
 use crate::scheme::tableau::Tableau;
 use crate::system::stages::{Eight, weighed};
-
-/// Places are computed as what acts is asked for. Where the coefficients leave no registers for that, they are stored before.
-pub(super) const PLACED_IN_PASSING: bool = cfg!(target_feature = "avx512f");
 
 impl<const D: usize, A: ActsAtStages<D>> SceneSystem<D, A> {
     /// [`sweep`](crate::system::stages::Staged::sweep) where no others than consecutive bodies are linked: the push of a body is

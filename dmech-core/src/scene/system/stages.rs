@@ -2,7 +2,6 @@
 
 use dmech_scalar::{Lanes, Real};
 
-use super::passing::PLACED_IN_PASSING;
 use super::{SceneStride, SceneSystem};
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::eights::Eights;
@@ -10,6 +9,9 @@ use crate::scene::terms::{Acts, ActsAtStages, Moments};
 use crate::scene::vectors::Vectors;
 use crate::scheme::tableau::{GAUSS, STAGES, Tableau};
 use crate::system::stages::{Eight, Nearing, Staged, of_path, path, settled, weighed};
+
+/// Places of a chain are computed as what acts is asked for. Where the coefficients leave no registers for that, they are stored before.
+pub(super) const PLACED_IN_PASSING: bool = cfg!(target_feature = "avx512f");
 
 /// What stays the same from sweep to sweep, and room for it.
 #[derive(Clone, Debug)]

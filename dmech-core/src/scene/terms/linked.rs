@@ -6,6 +6,7 @@ use core::marker::PhantomData;
 use super::kernels::{Secant, Slope, Turned};
 use super::links::Links;
 use super::numbers::NumberColumns;
+use super::separation::separation;
 use super::stencil::Stencil;
 use super::stiffness::{combine, link_stiffness};
 use super::sweep::{self, Kernel, Kicked};
@@ -22,7 +23,7 @@ use crate::scene::space::Space;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
 use crate::system::{Course, Frequency, LinearVelocities, WithoutVelocities};
-use crate::vector::{difference, scaled};
+use crate::vector::scaled;
 
 /// A law that acts along links.
 #[derive(Clone, Debug)]
@@ -100,21 +101,6 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
     {
         self.space.image(separation(q, a, b))
     }
-}
-
-#[inline(always)]
-pub(super) fn separation<const D: usize>(q: &Vectors<D>, a: usize, b: usize) -> [f64; D] {
-    difference(q.get(a), q.get(b))
-}
-
-/// At each of S moments.
-#[inline(always)]
-pub(super) fn separations<const D: usize, const S: usize>(q: [&Vectors<D>; S], a: usize, b: usize) -> [[f64; D]; S] {
-    let mut d = [[0.0; D]; S];
-    for s in 0..S {
-        d[s] = separation(q[s], a, b);
-    }
-    d
 }
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for LinkedReady<X, T, P, B> {

@@ -11,6 +11,7 @@ mod numbers;
 mod one_sided;
 mod packed;
 mod pairs;
+mod separation;
 mod staged;
 pub(super) mod stencil;
 mod stiffness;

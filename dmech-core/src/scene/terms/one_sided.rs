@@ -1,7 +1,8 @@
 //! Links of test bodies: they feel the others and do not act on them.
 
-use super::linked::{LinkedReady, separations};
+use super::linked::LinkedReady;
 use super::links::Links;
+use super::separation::separations;
 use super::sweep::{Kernel, Kernels, Kicked};
 use crate::law::{LinkLaw, Reads};
 use crate::scene::matrix::Matrix;

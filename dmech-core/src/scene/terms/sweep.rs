@@ -4,9 +4,9 @@ use core::ops::Range;
 
 use dmech_scalar::Lanes;
 
-use super::linked::separations;
 use super::numbers::NumberColumns;
 use super::packed::Packed;
+use super::separation::separations;
 use super::stencil::Stencil;
 use crate::law::Numbers;
 use crate::scene::acting::Group;

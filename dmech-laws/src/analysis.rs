@@ -4,6 +4,7 @@ use dmech_symbolic::expression::{Binary, Unary};
 
 use super::branches::{Truth, of_choice, of_mixture};
 use super::forms::{self, Power};
+use super::grow::Law;
 use super::jet::{of_integer_power, of_power, of_unary};
 use super::scale::{ROUNDING, Scale, of_angle, of_function, of_product, of_sum, times};
 use super::tree::{Comparison, PARAMETERS, Test, Tree};
@@ -13,6 +14,20 @@ pub(crate) struct Analysis<'a> {
     pub(crate) a: &'a [f64],
     pub(crate) b: &'a [f64],
     pub(crate) step: &'a [f64],
+}
+
+impl Scale {
+    /// The figures of a law between a and b.
+    pub fn of(tree: &Tree, a: &[f64], b: &[f64], step: &[f64]) -> Self {
+        Analysis { a, b, step }.of(tree)
+    }
+
+    /// Those of ∂Φ/∂xᵢ.
+    pub(crate) fn along(law: &Law, q: &[f64], i: usize) -> Self {
+        let mut unit = vec![0.0; q.len()];
+        unit[i] = 1.0;
+        Scale::of(&law.tree, q, q, &unit)
+    }
 }
 
 impl Analysis<'_> {

@@ -19,8 +19,8 @@ use super::analysis::Analysis;
 use super::engine::{Engine, Second};
 use super::forms::roots_meet;
 use super::grow::Law;
+use super::promise::{Failure, Promise, ULPS, UNDERFLOW, all_finite, failed, lift, size_of};
 use super::scale::{ROUNDING, Scale};
-use super::trial::{Failure, Promise, ULPS, UNDERFLOW, all_finite, along, failed, lift, size_of};
 
 /// Beyond this nothing is asked of second derivatives: those of arctangents and their like take fourth powers.
 const SQUARABLE: f64 = 1e75;
@@ -186,7 +186,7 @@ pub(crate) fn derivatives(
                 exactly: &|| engine.at(&engine.gradient, &lift(a))[j].to_f64(),
                 // That of Φ in double-double over the step of the difference.
                 rounding: 2f64.powi(-92) * scale.value_error[0] / (1e-9 * size(a[j]))
-                    + ULPS * 2.0 * ROUNDING * along(law, a, j).error,
+                    + ULPS * 2.0 * ROUNDING * Scale::along(law, a, j).error,
             };
             match derivative.check() {
                 Err(_) if !special && is_beside_seam(law, a, j) => {}
@@ -204,7 +204,7 @@ pub(crate) fn derivatives(
     let discrete = engine.between(&engine.discrete_gradient, a, b);
     let wide_a = lift(a);
     // The terms that the components of the gradients are summed of.
-    let terms: Vec<f64> = (0..d).map(|i| along(law, a, i).error + along(law, b, i).error).collect();
+    let terms: Vec<f64> = (0..d).map(|i| Scale::along(law, a, i).error + Scale::along(law, b, i).error).collect();
     let gap = a.iter().zip(b).map(|(a, b)| (b - a).abs()).filter(|&gap| gap > 0.0).fold(f64::INFINITY, f64::min);
     let reach = a.iter().zip(b).map(|(a, b)| (b - a).abs()).fold(0.0, f64::max);
     for promise in [Promise::Hessian, Promise::Jacobian] {

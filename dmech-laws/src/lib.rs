@@ -6,8 +6,8 @@
 //! | `grow` | random laws, beginning with the edges |
 //! | `points` | pairs of points, generic and special |
 //! | `scale`, `analysis`, `branches`, `forms`, `jet` | how far rounding may move what is computed of a law, in the forms that it may take |
-//! | `engine`, `trial`, `differences` | the engine's programs, and every promise at a pair of points |
-//! | `campaign`, `shrink` | many laws; the smallest that fails |
+//! | `engine`, `promise`, `trial`, `differences` | the engine's programs, and every promise at a pair of points |
+//! | `campaign`, `finding`, `shrink` | many laws; the smallest that fails |
 #![forbid(unsafe_code)]
 
 mod analysis;
@@ -15,10 +15,12 @@ mod branches;
 mod campaign;
 mod differences;
 mod engine;
+mod finding;
 mod forms;
 mod grow;
 mod jet;
 mod points;
+mod promise;
 mod random;
 mod scale;
 mod shrink;
@@ -26,13 +28,15 @@ mod text;
 mod tree;
 mod trial;
 
-pub use campaign::{Finding, Tally, campaign};
+pub use campaign::{Tally, campaign};
 pub use engine::{Engine, Second};
+pub use finding::Finding;
 pub use grow::{FUNCTIONS, Law};
 pub use points::{Place, pairs};
+pub use promise::{Failure, Promise, ULPS};
 pub use random::Random;
 pub use scale::{ROUNDING, Scale};
 pub use shrink::is_continuous;
 pub use text::{COORDINATES, FIELDS};
 pub use tree::{Comparison, PARAMETERS, Test, Tree};
-pub use trial::{Failure, Outcome, Promise, ULPS, try_pair};
+pub use trial::{Outcome, try_pair};

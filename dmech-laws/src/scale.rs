@@ -28,9 +28,6 @@
 //! the seam that rounding may put it on either side, both branches are added, with their difference there; what is computed of
 //! such an end has the errors E of values.
 
-use super::analysis::Analysis;
-use super::tree::Tree;
-
 /// One rounding, relative.
 pub const ROUNDING: f64 = f64::EPSILON / 2.0;
 
@@ -65,11 +62,6 @@ pub(crate) fn times(x: f64, y: f64) -> f64 {
 }
 
 impl Scale {
-    /// The figures of a law between a and b.
-    pub fn of(tree: &Tree, a: &[f64], b: &[f64], step: &[f64]) -> Self {
-        Analysis { a, b, step }.of(tree)
-    }
-
     pub(crate) fn leaf(ends: [f64; 2], width: f64) -> Self {
         let largest = ends[0].abs().max(ends[1].abs());
         Self {

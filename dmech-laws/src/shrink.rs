@@ -1,7 +1,7 @@
 //! Making a law that fails smaller while it fails in the same way.
 
-use super::campaign::Finding;
 use super::engine::Engine;
+use super::finding::Finding;
 use super::grow::Law;
 use super::points::seam_between;
 use super::random::Random;

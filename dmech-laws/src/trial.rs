@@ -15,30 +15,8 @@ use super::differences::derivatives;
 use super::engine::{Engine, Second};
 use super::grow::Law;
 use super::points::Place;
+use super::promise::{Failure, Promise, ULPS, UNDERFLOW, all_finite, failed, lift, size_of};
 use super::scale::{ROUNDING, Scale};
-
-/// What was not kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs)]
-pub enum Promise {
-    Secant,
-    Finite,
-    Symmetry,
-    Limit,
-    Gradient,
-    Hessian,
-    Jacobian,
-    Structure,
-}
-
-/// A promise that was not kept, with both sides.
-#[derive(Clone, Debug)]
-pub struct Failure {
-    /// Which one.
-    pub promise: Promise,
-    /// What was computed and what it should be.
-    pub words: String,
-}
 
 /// What a pair of points showed.
 #[derive(Clone, Debug, Default)]
@@ -55,27 +33,9 @@ pub struct Outcome {
     pub slopes: usize,
 }
 
-/// What the secant identity may miss, in ulp of its scale.
-pub const ULPS: f64 = 8.0;
-
-/// Below this nothing is asked for: products that underflow lose more than roundings.
-pub(crate) const UNDERFLOW: f64 = 1e-250;
-
-pub(crate) fn lift(q: &[f64]) -> Vec<DoubleDouble> {
-    q.iter().map(|&x| x.into()).collect()
-}
-
 /// A miss that is no number exceeds everything.
 fn exceeds(miss: f64, allowed: f64) -> bool {
     miss.is_nan() || miss > allowed
-}
-
-pub(crate) fn size_of(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
-}
-
-pub(crate) fn all_finite(values: &[f64]) -> bool {
-    values.iter().all(|x| x.is_finite())
 }
 
 /// Tries a law between two points; derivatives too, if `slopes` says so.
@@ -98,10 +58,6 @@ pub fn try_pair(law: &Law, engine: &Engine, a: &[f64], b: &[f64], slopes: bool) 
     })()
     .err();
     outcome
-}
-
-pub(crate) fn failed(promise: Promise, words: String) -> Result<(), Failure> {
-    Err(Failure { promise, words })
 }
 
 fn secant(law: &Law, engine: &Engine, a: &[f64], b: &[f64], scale: &Scale, ulps: &mut f64) -> Result<(), Failure> {
@@ -137,17 +93,10 @@ fn secant(law: &Law, engine: &Engine, a: &[f64], b: &[f64], scale: &Scale, ulps:
     Ok(())
 }
 
-/// The figures of ∂Φ/∂xᵢ.
-pub(crate) fn along(law: &Law, q: &[f64], i: usize) -> Scale {
-    let mut unit = vec![0.0; q.len()];
-    unit[i] = 1.0;
-    Scale::of(&law.tree, q, q, &unit)
-}
-
 fn limit(law: &Law, engine: &Engine, a: &[f64]) -> Result<(), Failure> {
     let (g, gradient) = (engine.between(&engine.discrete_gradient, a, a), engine.at(&engine.gradient, a));
     for i in 0..a.len() {
-        let scale = along(law, a, i);
+        let scale = Scale::along(law, a, i);
         if !scale.is_finite() || scale.doubtful || scale.vertical {
             continue;
         }
@@ -197,7 +146,7 @@ fn structure(law: &Law, engine: &Engine, a: &[f64], b: &[f64]) -> Result<(), Fai
     }
     if structure.central.is_some() {
         // The slopes may cancel.
-        let terms = (0..d).map(|i| along(law, a, i).error).fold(0.0, f64::max);
+        let terms = (0..d).map(|i| Scale::along(law, a, i).error).fold(0.0, f64::max);
         let terms = if terms.is_finite() { ULPS * 2.0 * ROUNDING * terms } else { 0.0 };
         for i in 1..d {
             let twist = at_a[0] * a[i] - at_a[i] * a[0];

@@ -1,6 +1,6 @@
 //! Stepping without recording.
 
-mod place;
+mod departure;
 
 use dmech_scalar::{Count, Real};
 
@@ -10,7 +10,7 @@ use crate::newton::NotConverged;
 use crate::scheme::Scheme;
 use crate::span::possible;
 use crate::system::{Effort, Particle, System};
-use place::Place;
+use departure::Departure;
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
 ///
@@ -63,11 +63,11 @@ fn begun<Y: System, S: Scheme<Y>>(
     start: &Y::State,
     workspace: &mut S::Workspace,
 ) -> Result<S::Memory, Error> {
-    let place = Place::prepared(system, start)?;
-    match scheme.begin(system, stride, &place.beginning(), workspace) {
+    let departure = Departure::prepared(system, start)?;
+    match scheme.begin(system, stride, &departure.beginning(), workspace) {
         Ok(memory) => scheme.ready(step, &memory).map(|()| memory),
         // A start that solves an equation makes a step backward.
-        Err(cause) => Err(place.unsolved(system, 0, -Y::dt(stride).to_f64(), cause)),
+        Err(cause) => Err(departure.unsolved(system, 0, -Y::dt(stride).to_f64(), cause)),
     }
 }
 
@@ -250,7 +250,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             return Err(Error::OutsideStep { time: t, from: now, to: now + dt });
         }
         if self.waits {
-            Place::prepared(&self.system, &self.start)?;
+            Departure::prepared(&self.system, &self.start)?;
         }
         self.between(self.steps() + 1, &self.state(), t).map(|(state, _)| state)
     }
@@ -261,10 +261,10 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if t == start {
             return Ok((from.clone(), Effort::default()));
         }
-        let (place, dt) = (Place::passed(system, from), t - start);
-        match self.scheme.within(system, Y::Scalar::from_f64(dt), &place.beginning()) {
-            Ok(reached) => place.reached(system, step, t, reached),
-            Err(cause) => Err(place.unsolved(system, step, dt, cause)),
+        let (departure, dt) = (Departure::passed(system, from), t - start);
+        match self.scheme.within(system, Y::Scalar::from_f64(dt), &departure.beginning()) {
+            Ok(reached) => departure.reached(system, step, t, reached),
+            Err(cause) => Err(departure.unsolved(system, step, dt, cause)),
         }
     }
 

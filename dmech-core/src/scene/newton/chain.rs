@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use super::{Equation, Progress, Solver, Unknown, Verdict};
+use super::{Equations, Progress, Solver, Unknown, Verdict};
 use crate::newton::NotConverged;
 use crate::scene::matrix::block::{Block, invert, product, times};
 use crate::scene::terms::stencil::{Stencil, block, load, store};
@@ -13,16 +13,16 @@ use crate::scene::vectors::Vectors;
 /// A long chain does not fit into the nearest memory, and a step costs what is read and written: everything that a body
 /// needs is done while it is at hand, eight bodies at a time, and the Jacobian is never stored.
 #[derive(Clone, Debug)]
-pub(super) struct Chain<const D: usize> {
+pub(super) struct Elimination<const D: usize> {
     /// Pᵢ⁻¹ Uᵢ, with Pᵢ the eliminated diagonal and −Uᵢ what is right of it.
     following: Vec<Block<D>>,
     /// drift − g (G + known) − Δ; after a step that conserves the energy, in its place what the rounding of G left out.
     residual: Vectors<D>,
 }
 
-impl<const D: usize> Chain<D> {
+impl<const D: usize> Elimination<D> {
     pub(super) fn new(bodies: usize) -> Self {
-        Chain { following: vec![[[0.0; D]; D]; bodies], residual: Vectors::zeros(bodies) }
+        Elimination { following: vec![[[0.0; D]; D]; bodies], residual: Vectors::zeros(bodies) }
     }
 
     /// What the rounding of the last G + J δ left out.
@@ -45,8 +45,8 @@ impl<const D: usize> Solver<D> {
     /// As [`Solver::settle`] for the whole step, with a Jacobian for each correction: here it costs no more than to keep one.
     pub(super) fn settle_chain<U: Unknown<D>>(
         &mut self,
-        chain: &mut Chain<D>,
-        equation: &Equation<'_, D>,
+        chain: &mut Elimination<D>,
+        equation: &Equations<'_, D>,
         unknown: &U,
     ) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
@@ -74,8 +74,8 @@ impl<const D: usize> Solver<D> {
     /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger.
     fn along<U: Unknown<D>>(
         &mut self,
-        chain: &mut Chain<D>,
-        equation: &Equation<'_, D>,
+        chain: &mut Elimination<D>,
+        equation: &Equations<'_, D>,
         unknown: &U,
         guess: bool,
     ) -> f64 {
@@ -116,7 +116,7 @@ impl<const D: usize> Solver<D> {
 
     /// δᵢ = yᵢ + (P⁻¹U)ᵢ δᵢ₊₁ from the last body to the first; Δ += δ, and G += J δ with J δ = (r − δ)/g.
     /// max |δ| and max |Δ| come back, not finite if a component is not.
-    fn back<U: Unknown<D>>(&mut self, chain: &mut Chain<D>, equation: &Equation<'_, D>) -> [f64; 2] {
+    fn back<U: Unknown<D>>(&mut self, chain: &mut Elimination<D>, equation: &Equations<'_, D>) -> [f64; 2] {
         let bodies = self.delta.bodies();
         let (mut size, mut step, mut odd) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
         let mut after = [0.0; D];
@@ -156,7 +156,7 @@ impl<const D: usize> Solver<D> {
 
     /// The guess, if it is to be made, and b = q + Δ for the bodies from `first` on.
     #[inline(always)]
-    fn place_block(&mut self, equation: &Equation<'_, D>, first: usize, guess: bool) {
+    fn place_block(&mut self, equation: &Equations<'_, D>, first: usize, guess: bool) {
         let bodies = self.delta.bodies();
         let range = block(first.min(bodies), bodies);
         for k in 0..D {

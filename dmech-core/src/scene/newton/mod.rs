@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use self::chain::Chain;
+use self::chain::Elimination;
 use self::progress::{Progress, Verdict};
 use super::matrix::Matrix;
 use super::terms::stencil::{Stencil, block, load, store};
@@ -32,7 +32,7 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 /// Find Δ with  Δ + g (G(q + Δ) + known) = drift,  as for one body, with one g for each coordinate.
 ///
 /// Parts shrink with the step as they do there: for a step of θh the drift is θ times as large and g θ² times.
-pub(super) struct Equation<'a, const D: usize> {
+pub(super) struct Equations<'a, const D: usize> {
     pub(super) q: &'a Vectors<D>,
     /// The low part of the position.
     pub(super) q_low: &'a Vectors<D>,
@@ -52,7 +52,7 @@ pub(super) struct Equation<'a, const D: usize> {
     pub(super) newton: &'a Newton,
 }
 
-impl<const D: usize> Equation<'_, D> {
+impl<const D: usize> Equations<'_, D> {
     /// h v, component i.
     #[inline(always)]
     fn drift(&self, i: usize) -> f64 {
@@ -113,7 +113,7 @@ pub(super) trait Unknown<const D: usize> {
 pub(super) struct Solver<const D: usize> {
     matrix: Matrix<D>,
     /// In place of the matrix, where consecutive bodies are linked and forces do not depend on velocities.
-    chain: Option<Chain<D>>,
+    chain: Option<Elimination<D>>,
     /// Δ.
     pub(super) delta: Vectors<D>,
     /// G at the solution, G + J δ of the last correction.
@@ -135,7 +135,7 @@ impl<const D: usize> Solver<D> {
         let zeros = Vectors::zeros(bodies);
         Solver {
             matrix: Matrix::new(bodies, topology),
-            chain: (*topology == Topology::Chain).then(|| Chain::new(bodies)),
+            chain: (*topology == Topology::Chain).then(|| Elimination::new(bodies)),
             delta: zeros.clone(),
             gradient: zeros.clone(),
             rest: zeros.clone(),
@@ -150,7 +150,7 @@ impl<const D: usize> Solver<D> {
     /// The gradient at the solution is then in `gradient`.
     pub(super) fn solve<U: Unknown<D>>(
         &mut self,
-        equation: &Equation<'_, D>,
+        equation: &Equations<'_, D>,
         unknown: &U,
     ) -> Result<Effort, NotConverged> {
         let settled = match self.chain.take() {
@@ -177,7 +177,7 @@ impl<const D: usize> Solver<D> {
     /// Newton with one factorisation for several corrections, for a part θ of the step.
     fn settle<U: Unknown<D>>(
         &mut self,
-        equation: &Equation<'_, D>,
+        equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
     ) -> Result<u32, NotConverged> {
@@ -188,7 +188,7 @@ impl<const D: usize> Solver<D> {
     /// Corrections until one is so small that the force is known to rounding, or until they no longer shrink.
     fn approach<U: Unknown<D>>(
         &mut self,
-        equation: &Equation<'_, D>,
+        equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
     ) -> Result<u32, NotConverged> {
@@ -219,7 +219,7 @@ impl<const D: usize> Solver<D> {
     }
 
     /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is singular.
-    fn take_jacobian<U: Unknown<D>>(&mut self, equation: &Equation<'_, D>, unknown: &U, theta: f64) -> bool {
+    fn take_jacobian<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>, unknown: &U, theta: f64) -> bool {
         self.matrix.clear();
         unknown.jacobian(theta, &self.place, &self.velocity, equation.rate, &mut self.matrix);
         self.factorise(equation, theta)
@@ -230,7 +230,7 @@ impl<const D: usize> Solver<D> {
     #[cold]
     fn finish<U: Unknown<D>>(
         &mut self,
-        equation: &Equation<'_, D>,
+        equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
         astray: NotConverged,
@@ -254,7 +254,7 @@ impl<const D: usize> Solver<D> {
 
     /// Whether the residual is what rounding makes of the equation, for every coordinate: of h v, of the forces, of Δ, and,
     /// as forces are those of rounded positions and cancel one another, of J times the positions.
-    fn residual_is_rounding(&mut self, equation: &Equation<'_, D>, theta: f64) -> bool {
+    fn residual_is_rounding(&mut self, equation: &Equations<'_, D>, theta: f64) -> bool {
         let reach = equation.q.largest() + self.delta.largest() + equation.h.abs() * equation.v.largest();
         // Until the correction is made it is of no use.
         let stiffness = &mut self.rest;
@@ -272,7 +272,7 @@ impl<const D: usize> Solver<D> {
     #[cold]
     fn lengthen<U: Unknown<D>>(
         &mut self,
-        equation: &Equation<'_, D>,
+        equation: &Equations<'_, D>,
         unknown: &U,
         spent: u32,
     ) -> Result<Effort, NotConverged> {
@@ -314,7 +314,7 @@ impl<const D: usize> Solver<D> {
     }
 
     /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
-    fn guess(&mut self, equation: &Equation<'_, D>) {
+    fn guess(&mut self, equation: &Equations<'_, D>) {
         for first in (0..self.delta.flat().len()).step_by(Lanes::COUNT) {
             let range = block(first, self.delta.flat().len());
             store(equation.guess(range.clone()), self.delta.flat_mut(), range);
@@ -322,8 +322,8 @@ impl<const D: usize> Solver<D> {
     }
 
     /// b = q + Δ and, where it is needed, v at the end of the step.
-    fn place<U: Unknown<D>>(&mut self, equation: &Equation<'_, D>) {
-        let Equation { q, q_low, v, rate, .. } = *equation;
+    fn place<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>) {
+        let Equations { q, q_low, v, rate, .. } = *equation;
         let (delta, place) = (self.delta.flat(), self.place.flat_mut());
         for (((place, q), low), delta) in place.iter_mut().zip(q.flat()).zip(q_low.flat()).zip(delta) {
             *place = q + (low + delta);
@@ -337,7 +337,7 @@ impl<const D: usize> Solver<D> {
     }
 
     /// drift − g (G + known) − Δ, in the place of the position; the largest |g G| comes back.
-    fn residual(&mut self, equation: &Equation<'_, D>, theta: f64) -> f64 {
+    fn residual(&mut self, equation: &Equations<'_, D>, theta: f64) -> f64 {
         let square = theta * theta;
         let mut force = 0.0_f64;
         let out = self.place.flat_mut().iter_mut().zip(self.delta.flat());
@@ -378,7 +378,7 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    fn factorise(&mut self, equation: &Equation<'_, D>, theta: f64) -> bool {
+    fn factorise(&mut self, equation: &Equations<'_, D>, theta: f64) -> bool {
         if theta == 1.0 {
             return self.matrix.factorise(equation.g);
         }
@@ -387,7 +387,7 @@ impl<const D: usize> Solver<D> {
         self.matrix.factorise(&self.scaled)
     }
 
-    fn solve_linear(&mut self, equation: &Equation<'_, D>, theta: f64) {
+    fn solve_linear(&mut self, equation: &Equations<'_, D>, theta: f64) {
         let g = if theta == 1.0 { equation.g } else { &self.scaled };
         self.matrix.solve(g, &mut self.place);
     }

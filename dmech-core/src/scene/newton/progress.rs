@@ -1,6 +1,6 @@
 //! Whether corrections have become small enough.
 
-use super::{Equation, Unknown};
+use super::{Equations, Unknown};
 use crate::newton::NotConverged;
 
 /// Of the force, what may be neglected. Below rounding by a margin, as neglected terms keep their sign and add up.
@@ -40,7 +40,7 @@ impl Progress {
     /// The corrections are not finite, or lead away from the guess.
     pub(super) fn judge<U: Unknown<D>, const D: usize>(
         &mut self,
-        equation: &Equation<'_, D>,
+        equation: &Equations<'_, D>,
         iteration: u32,
         [size, step, force]: [f64; 3],
     ) -> Result<Verdict, NotConverged> {
@@ -65,7 +65,7 @@ impl Progress {
     }
 
     /// There are no corrections left.
-    pub(super) fn exhausted<const D: usize>(&self, equation: &Equation<'_, D>) -> NotConverged {
+    pub(super) fn exhausted<const D: usize>(&self, equation: &Equations<'_, D>) -> NotConverged {
         NotConverged { iterations: equation.limit().into(), residual: self.last }
     }
 }

@@ -3,7 +3,7 @@
 use dmech_scalar::Lanes;
 
 use super::progress::{Progress, Verdict};
-use super::{Equation, Solver, Unknown};
+use super::{Equations, Solver, Unknown};
 use crate::scene::matrix::Matrix;
 use crate::scene::terms::stencil::{Stencil, block, load};
 use crate::scene::topology::Topology;
@@ -47,7 +47,7 @@ fn a_correction_too_small_to_change_the_force_is_left_beside_it() {
     let (q, zero, g) = (all(1.0), all(0.0), all(two(-10)));
     let (v, last) = (all(two(-4) + two(-10) + two(-56)), all(1.0 - two(-45)));
     let newton = Newton::predicted();
-    let equation = Equation {
+    let equation = Equations {
         q: &q,
         q_low: &zero,
         h: 1.0,
@@ -75,7 +75,7 @@ fn a_correction_too_small_to_change_the_force_is_left_beside_it() {
 #[test]
 fn a_single_correction_is_trusted_up_to_a_sixty_fourth_of_rounding() {
     let (zero, newton) = (Vectors::<1>::zeros(1), Newton::predicted());
-    let equation = Equation {
+    let equation = Equations {
         q: &zero,
         q_low: &zero,
         h: 1.0,

@@ -3,7 +3,7 @@
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::matrix::Matrix;
-use crate::scene::newton::{Equation, Solver, Unknown};
+use crate::scene::newton::{Equations, Solver, Unknown};
 use crate::scene::system::{SceneStride, SceneSystem};
 use crate::scene::terms::stencil::Stencil;
 use crate::scene::terms::{Acts, Driven};
@@ -131,14 +131,14 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Across<'_, D, A> {
 fn equation<'a, const D: usize, A: Acts<D>>(
     step: &Step<'a, SceneSystem<D, A>>,
     known: Option<&'a Vectors<D>>,
-) -> Equation<'a, D> {
+) -> Equations<'a, D> {
     let Step { stride, q, v, ahead, newton, .. } = *step;
     let last = match ahead {
         Ahead::Continued(last) => last,
         // Three equal slopes continue to themselves.
         Ahead::Expected(expected) => [expected; 3],
     };
-    Equation {
+    Equations {
         q: &q.hi,
         q_low: &q.lo,
         h: stride.dt,
@@ -165,7 +165,7 @@ impl<const D: usize> SceneSolver<D> {
         step: &Step<'_, SceneSystem<D, A>>,
         known: &Vectors<D>,
     ) -> Result<Effort, NotConverged> {
-        let equation = Equation { last_are_whole: false, ..equation(step, Some(known)) };
+        let equation = Equations { last_are_whole: false, ..equation(step, Some(known)) };
         self.newton.solve(&equation, &AtEnd { acts, t: step.t + step.stride.dt })
     }
 
@@ -194,7 +194,7 @@ impl<const D: usize> SceneSolver<D> {
         // A force beside the potential is that at the position now.
         known_force(acts, 1.0, step, known);
         let unknown = Across { acts, before, q: &step.q.hi, t: step.t };
-        let equation = Equation { rate: 0.0, ..equation(step, A::FORCED.then_some(&*known)) };
+        let equation = Equations { rate: 0.0, ..equation(step, A::FORCED.then_some(&*known)) };
         let effort = newton.solve(&equation, &unknown)?;
         self.add_known::<A>();
         Ok(effort)

@@ -8,27 +8,27 @@ use crate::scheme::Reached;
 use crate::system::{Beginning, Effort, System};
 
 /// Where a step begins: position, velocity, and the slope there.
-pub(super) struct Place<Y: System> {
+pub(super) struct Departure<Y: System> {
     q: Y::Vector,
     v: Y::Vector,
     slope: Y::Vector,
     t: f64,
 }
 
-impl<Y: System> Place<Y> {
+impl<Y: System> Departure<Y> {
     /// From which a motion starts.
     pub(super) fn prepared(system: &Y, start: &Y::State) -> Result<Self, Error> {
         let mut slope = system.zero();
         system.prepare(start, &mut slope)?;
         let [q, v] = system.vectors(start);
-        Ok(Place { q, v, slope, t: Y::time(start) })
+        Ok(Departure { q, v, slope, t: Y::time(start) })
     }
 
     /// Through which it comes.
     pub(super) fn passed(system: &Y, state: &Y::State) -> Self {
         let ([q, v], mut slope, t) = (system.vectors(state), system.zero(), Y::time(state));
         system.slope(Y::Scalar::from_f64(t), &q, &v, &mut slope);
-        Place { q, v, slope, t }
+        Departure { q, v, slope, t }
     }
 
     pub(super) fn beginning(&self) -> Beginning<'_, Y> {

@@ -79,7 +79,7 @@ pub fn save(path: impl AsRef<Path>, svg: &str) -> io::Result<()> {
         let says = format!("pictures are written as SVG, not as {}: name it {}", kind.to_uppercase(), name.display());
         return Err(io::Error::new(io::ErrorKind::InvalidInput, says));
     }
-    std::fs::write(path, svg)
+    fs_err::write(path, svg)
 }
 
 fn drawn(svg: &mut String, [width, height]: [u32; 2], onto: impl FnOnce(&Area<'_>) -> Drawn) -> Drawn {

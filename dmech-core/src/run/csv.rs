@@ -1,10 +1,10 @@
 //! Trajectories as comma-separated values.
 
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use dmech_scalar::Real;
+use fs_err::File;
 
 use super::Run;
 use super::stream::Sink;
@@ -96,6 +96,6 @@ impl<X: Columns> Run<X> {
     /// # Errors
     /// Those of the file.
     pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
-        self.write_csv(BufWriter::new(File::create(path)?))
+        self.write_csv(BufWriter::new(File::create(path.as_ref())?))
     }
 }

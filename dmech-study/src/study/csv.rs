@@ -1,10 +1,10 @@
 //! Studies as comma-separated values.
 
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use dmech_core::Invariant;
+use fs_err::File;
 
 use super::report::StudyReport;
 
@@ -54,7 +54,7 @@ impl StudyReport {
     /// # Errors
     /// Those of the file.
     pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
-        let mut out = BufWriter::new(File::create(path)?);
+        let mut out = BufWriter::new(File::create(path.as_ref())?);
         self.write_csv(&mut out)?;
         out.flush()
     }

@@ -30,7 +30,9 @@ fn the_csv_can_go_to_a_file() {
     let mut bytes = Vec::new();
     run.write_csv(&mut bytes).unwrap();
     assert_eq!(written.as_bytes(), bytes);
-    assert!(run.save_csv("/no/such/folder/orbit.csv").is_err());
+    let refused = run.save_csv("/no/such/folder/orbit.csv").unwrap_err();
+    assert_eq!(refused.kind(), std::io::ErrorKind::NotFound);
+    assert!(refused.to_string().contains("/no/such/folder/orbit.csv"), "{refused}");
 }
 
 /// The report names what it must: and its columns stand under their heads.

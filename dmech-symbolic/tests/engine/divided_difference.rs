@@ -2,6 +2,7 @@
 //! both sides of 0.
 
 use crate::common::algebra::{Algebra, Big, big, narrow};
+use crate::common::laws::Law;
 use crate::common::notation::{E, within};
 use crate::common::{U, Worst};
 use dmech_symbolic::calculus::{self, TwoPoints};
@@ -163,4 +164,24 @@ fn divided_differences_are_accurate_over_the_domain() {
         }
     }
     assert!(failures.is_empty(), "{failures:?}");
+}
+
+/// A power whose exponent is a parameter may be an integer: then u may be negative, and its secant has its digits there too.
+#[test]
+fn powers_of_parameters_keep_their_digits_on_both_sides() {
+    let worst = Worst::new();
+    for (k, n) in [(0, 1), (1, 2), (2, 3)] {
+        let mut law = Law::build(1, |q, p| q[0].powf(p[k].of(Unary::Round)));
+        let kernels = law.kernels();
+        for (a, b) in pairs(&[-31.0, -2.7, -0.4, -1e-7, 1e-9, 0.07, 1.3, 4.1e3]) {
+            let s = exact(&|x| x.power(n), &big(a), &big(b));
+            let computed = kernels.discrete_gradient.run(law.at(&[a], &[b]))[0];
+            let turned = kernels.discrete_gradient.run(law.at(&[b], &[a]))[0];
+            assert_eq!(computed, turned, "{a} and {b}");
+            // Between places of which one is nearly the opposite of the other it is a difference.
+            let size = narrow(&s).abs().max(a.abs().max(b.abs()).powi(n - 1));
+            worst.see(narrow(&big(computed).minus(&s)).abs() / (2.0 * U * size), || format!("u^{n} at {a} and {b}"));
+        }
+    }
+    worst.at_most(16.0, "ulp of a secant");
 }

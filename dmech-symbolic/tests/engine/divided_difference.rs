@@ -166,6 +166,26 @@ fn divided_differences_are_accurate_over_the_domain() {
     assert!(failures.is_empty(), "{failures:?}");
 }
 
+/// Where the domain of a function ends its slope is infinite, and 1 − u has all its digits: so has the secant between two places
+/// next to that end, whatever rounding them would do.
+#[test]
+fn ends_of_a_domain_take_no_digits() {
+    let worst = Worst::new();
+    for (f, side) in [(Unary::Asin, -1.0), (Unary::Acos, -1.0), (Unary::Atanh, -1.0), (Unary::Acosh, 1.0)] {
+        let ends = Ends::new(&|u| u.of(f));
+        for gap in (0..44).map(|k| 2f64.powi(-k - 4)) {
+            for part in [0.3, 0.7, 0.999, 1.0] {
+                let [a, b] = [gap, part * gap].map(|gap| 1.0 + side * gap);
+                let s = exact(&|x| x.unary(f), &big(a), &big(b));
+                let error = narrow(&big(ends.at(a, b)).minus(&s)).abs() / (2.0 * U * narrow(&s).abs());
+                worst.see(error, || format!("{f:?}[{a}, {b}]"));
+            }
+        }
+    }
+    // Between places of which one is much nearer to the end atanh has the quotient of its values.
+    worst.at_most(16.0, "ulp of a secant next to an end");
+}
+
 /// A power whose exponent is a parameter may be an integer: then u may be negative, and its secant has its digits there too.
 #[test]
 fn powers_of_parameters_keep_their_digits_on_both_sides() {

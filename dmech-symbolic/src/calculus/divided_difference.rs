@@ -266,10 +266,15 @@ fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
     let below = g.add(&magnitudes);
     let sum = g.add(&[a, b]);
     let (zero, quotient) = (g.zero(), g.div(sum, below));
-    let across = g.select(Condition::equal(below, zero), zero, quotient);
+    // Its derivative divides by the square.
+    let square = g.square(below);
+    let nothing = Condition::lost(g, square);
+    let across = g.select(nothing, zero, quotient);
     // The sign of the sum: where rounding leaves a and b no certain sign, that of the larger.
-    let (product, sign) = (g.mul(&[a, b]), g.unary(Unary::Signum, sum));
-    g.select(Condition::less(zero, product), sign, across)
+    let sides = [a, b].map(|u| g.unary(Unary::Signum, u));
+    let (sides, sign) = (g.mul(&sides), g.unary(Unary::Signum, sum));
+    let on_one_side = Condition::less(zero, sides).and(Condition::less(zero, below));
+    g.select(on_one_side, sign, across)
 }
 
 /// (f(b) − f(a))/(b − a).

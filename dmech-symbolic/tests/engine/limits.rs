@@ -81,3 +81,21 @@ fn powers_within_choices_keep_their_digits() {
         assert!((work - (end - start)).abs() < allowed, "{g:?} makes {work:e} of {:e}", end - start);
     }
 }
+
+/// A motion in |q|³ or |q|^p that has died away: the Newton matrix is that of lengths which vanish.
+#[test]
+fn powers_of_nearly_nothing_have_a_newton_matrix() {
+    let mut cube = Law::build(1, |q, _| 0.5 * q[0].powi(2) + q[0].abs().powi(3));
+    let mut square = Law::build(1, |q, p| q[0].abs().powf(p[1].of(Unary::Round)));
+    for (law, slope) in [(&mut cube, 0.5), (&mut square, 1.0)] {
+        let matrix = law.kernels().discrete_gradient_jacobian;
+        for k in (10..1000).step_by(7) {
+            let a = 2f64.powi(-k);
+            for part in [1.0, 0.9, 1.3, 0.999] {
+                let same = matrix.run(law.at(&[a], &[part * a]))[0];
+                assert!((same - slope).abs() < 5.0 * a + 1e-6, "from {a:e} to {:e}: {same}", part * a);
+                assert!(matrix.run(law.at(&[a], &[-part * a]))[0].is_finite(), "from {a:e} to {:e}", -part * a);
+            }
+        }
+    }
+}

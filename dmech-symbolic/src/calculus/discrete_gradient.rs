@@ -114,9 +114,10 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
         Node::Unary(f, u) => {
             let (a, b) = ends.values(graph, u);
             let Some(even) = graph.even_of_root(node) else { return vec![(u, divided_difference(graph, f, a, b))] };
-            // sin m sinc δ/(√a + √b) = sinc m sinc δ/2.
-            let (middle, gap) = (graph.mean(a, b), graph.sub(b, a));
-            let delta = graph.scale(0.5, gap);
+            // sin m sinc δ/(√a + √b) = sinc m sinc δ/2. Halves in the sums: the [tangent](super::tangent) of a root that vanishes
+            // is then 0, as that of the whole is even in each root.
+            let halves = [a, b].map(|root| graph.scale(0.5, root));
+            let (middle, delta) = (graph.add(&halves), graph.sub(halves[1], halves[0]));
             let factors = [graph.unary(even.cardinal, middle), graph.unary(even.cardinal, delta)];
             let secant = graph.mul(&factors);
             vec![(even.below, graph.scale(even.half, secant))]

@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod allocation;
+mod at_rest;
 mod bodies;
 mod compensated;
 mod composed;

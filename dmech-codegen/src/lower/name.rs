@@ -5,9 +5,10 @@ use quote::quote_spanned;
 use syn::{Expr, ExprPath, GenericParam, ImplItemConst};
 
 use crate::diagnostics::{body, law, nearest, pair};
-use crate::model::{Known, PairArgument, Quantity, Sibling, known_type};
+use crate::model::{Known, PairArgument, Quantity, Sibling, is_integer, known_type};
 use crate::role::Role;
 
+use super::function::arity;
 use super::interpreter::Interpreter;
 use super::value::{At, Field, Owner, Value};
 
@@ -23,9 +24,12 @@ impl<'m> Interpreter<'m> {
         if let Some(x) = float_constant(&names) {
             return Value::Number(self.graph.number(x));
         }
-        match &names[..] {
+        let texts: Vec<_> = names.iter().map(String::as_str).collect();
+        match texts[..] {
             [_, constant] if self.model.is_own_type(&path.path.segments[0].ident) => self.constant(constant, path),
             [.., constant] if is_not_finite(&names) => self.refuse(body::not_finite(e, constant)),
+            [.., "f64", function] if arity(function).is_some() => self.refuse(body::function_as_value(e, function)),
+            [.., integer, _] if is_integer(integer) => self.refuse(body::foreign_integer(e, &names.join("::"))),
             _ => self.refuse(body::foreign_constant(e, &names.join("::"))),
         }
     }

@@ -29,7 +29,7 @@ pub(crate) use implementation::{MAX_INVARIANTS, from_impl};
 pub use pair::PairSignature;
 
 pub(crate) use argument::{Argument, PairArgument, Quantity, Shape};
-pub(crate) use types::{Known, Length, VectorAlias, known_type, vector_alias};
+pub(crate) use types::{Known, Length, VectorAlias, is_integer, known_type, vector_alias};
 
 /// What was read, and the user's item as it is to be emitted again.
 pub(crate) struct Parsed {

@@ -43,6 +43,11 @@ pub(crate) fn known_type(ty: &Type) -> Known {
     }
 }
 
+/// Whether a type of that name is one of integers.
+pub(crate) fn is_integer(name: &str) -> bool {
+    matches!(name, "usize" | "isize" | "u8" | "i8" | "u16" | "i16" | "u32" | "i32" | "u64" | "i64" | "u128" | "i128")
+}
+
 fn known_path(path: &Path) -> Known {
     let Some(last) = path.segments.last() else { return Known::Other };
     let name = last.ident.to_string();
@@ -50,9 +55,7 @@ fn known_path(path: &Path) -> Known {
         match name.as_str() {
             "f64" => return Known::Float,
             "f32" => return Known::Single,
-            "usize" | "isize" | "u8" | "i8" | "u16" | "i16" | "u32" | "i32" | "u64" | "i64" | "u128" | "i128" => {
-                return Known::Integer;
-            }
+            name if is_integer(name) => return Known::Integer,
             _ => {}
         }
     }

@@ -8,6 +8,9 @@ use super::{Correction, Equation, Increment, NotConverged};
 /// Corrections before the loop gives up on a starting point; quadratic convergence needs 3 to 6.
 const PATIENCE: u32 = 12;
 
+/// So many roundings may be in a correction.
+const ROUNDINGS: f64 = 64.0;
+
 /// Newton from the equation's guess, given up as soon as it leaves the neighbourhood of the guess.
 ///
 /// What must be right to round-off is the force: for a short step Δ is known to an ulp long before G = (known − Δ)/g is.
@@ -31,6 +34,8 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     // whatever is compared with them seems settled.
     let root_of_margin = R::from_f64(0.125 * R::EPSILON.to_f64().sqrt());
     let half = R::from_f64(0.5);
+    // What a correction may be by rounding alone, however small all numbers are: a motion that dies away comes to rest.
+    let grains = R::from_f64(ROUNDINGS) * grain::<R>();
     let mut delta = equation.guess;
     let mut last = R::ZERO;
     let mut all = Settled::<D, R>::none();
@@ -46,12 +51,13 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             let small = if equation.piecewise { margin } else { root_of_margin };
             settled = size.less_or_equal(small * step);
             let scale = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
-            astray = (scale + length(&equation.guess)).less(size);
+            astray = (scale + length(&equation.guess) + grains).less(size);
         } else {
             let pull = equation.g.abs() * length(&gradient);
             let halved = size.less_or_equal(half * last);
             // What no longer shrinks is the rounding of b and of the known side.
-            let noise = R::from_f64(64.0) * R::EPSILON * (step + length(&equation.q) + length(&equation.drift));
+            let numbers = step + length(&equation.q) + length(&equation.drift);
+            let noise = R::from_f64(ROUNDINGS) * R::EPSILON * numbers + grains;
             let at_rest = halved.not().and(size.less_or_equal(noise));
             let rate = if equation.piecewise { R::ONE } else { size / last };
             let small = (size * rate * rate).less_or_equal(margin * pull).or(size.equal(R::ZERO));
@@ -71,6 +77,13 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         last = size;
     }
     Err(NotConverged { iterations: patience.into(), residual: last.to_f64() })
+}
+
+/// The smallest number above 0, by which the smallest differ.
+#[inline(always)]
+fn grain<R: Real>() -> R {
+    let [least, of_half_the_digits] = [f64::from_bits(1), f32::from_bits(1).into()].map(R::from_f64);
+    R::either(least.equal(R::ZERO), of_half_the_digits, least)
 }
 
 /// Σ|xᵢ|: unlike a maximum it does not lose a NaN.

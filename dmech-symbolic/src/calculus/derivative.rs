@@ -298,14 +298,12 @@ pub(super) fn slope(g: &mut Graph, f: Unary, u: Expr) -> Expr {
             g.recip(root)
         }
         Acosh => {
-            let square = g.square(u);
-            let difference = g.sub(square, one);
-            let root = g.unary(Sqrt, difference);
+            let square = beyond_one(g, u, u);
+            let root = g.unary(Sqrt, square);
             g.recip(root)
         }
         Atanh => {
-            let square = g.square(u);
-            let below = g.sub(one, square);
+            let below = below_one(g, u, u);
             g.recip(below)
         }
         Abs => g.unary(Signum, u),
@@ -343,10 +341,27 @@ fn even_slope(g: &mut Graph, f: Unary, u: Expr) -> Expr {
 
 /// √(1 − u²), the other leg of the triangle with hypotenuse 1.
 pub(super) fn leg(g: &mut Graph, u: Expr) -> Expr {
+    let square = below_one(g, u, u);
+    g.unary(Unary::Sqrt, square)
+}
+
+/// 1 − uw; by the distances from the ends ±1 where u and w are near them, as these have all their digits there. Elsewhere they
+/// have not, nor has the derivative of what is made of them.
+pub(super) fn below_one(g: &mut Graph, u: Expr, w: Expr) -> Expr {
+    let (one, quarter, product) = (g.one(), g.number(0.25), g.mul(&[u, w]));
+    let inside = g.sub(one, product);
+    let beyond = beyond_one(g, u, w);
+    let near_the_ends = g.neg(beyond);
+    g.select(Condition::less_or_equal(product, quarter), inside, near_the_ends)
+}
+
+/// uw − 1 as ((u − 1)(w + 1) + (u + 1)(w − 1))/2
+pub(super) fn beyond_one(g: &mut Graph, u: Expr, w: Expr) -> Expr {
     let one = g.one();
-    let square = g.square(u);
-    let difference = g.sub(one, square);
-    g.unary(Unary::Sqrt, difference)
+    let [above_u, above_w] = [u, w].map(|u| g.sub(u, one));
+    let [over_u, over_w] = [u, w].map(|u| g.add(&[u, one]));
+    let (first, second) = (g.mul(&[above_u, over_w]), g.mul(&[over_u, above_w]));
+    g.mean(first, second)
 }
 
 /// ln of a number, kept as an expression so that it is as accurate as the scalar type.

@@ -114,9 +114,10 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
         Node::Unary(f, u) => {
             let (a, b) = ends.values(graph, u);
             let Some(even) = graph.even_of_root(node) else { return vec![(u, divided_difference(graph, f, a, b))] };
-            // sin m sinc δ/(√a + √b) = sinc m sinc δ/2.
-            let (middle, gap) = (graph.mean(a, b), graph.sub(b, a));
-            let delta = graph.scale(0.5, gap);
+            // sin m sinc δ/(√a + √b) = sinc m sinc δ/2. Halves in the sums: the [tangent](super::tangent) of a root that vanishes
+            // is then 0, as that of the whole is even in each root.
+            let halves = [a, b].map(|root| graph.scale(0.5, root));
+            let (middle, delta) = (graph.add(&halves), graph.sub(halves[1], halves[0]));
             let factors = [graph.unary(even.cardinal, middle), graph.unary(even.cardinal, delta)];
             let secant = graph.mul(&factors);
             vec![(even.below, graph.scale(even.half, secant))]
@@ -195,8 +196,8 @@ fn of_powf(
     (w, wa, wb): (Expr, Expr, Expr),
     exponent_moves: bool,
 ) -> Vec<(Expr, Expr)> {
-    let ln = of_logarithm(graph, ua, ub);
     if exponent_moves {
+        let ln = of_logarithm(graph, ua, ub);
         let (ln_a, ln_b) = (graph.unary(Unary::Ln, ua), graph.unary(Unary::Ln, ub));
         let (half_a, half_b) = (graph.scale(0.5, wa), graph.scale(0.5, wb));
         let (log_a, log_b) = (graph.mul(&[half_a, ln_a]), graph.mul(&[half_b, ln_b]));
@@ -208,15 +209,21 @@ fn of_powf(
         let (mean_w, mean_ln) = (graph.mean(wa, wb), graph.mean(ln_a, ln_b));
         return vec![(u, graph.mul(&[exp, mean_w, ln])), (w, graph.mul(&[exp, mean_ln]))];
     }
-    let gap = graph.sub(ub, ua);
-    let log_ratio = graph.mul(&[wa, ln, gap]);
+    // An exponent that is not known may be an integer, and u on either side of 0: then by the sizes |u|.
+    let known = graph.as_number(wa).is_some();
+    let (one, sum) = (graph.one(), graph.add(&[ua, ub]));
+    let side = if known { one } else { graph.unary(Unary::Signum, sum) };
+    let sizes = [ua, ub].map(|u| if known { u } else { graph.unary(Unary::Abs, u) });
+    let ln = of_logarithm(graph, sizes[0], sizes[1]);
+    let growth = graph.sub(sizes[1], sizes[0]);
+    let log_ratio = graph.mul(&[wa, ln, growth]);
     let delta = graph.scale(0.5, log_ratio);
-    let roots = [graph.unary(Unary::Sqrt, ua), graph.unary(Unary::Sqrt, ub)];
-    let middle = graph.mul(&roots);
+    let roots = sizes.map(|size| graph.unary(Unary::Sqrt, size));
+    let middle = graph.mul(&[side, roots[0], roots[1]]);
     let (power, cardinal) = (graph.binary(Binary::Powf, middle, wa), graph.unary(Unary::Sinhc, delta));
-    let closed = graph.mul(&[power, wa, ln, cardinal]);
+    let closed = graph.mul(&[side, power, wa, ln, cardinal]);
+    let gap = graph.sub(ub, ua);
     // Far apart the powers do not cancel; and at u = 0 the logarithm is not finite but the power may be.
-    let one = graph.one();
     let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
     let rise = graph.sub(value_b, value_a);
     let quotient = graph.div(rise, gap);
@@ -234,6 +241,8 @@ fn of_powf(
     let square = graph.square(gap);
     let at_one = Condition::lost(graph, square);
     let far = graph.select(at_one, limit, quotient);
-    let size = graph.unary(Unary::Abs, delta);
-    vec![(u, graph.select(Condition::less_or_equal(size, one), closed, far))]
+    // That of the closed form divides by the fourth power of the sum.
+    let (distance, product, least) = (graph.unary(Unary::Abs, delta), graph.mul(&[ua, ub]), graph.number(1e-153));
+    let near = Condition::less(least, product).and(Condition::less_or_equal(distance, one));
+    vec![(u, graph.select(near, closed, far))]
 }

@@ -25,7 +25,7 @@
 
 use crate::expression::{Condition, Expr, Graph, Unary};
 
-use super::derivative::{leg, logarithm, slope};
+use super::derivative::{below_one, beyond_one, leg, logarithm, slope};
 
 /// f[a, b], symmetric in a and b, equal to f′(a) at a = b.
 pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
@@ -128,16 +128,18 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
             g.select(Condition::less(bound, product), closed, quotient)
         }
         Asinh | Acosh => {
-            let mut radius = |u: Expr| {
-                let (one, square) = (g.one(), g.square(u));
-                let sum = if f == Asinh { g.add(&[one, square]) } else { g.sub(square, one) };
-                g.unary(Sqrt, sum)
+            let mut beside_one = |u: Expr, w: Expr| match f {
+                Acosh => beyond_one(g, u, w),
+                _ => {
+                    let (one, product) = (g.one(), g.mul(&[u, w]));
+                    g.add(&[one, product])
+                }
             };
-            let radii = [radius(a), radius(b)];
+            let (squares, between) = ([beside_one(a, a), beside_one(b, b)], beside_one(a, b));
+            let radii = squares.map(|square| g.unary(Sqrt, square));
             let sum = g.add(&radii);
             let (product, product_of_radii) = (g.mul(&[a, b]), g.mul(&radii));
-            let unit = g.number(if f == Asinh { 1.0 } else { -1.0 });
-            let square = g.add(&[unit, product, product_of_radii]);
+            let square = g.add(&[between, product_of_radii]);
             let twice = g.scale(2.0, square);
             let width = g.unary(Sqrt, twice);
             let mut far = half_arsinh(g, a, b, width);
@@ -149,8 +151,7 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
             half_artanh(g, a, b, sum, far)
         }
         Atanh => {
-            let (one, product) = (g.one(), g.mul(&[a, b]));
-            let below = g.sub(one, product);
+            let below = below_one(g, a, b);
             let gap = g.sub(b, a);
             let t = g.div(gap, below);
             let cardinal = g.unary(Atanhc, t);
@@ -265,10 +266,15 @@ fn abs_secant(g: &mut Graph, a: Expr, b: Expr) -> Expr {
     let below = g.add(&magnitudes);
     let sum = g.add(&[a, b]);
     let (zero, quotient) = (g.zero(), g.div(sum, below));
-    let across = g.select(Condition::equal(below, zero), zero, quotient);
+    // Its derivative divides by the square.
+    let square = g.square(below);
+    let nothing = Condition::lost(g, square);
+    let across = g.select(nothing, zero, quotient);
     // The sign of the sum: where rounding leaves a and b no certain sign, that of the larger.
-    let (product, sign) = (g.mul(&[a, b]), g.unary(Unary::Signum, sum));
-    g.select(Condition::less(zero, product), sign, across)
+    let sides = [a, b].map(|u| g.unary(Unary::Signum, u));
+    let (sides, sign) = (g.mul(&sides), g.unary(Unary::Signum, sum));
+    let on_one_side = Condition::less(zero, sides).and(Condition::less(zero, below));
+    g.select(on_one_side, sign, across)
 }
 
 /// (f(b) − f(a))/(b − a).

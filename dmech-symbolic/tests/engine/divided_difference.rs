@@ -2,6 +2,7 @@
 //! both sides of 0.
 
 use crate::common::algebra::{Algebra, Big, big, narrow};
+use crate::common::laws::Law;
 use crate::common::notation::{E, within};
 use crate::common::{U, Worst};
 use dmech_symbolic::calculus::{self, TwoPoints};
@@ -163,4 +164,44 @@ fn divided_differences_are_accurate_over_the_domain() {
         }
     }
     assert!(failures.is_empty(), "{failures:?}");
+}
+
+/// Where the domain of a function ends its slope is infinite, and 1 − u has all its digits: so has the secant between two places
+/// next to that end, whatever rounding them would do.
+#[test]
+fn ends_of_a_domain_take_no_digits() {
+    let worst = Worst::new();
+    for (f, side) in [(Unary::Asin, -1.0), (Unary::Acos, -1.0), (Unary::Atanh, -1.0), (Unary::Acosh, 1.0)] {
+        let ends = Ends::new(&|u| u.of(f));
+        for gap in (0..44).map(|k| 2f64.powi(-k - 4)) {
+            for part in [0.3, 0.7, 0.999, 1.0] {
+                let [a, b] = [gap, part * gap].map(|gap| 1.0 + side * gap);
+                let s = exact(&|x| x.unary(f), &big(a), &big(b));
+                let error = narrow(&big(ends.at(a, b)).minus(&s)).abs() / (2.0 * U * narrow(&s).abs());
+                worst.see(error, || format!("{f:?}[{a}, {b}]"));
+            }
+        }
+    }
+    // Between places of which one is much nearer to the end atanh has the quotient of its values.
+    worst.at_most(16.0, "ulp of a secant next to an end");
+}
+
+/// A power whose exponent is a parameter may be an integer: then u may be negative, and its secant has its digits there too.
+#[test]
+fn powers_of_parameters_keep_their_digits_on_both_sides() {
+    let worst = Worst::new();
+    for (k, n) in [(0, 1), (1, 2), (2, 3)] {
+        let mut law = Law::build(1, |q, p| q[0].powf(p[k].of(Unary::Round)));
+        let kernels = law.kernels();
+        for (a, b) in pairs(&[-31.0, -2.7, -0.4, -1e-7, 1e-9, 0.07, 1.3, 4.1e3]) {
+            let s = exact(&|x| x.power(n), &big(a), &big(b));
+            let computed = kernels.discrete_gradient.run(law.at(&[a], &[b]))[0];
+            let turned = kernels.discrete_gradient.run(law.at(&[b], &[a]))[0];
+            assert_eq!(computed, turned, "{a} and {b}");
+            // Between places of which one is nearly the opposite of the other it is a difference.
+            let size = narrow(&s).abs().max(a.abs().max(b.abs()).powi(n - 1));
+            worst.see(narrow(&big(computed).minus(&s)).abs() / (2.0 * U * size), || format!("u^{n} at {a} and {b}"));
+        }
+    }
+    worst.at_most(16.0, "ulp of a secant");
 }

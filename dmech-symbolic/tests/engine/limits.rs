@@ -81,3 +81,47 @@ fn powers_within_choices_keep_their_digits() {
         assert!((work - (end - start)).abs() < allowed, "{g:?} makes {work:e} of {:e}", end - start);
     }
 }
+
+/// cos |q| and cosh |q| are as smooth at the centre as elsewhere: the Newton matrix there is the derivative of the discrete
+/// gradient, and half of the Hessian where both ends meet.
+#[test]
+fn even_functions_of_a_distance_are_smooth_at_the_centre() {
+    for f in [Unary::Cos, Unary::Cosh] {
+        let mut law = Law::build(2, |q, _| (q[0].powi(2) + 4.0 * q[1].powi(2)).sqrt().of(f));
+        let kernels = law.kernels();
+        let secant = |a: &[f64], b: &[f64]| kernels.discrete_gradient.run(law.at(a, b));
+        let hessian = kernels.hessian.run(law.at(&[0.0, 0.0], &[0.0, 0.0]));
+        for a in [[0.0, 0.0], [0.3, -0.2], [1.1, 0.7]] {
+            let jacobian = kernels.discrete_gradient_jacobian.run(law.at(&a, &[0.0, 0.0]));
+            for j in 0..2 {
+                let [mut low, mut high] = [[0.0, 0.0]; 2];
+                (low[j], high[j]) = (-1e-5, 1e-5);
+                let (low, high) = (secant(&a, &low), secant(&a, &high));
+                for i in 0..2 {
+                    let difference = (high[i] - low[i]) / 2e-5;
+                    let found = jacobian[2 * i + j];
+                    assert!((found - difference).abs() < 1e-8, "{f:?} from {a:?}: {found} and {difference}");
+                    assert!(a != [0.0, 0.0] || found == 0.5 * hessian[2 * i + j], "{found} {hessian:?}");
+                }
+            }
+        }
+    }
+}
+
+/// A motion in |q|³ or |q|^p that has died away: the Newton matrix is that of lengths which vanish.
+#[test]
+fn powers_of_nearly_nothing_have_a_newton_matrix() {
+    let mut cube = Law::build(1, |q, _| 0.5 * q[0].powi(2) + q[0].abs().powi(3));
+    let mut square = Law::build(1, |q, p| q[0].abs().powf(p[1].of(Unary::Round)));
+    for (law, slope) in [(&mut cube, 0.5), (&mut square, 1.0)] {
+        let matrix = law.kernels().discrete_gradient_jacobian;
+        for k in (10..1000).step_by(7) {
+            let a = 2f64.powi(-k);
+            for part in [1.0, 0.9, 1.3, 0.999] {
+                let same = matrix.run(law.at(&[a], &[part * a]))[0];
+                assert!((same - slope).abs() < 5.0 * a + 1e-6, "from {a:e} to {:e}: {same}", part * a);
+                assert!(matrix.run(law.at(&[a], &[-part * a]))[0].is_finite(), "from {a:e} to {:e}", -part * a);
+            }
+        }
+    }
+}

@@ -88,6 +88,19 @@ pub(crate) fn foreign_constant(e: &impl ToTokens, path: &str) -> Error {
     )
 }
 
+pub(crate) fn function_as_value(e: &impl ToTokens, function: &str) -> Error {
+    at(
+        e,
+        format!(
+            "`{function}` is a function, and variables of a law are numbers; call it where its value is wanted: `x.{function}(…)`"
+        ),
+    )
+}
+
+pub(crate) fn foreign_integer(e: &impl ToTokens, path: &str) -> Error {
+    at(e, format!("the value of `{path}` cannot be seen here; write the number itself"))
+}
+
 pub(crate) fn unknown_constant(name: &Ident, law: &str, near: Option<&str>) -> Error {
     if let Some(near) = near {
         return at(name, format!("`{name}` is not a constant of this block; did you mean `Self::{near}`?"));

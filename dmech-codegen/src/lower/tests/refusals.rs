@@ -156,6 +156,16 @@ fn functions_without_a_derivative() {
 }
 
 #[test]
+fn paths_that_are_no_numbers() {
+    let function =
+        "`sin` is a function, and variables of a law are numbers; call it where its value is wanted: `x.sin(…)`";
+    refused("let f = «f64::sin»; f(q[0])", &[function]);
+    refused("q[0] * «std::f64::sin»", &[function]);
+    refused("q[0].powi(«i32::MAX»)", &["the value of `i32::MAX` cannot be seen here; write the number itself"]);
+    refused("q[«usize::MAX»]", &["the value of `usize::MAX` cannot be seen here; write the number itself"]);
+}
+
+#[test]
 fn names() {
     refused(
         "«z» * q[0]",

@@ -6,6 +6,10 @@ use crate::newton::NotConverged;
 /// Of the force, what may be neglected. Below rounding by a margin, as neglected terms keep their sign and add up.
 const MARGIN: f64 = f64::EPSILON / 64.0;
 
+/// What a correction may be by rounding alone, however small all numbers are: a few of the smallest number above 0. Bodies
+/// that are damped come to rest.
+const GRAINS: f64 = f64::from_bits(4);
+
 /// The size of the correction before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Progress {
@@ -44,13 +48,13 @@ impl Progress {
         iteration: u32,
         [size, step, force]: [f64; 3],
     ) -> Result<Verdict, NotConverged> {
-        if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step) {
+        if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step + GRAINS) {
             return Err(NotConverged { iterations: iteration.into(), residual: size });
         }
         let rate = if iteration == 1 { size / step } else { size / self.last };
         self.last = size;
         let neglected = if U::PIECEWISE { size } else { rate * size };
-        let settled = size == 0.0 || U::LINEAR || neglected <= MARGIN * force;
+        let settled = size <= GRAINS || U::LINEAR || neglected <= MARGIN * force;
         // Corrections that no longer shrink and that a position can no longer show: forces that cancel, as in an
         // equilibrium, are not known better.
         let at_rounding =

@@ -46,9 +46,9 @@ pub enum Error {
         /// The refused tolerance.
         tolerance: f64,
     },
-    /// Nothing tells how long a step may be: the force does not vary where the motion is, or the law names the time.
+    /// Nothing tells how long a step may be: the force does not vary where the motion is, the law names the time, or a body is driven.
     #[error(
-        "the law does not tell how long step {step} from t = {} may be (its force is uniform there, or it names the time): give the longest step with .dt(h)",
+        "the law does not tell how long step {step} from t = {} may be (its force is uniform there, it names the time, or a body is driven): give the longest step with .dt(h)",
         Number(*time)
     )]
     NoTimeScale {

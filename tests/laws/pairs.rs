@@ -263,3 +263,37 @@ fn the_derivation_shows_what_was_found() {
     shows(SLANTED.derivation(), &["∂Φ/∂x", "reciprocal: the force on b is opposite", "names the time"]);
     shows(Fput { alpha: 0.3 }.derivation(), &["not symmetric", "in 1 dimension,"]);
 }
+
+/// Types of the author's that are called as what generated code calls its own: the number of dimensions is none of them.
+mod called_alike {
+    use dmech::prelude::*;
+
+    type D = f64;
+    type R = D;
+    type P = R;
+
+    #[derive(Clone, Copy, Debug)]
+    struct Tie {
+        k: P,
+    }
+
+    #[dmech::law]
+    impl Tie {
+        #[pair]
+        fn energy(&self, r: f64) -> f64 {
+            0.5 * self.k * r * r
+        }
+    }
+
+    /// A body on a spring to a pinned one is an oscillator, on a line and in space.
+    #[test]
+    fn a_type_may_be_called_as_the_dimension_is() {
+        fn swung<const N: usize>() -> f64 {
+            let scene =
+                Scene::new().body(1.0, [0.0; N], [0.0; N]).body(1.0, [0.3; N], [0.0; N]).pin(0).pairs(Tie { k: 4.0 });
+            let run = Simulation::scene(scene).scheme(Gauss::order16()).dt(0.1).run(10).unwrap();
+            run.last().q[1].iter().map(|q| (q - 0.3 * 2.0_f64.cos()).abs()).fold(0.0, f64::max)
+        }
+        assert!(swung::<1>() < 1e-14 && swung::<3>() < 1e-14);
+    }
+}

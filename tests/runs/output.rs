@@ -201,6 +201,30 @@ fn a_stepper_has_the_states_of_its_next_step() {
     assert!(adaptive.at(0.7 + 0.5 * adaptive.next_dt()).is_ok());
 }
 
+/// The end of the next step by the stepper's own clock, t₀ + (k + 1) h, which t + h misses by a rounding now and then.
+#[test]
+fn the_end_of_the_next_step_belongs_to_it() {
+    fn missed<S: Scheme<Particle<Kepler, 2>> + Copy>(planet: Simulation<Kepler, State<2>, S>) -> usize {
+        let stepper = || planet.clone().stepper().unwrap();
+        let (mut before, mut after) = (stepper(), stepper());
+        let late = |_| {
+            after.step().unwrap();
+            let (sum, end) = (before.t() + before.next_dt(), before.at(after.t()).unwrap());
+            assert_eq!(end.t, after.t());
+            assert!(distance(&[end.q], &[after.q()]) < 1e-9, "t = {}", end.t);
+            before.step().unwrap();
+            sum != end.t
+        };
+        (0..300).map(late).filter(|late| *late).count()
+    }
+    // It must have something to see, also where the time comes to 0 from far before.
+    for start in [0.0, 0.7, -9.0] {
+        let planet = || planet().starting_from(&planet().start().at_time(start));
+        assert!(missed(planet().scheme(Leapfrog).dt(0.03)) > 9);
+        assert!(missed(planet().scheme(Nystrom::order8()).adaptive(1e-9)) > 9);
+    }
+}
+
 /// Between recorded states, at their ends, beside them and outside; on unequal steps, at the end that was not due.
 #[test]
 fn a_run_has_the_states_between_those_that_it_recorded() {
@@ -219,10 +243,14 @@ fn a_run_has_the_states_between_those_that_it_recorded() {
     // The last state, which was not due; two states; one.
     let few = planet().scheme(Leapfrog).dt(0.01).record_every(30).run(40).unwrap();
     assert!(distance(&[few.at(1.09).unwrap().q], &[truth(1.09)]) < 1e-3);
+    assert_eq!((few.at(few.last().t).as_ref(), few.at(few.last().t.next_up())), (Some(few.last()), None));
     let two = planet().scheme(Leapfrog).dt(0.01).run(1).unwrap();
     assert!(distance(&[two.at(0.705).unwrap().q], &[truth(0.705)]) < 1e-5);
     let one = planet().scheme(Leapfrog).dt(0.01).run(0).unwrap();
     assert!(one.at(0.7).is_some() && one.at(0.705).is_none());
+    let stopped =
+        planet().scheme(Leapfrog).dt(0.01).stop_when(|state| state.q[1] - 0.1, Crossing::Any).run(400).unwrap();
+    assert!(stopped.stopped() && stopped.at(stopped.last().t).as_ref() == Some(stopped.last()));
     let scene = Simulation::scene(three_bodies()).scheme(Nystrom::order6()).dt(0.02).run_until(1.0).unwrap();
     let between =
         Simulation::scene(three_bodies()).scheme(Nystrom::order6()).dt(0.02).record_at([0.437]).run_until(1.0).unwrap();

@@ -100,6 +100,33 @@ fn a_driven_body_is_a_law_that_names_the_time() {
     assert_eq!(cells, 42);
 }
 
+/// Steps that follow the motion need a longest, as under a law that names the time: no look tells what the hand will do.
+#[test]
+fn steps_that_follow_the_motion_need_a_longest() {
+    // It rests until t = 3, and strikes within a tenth.
+    let strike = |t: f64| {
+        let s = ((t - 3.0) / 0.1).clamp(0.0, 1.0);
+        let speed = if s == 0.0 || s == 1.0 { 0.0 } else { 0.5 * 30.0 * s * s * (1.0 - s) * (1.0 - s) / 0.1 };
+        ([0.5 * s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)], [speed])
+    };
+    let scene = || {
+        let ends = Scene::new().body(1.0, [0.0], [0.0]).body(1.0, [-1.0], [0.01]).drive(0, strike);
+        ends.chain(Spring { k: 4.0, length: 1.0 })
+    };
+    let exact = Simulation::scene(scene()).scheme(Nystrom::order6()).dt(1e-3).run_until(5.0).unwrap();
+    macro_rules! each {
+        ($($scheme:expr),* $(,)?) => {$({
+            let follows = || Simulation::scene(scene()).scheme($scheme).adaptive(1e-9);
+            let refused = follows().run_until(5.0).unwrap_err();
+            assert_eq!(refused.cause(), Error::NoTimeScale { step: 1, time: 0.0 }, "{}", stringify!($scheme));
+            let run = follows().dt(0.02).run_until(5.0).unwrap();
+            let error = apart(&run.last().q[1], &exact.last().q[1]);
+            assert!(error < 1e-3, "{}: {error:e}", stringify!($scheme));
+        })*};
+    }
+    each!(Composed::order4(DiscreteGradient), Nystrom::order6(), RungeKuttaNystrom::order12(), Gauss::order16());
+}
+
 /// Steps that follow the motion see it come, outputs between steps have it where it is, and events are found.
 #[test]
 fn everything_that_runs_sees_it_where_it_is() {

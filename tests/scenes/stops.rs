@@ -42,11 +42,12 @@ fn a_scene_goes_on_from_a_stop() {
     macro_rules! legs {
         ($scene:expr, $level:expr, $crossing:expr, $($scheme:expr => $step:ident $h:expr);* $(;)?) => {$({
             let event = |state: &SceneState<2>| apart(state) - $level;
-            let whole = Simulation::scene($scene).scheme($scheme)
+            // The longest step, which a driven body asks for.
+            let whole = Simulation::scene($scene).dt(1.0).scheme($scheme)
 .$step($h).event(event, $crossing).run_until(end).unwrap();
             let (mut last, mut stops) = (Simulation::scene($scene).start(), Vec::new());
             while last.t < end {
-                let on = Simulation::scene($scene).starting_from(&last).scheme($scheme)
+                let on = Simulation::scene($scene).starting_from(&last).dt(1.0).scheme($scheme)
 .$step($h);
                 let run = on.stop_when(event, $crossing).run_until(end).unwrap();
                 last = run.last().clone();

@@ -317,7 +317,8 @@ pub(super) fn dimension(model: &Model) -> (TokenStream, Option<TokenStream>) {
         return (quote!(#d), None);
     }
     let name = generic_name(model, ["D", "Dim", "__D", "__Dim"], "__DmechDimension");
-    (quote!(#name), Some(quote!(const #name: usize,)))
+    // In braces, as an argument without them would be a type of the user's that is called so.
+    (quote!({ #name }), Some(quote!(const #name: usize,)))
 }
 
 /// The hidden module of the facade that generated code refers to.

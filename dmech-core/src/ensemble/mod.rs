@@ -316,7 +316,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         self.set(|common| common.record_every(n))
     }
 
-    /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are looked at there.
+    /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are looked at after the steps in
+    /// which they lie.
     pub fn record_at(self, times: impl IntoIterator<Item = f64>) -> Self {
         self.set(|common| common.record_at(times))
     }

@@ -165,7 +165,8 @@ impl<X> fmt::Display for EnsembleRun<X> {
         let steps: u64 = self.members.iter().flatten().map(Run::steps).sum();
         writeln!(f, "{} members, {failed} failed", self.members.len())?;
         let seconds = self.elapsed.as_secs_f64();
-        writeln!(f, "{steps} steps in {seconds:.3} s, {:.2} ns each", 1e9 * seconds / steps.max(1) as f64)?;
+        let each = if steps == 0 { 0.0 } else { 1e9 * seconds / steps as f64 };
+        writeln!(f, "{steps} steps in {seconds:.3} s, {each:.2} ns each")?;
         for invariant in Invariant::ALL {
             let drifts = self.members.iter().flatten().filter_map(|run| run.drift(invariant));
             let worst = drifts.map(|drift| drift.max_relative()).reduce(|a, b| if a.is_nan() || a > b { a } else { b });
@@ -174,5 +175,18 @@ impl<X> fmt::Display for EnsembleRun<X> {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::State;
+
+    /// Nothing was made, and took no time each.
+    #[test]
+    fn no_step_takes_no_time() {
+        let run: EnsembleRun<State<1>> = EnsembleRun { members: Vec::new(), elapsed: Duration::from_millis(3) };
+        assert!(run.to_string().ends_with("0 steps in 0.003 s, 0.00 ns each\n"), "{run}");
     }
 }

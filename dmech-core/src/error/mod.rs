@@ -46,9 +46,9 @@ pub enum Error {
         /// The refused tolerance.
         tolerance: f64,
     },
-    /// Nothing tells how long a step may be: the force does not vary where the motion is, or the law names the time.
+    /// Nothing tells how long a step may be: the force does not vary where the motion is, the law names the time, or a body is driven.
     #[error(
-        "the law does not tell how long step {step} from t = {} may be (its force is uniform there, or it names the time): give the longest step with .dt(h)",
+        "the law does not tell how long step {step} from t = {} may be (its force is uniform there, it names the time, or a body is driven): give the longest step with .dt(h)",
         Number(*time)
     )]
     NoTimeScale {
@@ -82,8 +82,8 @@ pub enum Error {
         /// The refused value.
         value: f64,
     },
-    /// `record_every(0)`.
-    #[error("record_every needs at least 1")]
+    /// `record_every(0)`, or `look_every(0)` of an ensemble.
+    #[error("record_every and look_every need a number of steps, 1 at least, not 0")]
     RecordEvery,
     /// `record_dt` of a distance that is zero, negative, infinite or NaN, or lost in the rounding of the time.
     #[error("record_dt needs a positive, finite distance that the time can tell, not {}", Number(*dt))]
@@ -121,11 +121,11 @@ pub enum Error {
         to: f64,
     },
     /// The end of `run_until` is infinite or NaN, or too many steps away.
-    #[error("cannot run until t = {} in steps of {}: the end must be finite, and 2^53 steps away at most", Number(*end), Number(*dt))]
+    #[error("cannot run until t = {}{}: the end must be finite, and 2^53 steps away at most", Number(*end), in_steps(*dt))]
     EndTime {
         /// The refused end.
         end: f64,
-        /// The time step.
+        /// The time step, with a tolerance the longest; infinite where there is none.
         dt: f64,
     },
     /// The time is so large that a step does not change it, or by its rounding only.
@@ -266,8 +266,8 @@ pub enum Error {
         /// Largest component of the last correction (a length); infinite where that was no number.
         residual: f64,
     },
-    /// A study that does not end after it starts, or a run that is to end before.
-    #[error("the end must come after the start: from t = {} to t = {}", Number(*start), Number(*end))]
+    /// A study that does not end after it starts, or at no finite time, or a run that is to end before.
+    #[error("the end must be finite and come after the start: from t = {} to t = {}", Number(*start), Number(*end))]
     Span {
         /// The time of the start.
         start: f64,
@@ -307,6 +307,11 @@ pub enum Error {
     #[error("the store of the ensemble: {0}")]
     #[cfg_attr(feature = "serde", serde(skip))]
     Store(#[from] StoreError),
+}
+
+/// The steps of a run, if their length is known.
+fn in_steps(dt: f64) -> String {
+    if dt.is_finite() { format!(" in steps of {}", Number(dt)) } else { String::new() }
 }
 
 /// What is wrong between two bodies.

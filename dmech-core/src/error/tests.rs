@@ -118,6 +118,17 @@ fn numbers_in_messages_have_few_digits() {
     assert_eq!(numbers, 3 * (60 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
 }
 
+/// What was not said is not shown as a number; what has two names has both.
+#[test]
+fn messages_name_what_was_asked_for() {
+    let endless = |dt| Error::EndTime { end: f64::INFINITY, dt }.to_string();
+    assert!(endless(0.5).contains("t = inf in steps of 0.5:") && endless(f64::INFINITY).contains("t = inf: the end"));
+    let never = Error::Span { start: 2.0, end: f64::INFINITY }.to_string();
+    assert!(never.contains("finite") && never.contains("from t = 2 to t = inf"), "{never}");
+    let none = Error::RecordEvery.to_string();
+    assert!(none.contains("record_every") && none.contains("look_every"), "{none}");
+}
+
 /// What ends a member on another machine comes home as it is; what cannot happen there is not written.
 #[cfg(feature = "ranks")]
 #[test]

@@ -97,16 +97,16 @@ impl<X: Blend + Clone> Run<X> {
     /// ```
     pub fn at(&self, t: f64) -> Option<X> {
         let states = &self.states;
+        // The end of the run belongs to it also where it was not due.
+        let unrecorded = states.last().is_some_and(|state| state.time() < self.last.time()).then_some(&self.last);
         let after = states.partition_point(|state| state.time() < t);
-        if states.get(after).is_some_and(|state| state.time() == t) {
-            return states.get(after).cloned();
+        if let Some(there) = states.get(after).or(unrecorded).filter(|state| state.time() == t) {
+            return Some(there.clone());
         }
         if after == 0 || t.is_nan() {
             return None;
         }
         let most = self.report.order().div_ceil(2) as usize + 1;
-        // The end of the run belongs to it also where it was not due.
-        let unrecorded = states.last().is_some_and(|state| state.time() < self.last.time()).then_some(&self.last);
         let (before, behind) = (states.get(after - 1)?, states.get(after).or(unrecorded)?);
         let [start, end] = [before, behind].map(Blend::time);
         if t >= end {

@@ -9,7 +9,8 @@ use crate::setup::Setup;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// Watches a quantity of the state beside the invariants: how it moves over the recorded states is
-    /// [`Run::drift_of(name)`](crate::Run::drift_of) and a line of the report. A law may declare such quantities of its motion
+    /// [`Run::drift_of(name)`](crate::Run::drift_of) and a line of the report; of states [at given times](Simulation::record_at), over the
+    /// ends of the steps in which they lie. A law may declare such quantities of its motion
     /// itself (`#[invariant]`); this one is for those of a scene, and for a single run.
     ///
     /// ```

@@ -30,6 +30,7 @@ pub struct Report {
     scheme: Word,
     order: u32,
     tolerance: Option<f64>,
+    #[cfg_attr(feature = "serde", serde(with = "missing"))]
     dt: f64,
     mass: f64,
     kept: [Kept; Invariant::ALL.len()],
@@ -183,6 +184,20 @@ impl fmt::Display for Report {
         }
         let nanoseconds = per_step(elapsed.as_secs_f64() * 1e9);
         write!(f, "  {:<22} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
+    }
+}
+
+/// A number that may be missing, and is NaN then: that is nothing in a file, as formats may have no NaN.
+#[cfg(feature = "serde")]
+mod missing {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(number: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        Some(*number).filter(|number| !number.is_nan()).serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        Option::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
     }
 }
 

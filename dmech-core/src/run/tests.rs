@@ -54,6 +54,17 @@ fn a_run_is_read_as_it_was_written() {
     comes_back(&run);
 }
 
+/// Without a longest step, and without any: what was not said is missing in the file, and no number that it cannot hold.
+#[test]
+fn a_run_without_a_step_of_its_own_is_read_as_it_was_written() {
+    let follows = Simulation::new(Bowl, State::new([0.3], [-0.1])).scheme(DiscreteGradient).adaptive(1e-3);
+    for run in [follows.clone().run_until(3.0), follows.dt(0.2).run_until(3.0)] {
+        comes_back(&run.unwrap());
+    }
+    let refused = Simulation::new(Bowl, State::new([0.3], [-0.1])).scheme(DiscreteGradient).run(3).unwrap_err();
+    comes_back(refused.run());
+}
+
 #[cfg(feature = "scene")]
 #[test]
 fn a_run_of_a_scene_is_read_as_it_was_written() {

@@ -239,15 +239,18 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         self.system.state(t, self.position(), &self.velocity(t))
     }
 
-    /// The state at a time in the next step, by a shortened step of the same scheme: the stepper does not move, and what it
+    /// The state at a time in the next step, both ends included, by a shortened step of the same scheme: the stepper does not move, and what it
     /// returns has the order of the scheme. For pictures between the steps of a game, for output at given times.
     ///
     /// # Errors
     /// [`Error::OutsideStep`]; otherwise as [`step`](Stepper::step).
     pub fn at(&self, t: f64) -> Result<Y::State, Error> {
-        let (now, dt) = (self.t(), self.next_dt());
-        if !(now..=now + dt).contains(&t) {
-            return Err(Error::OutsideStep { time: t, from: now, to: now + dt });
+        let now = self.t();
+        let end = now + self.next_dt();
+        // The time at its end, t₀ + (k + 1) h, may be another number than this sum.
+        let rounding = 4.0 * f64::EPSILON * end.abs().max(Y::time(&self.start).abs());
+        if !(now..=end + rounding).contains(&t) {
+            return Err(Error::OutsideStep { time: t, from: now, to: end });
         }
         if self.waits {
             Departure::prepared(&self.system, &self.start)?;

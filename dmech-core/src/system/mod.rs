@@ -317,8 +317,8 @@ pub trait System: Sized {
 
 /// A system that tells how fast it moves, for steps that follow the motion.
 pub trait TimeScale: System<Scalar = f64> {
-    /// No law names the time.
-    const AUTONOMOUS: bool;
+    /// Whether a law names the time, or a body moves along a path of it: what the motion meets later no look tells.
+    fn names_the_time(&self) -> bool;
 
     /// The angular frequency of the linearised motion, and how it grows; `least` is the smallest that counts.
     fn look(&self, room: &mut Self::Room, t: f64, q: &Self::Vector, v: &Self::Vector, least: f64) -> Look;

@@ -551,9 +551,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     fn conserves(&self, invariant: Invariant) -> bool {
         let free = self.pins.is_empty();
         match invariant {
-            Invariant::Energy | Invariant::DiscreteEnergy => {
-                A::AUTONOMOUS && A::CONSERVES_ENERGY && self.acts.drives.is_empty()
-            }
+            Invariant::Energy | Invariant::DiscreteEnergy => A::CONSERVES_ENERGY && !self.names_the_time(),
             Invariant::WorkEnergy => true,
             Invariant::LinearMomentum => free && A::LINEAR_MOMENTUM,
             Invariant::AngularMomentum => free && A::ANGULAR_MOMENTUM && D > 1,
@@ -620,7 +618,9 @@ impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
 }
 
 impl<const D: usize, A: Acts<D>> TimeScale for SceneSystem<D, A> {
-    const AUTONOMOUS: bool = A::AUTONOMOUS;
+    fn names_the_time(&self) -> bool {
+        !A::AUTONOMOUS || !self.acts.drives.is_empty()
+    }
 
     fn look(&self, room: &mut SceneRoom<D>, t: f64, q: &Vectors<D>, v: &Vectors<D>, least: f64) -> Look {
         System::slope(self, t, q, v, &mut room.slope);

@@ -199,7 +199,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         let look = system.look(&mut workspace.room, start.t, start.q, start.v, self.angle / longest);
         let density = look.within(MIDDLE, look.rate() + 0.5 * self.row * self.angle * look.growth);
         // What the motion meets later no look at the start can tell.
-        let density = if !Y::AUTONOMOUS && longest.is_infinite() { 0.0 } else { density };
+        let density = if system.names_the_time() && longest.is_infinite() { 0.0 } else { density };
         let first = (self.angle / density).min(longest);
         self.turn(system, first, workspace);
         let inner = self.scheme.begin(system, &workspace.stride, start, &mut workspace.inner)?;

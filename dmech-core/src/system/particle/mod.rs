@@ -449,7 +449,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
 }
 
 impl<L: Law<D>, const D: usize> TimeScale for Particle<L, D> {
-    const AUTONOMOUS: bool = L::AUTONOMOUS;
+    #[inline]
+    fn names_the_time(&self) -> bool {
+        !L::AUTONOMOUS
+    }
 
     #[inline]
     fn look(&self, (): &mut (), t: f64, q: &[f64; D], v: &[f64; D], least: f64) -> Look {

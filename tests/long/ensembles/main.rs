@@ -10,3 +10,4 @@ mod output;
 mod ranks;
 mod same;
 mod store;
+mod work;

@@ -1,5 +1,6 @@
 //! Members side by side, one in each lane.
 
+use core::array::from_fn;
 use core::cell::LazyCell;
 use core::mem::{replace, take};
 use core::ops::Range;
@@ -47,7 +48,9 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
 /// What acts on each, by lanes.
 fn together<L: Fields<D>, const D: usize, const W: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D, W> {
     let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
-    let law = Numbered::new(|n| Rows::from_fn(|lane| of(lane).0.at(n)));
+    let mut laws: [L::Numbers; LANES] = from_fn(|lane| of(lane).0);
+    L::lend(&mut laws);
+    let law = Numbered::new(|n| Rows::from_fn(|lane| laws[lane].at(n)));
     Particle::with_mass(law, Rows::from_fn(|lane| of(lane).1))
 }
 

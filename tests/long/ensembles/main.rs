@@ -6,6 +6,7 @@ mod each;
 mod edges;
 mod laws;
 mod occupancy;
+mod optional;
 mod output;
 mod ranks;
 mod same;

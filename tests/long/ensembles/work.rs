@@ -4,7 +4,7 @@ use dmech::extend::{Fields, Rides, StoreError};
 use dmech::prelude::*;
 use dmech::scheme::Adaptive;
 
-use crate::laws::{Bottle, Contact, Damped, Many, Orbit, Plummer, Saddle};
+use crate::laws::{Contact, Damped, Many, Orbit};
 use crate::same::{of, the_same};
 use crate::store::Place;
 
@@ -43,11 +43,8 @@ where
 fn few_and_many_in_few_and_many_lanes() {
     for size in [[0, 8], [1, 8], [2, 2], [2, 8], [9, 8], [61, 1], [61, 5], [61, usize::MAX]] {
         check::<Orbit, _, 2>(Leapfrog, 0.03, size);
-        check::<Saddle, _, 2>(Implicit, 0.1, size);
         check::<Contact, _, 1>(DiscreteGradient, 0.05, size);
-        check::<Plummer, _, 3>(Adaptive::new(Nystrom::order6(), 1e-5), 0.5, size);
         check::<Orbit, _, 2>(Adaptive::new(Composed::order4(Leapfrog), 1e-3), 0.5, size);
-        check::<Bottle, _, 2>(Adaptive::new(Boris, 1e-3), 0.5, size);
         check::<Damped, _, 1>(Gauss::order16(), 0.2, size);
     }
 }

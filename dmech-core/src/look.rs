@@ -290,6 +290,18 @@ impl<const D: usize, R: Real> Course<D, R> {
         }
     }
 
+    /// Where the mask does not hold, that of the first lane where it does.
+    pub(crate) fn lent(&self, by: R::Mask) -> Self {
+        let lent = |x: R| x.lent(by);
+        Course {
+            q: self.q.map(lent),
+            v: self.v.map(lent),
+            fall: self.fall.map(lent),
+            per_mass: lent(self.per_mass),
+            least: lent(self.least),
+        }
+    }
+
     /// v²/q², in units of s.
     #[inline(always)]
     fn nearing(&self, s: R) -> R {

@@ -353,6 +353,11 @@ impl Real for Lanes {
     fn select(mask: LanesMask, yes: impl FnOnce() -> Self, no: impl FnOnce() -> Self) -> Self {
         Self(mask.0.select(yes().0, no().0))
     }
+    #[inline]
+    fn lent(self, by: LanesMask) -> Self {
+        let first = by.to_array().into_iter().position(|holds| holds);
+        first.map_or(self, |lane| Self::either(by, self, Self::splat(self[lane])))
+    }
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
         if FUSED_WIDE {

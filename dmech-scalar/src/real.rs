@@ -98,6 +98,12 @@ pub trait Real:
         Self::select(mask, || yes, || no)
     }
 
+    /// Where the mask does not hold, the number of the first lane where it does; a single number stays what it is.
+    #[inline(always)]
+    fn lent(self, _by: Self::Mask) -> Self {
+        self
+    }
+
     /// self·b + c, rounded once where the target has the instruction, twice elsewhere
     /// (never a slow call into a library).
     fn mul_add(self, b: Self, c: Self) -> Self;

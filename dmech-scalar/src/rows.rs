@@ -208,6 +208,11 @@ impl<const N: usize> Real for Rows<N> {
         }
         all
     }
+    #[inline]
+    fn lent(self, by: RowsMask<N>) -> Self {
+        let first = by.0.iter().flat_map(|row| row.to_array()).position(|holds| holds);
+        first.map_or(self, |lane| Self::either(by, self, Self::from_f64(self[lane])))
+    }
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
         let mut all = self;

@@ -1,6 +1,6 @@
 //! Every lane of an operation on `Lanes` is the `f64` operation on that lane, to the bit.
 
-use dmech_scalar::{Lanes, LanesMask, Mask, Real};
+use dmech_scalar::{Lanes, LanesMask, Mask, Real, Rows};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::cell::Cell;
@@ -295,4 +295,32 @@ fn the_sum_has_a_fixed_order() {
         })
         .unwrap();
     assert!(differs.get() > 500, "{differs:?}");
+}
+
+/// Those for whom the mask does not hold have the number of the first for whom it does, in one row and in several.
+#[test]
+fn numbers_are_lent_by_the_first_for_whom_it_holds() {
+    fn check<const N: usize>() {
+        let numbers = Rows::<N>::from_fn(|lane| 1.5 + lane as f64);
+        for first in 0..Rows::<N>::COUNT {
+            let holds = |lane: usize| lane == first || lane > first && lane % 3 == 1;
+            let by = Rows::<N>::from_fn(|lane| f64::from(holds(lane))).equal(Rows::ONE);
+            let lent = numbers.lent(by);
+            for lane in 0..Rows::<N>::COUNT {
+                assert_eq!(lent[lane], numbers[if holds(lane) { lane } else { first }], "{lane} of {N} rows");
+            }
+            if N == 1 {
+                let lanes = Lanes::from_fn(|lane| numbers[lane]);
+                let by = Lanes::from_fn(|lane| f64::from(holds(lane))).equal(Lanes::ONE);
+                assert!((0..8).all(|lane| lanes.lent(by)[lane] == lent[lane]));
+            }
+        }
+        let nobody = Rows::<N>::ONE.less(Rows::ZERO);
+        assert_eq!(numbers.lent(nobody).to_f64(), 1.5);
+        assert!(numbers.lent(nobody).equal(numbers).all());
+    }
+    check::<1>();
+    check::<2>();
+    check::<4>();
+    assert_eq!((1.5_f64.lent(true), 1.5_f64.lent(false)), (1.5, 1.5));
 }

@@ -1,10 +1,11 @@
 //! Members side by side, one in each lane.
 
+use core::array::from_fn;
 use core::cell::LazyCell;
 use core::mem::{replace, take};
 use core::ops::Range;
 
-use dmech_scalar::{Mask, Real, Rows};
+use dmech_scalar::{Compensated, Mask, Real, Rows};
 
 use super::lanes::Together;
 use super::member::Member;
@@ -31,6 +32,8 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
     /// Where each is, as far as events ask for it.
     now: States<D, W>,
     drifts: [Option<Drift<Rows<W>>>; Invariant::ALL.len()],
+    /// The work of the steps of each, where it is summed.
+    work: Option<Compensated<Rows<W>>>,
     /// Steps until each has ended.
     pub(super) left: [u64; LANES],
     /// Steps until its invariants are to be looked at, and how many there are from one look to the next.
@@ -45,7 +48,9 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
 /// What acts on each, by lanes.
 fn together<L: Fields<D>, const D: usize, const W: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D, W> {
     let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
-    let law = Numbered::new(|n| Rows::from_fn(|lane| of(lane).0.at(n)));
+    let mut laws: [L::Numbers; LANES] = from_fn(|lane| of(lane).0);
+    L::lend(&mut laws);
+    let law = Numbered::new(|n| Rows::from_fn(|lane| laws[lane].at(n)));
     Particle::with_mass(law, Rows::from_fn(|lane| of(lane).1))
 }
 
@@ -63,12 +68,27 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
             let may = matches!(of, Invariant::LinearMomentum | Invariant::AngularMomentum) && system.conserves(of);
             drifts[of as usize] = watched.or(may.then(|| Drift::new(0.0, 0.0))).as_ref().map(ByLane::alike);
         }
+        let work = drifts[Invariant::WorkEnergy as usize].map(|_| Compensated::new(Rows::ZERO));
         let now = States::default();
         let none = [u64::MAX; LANES];
         let (left, until_look, every) = (none, none, none);
         let (made, looked_at, cost) = ([0; LANES], [None; LANES], Effort::default());
-        let mut convoy =
-            Convoy { scheme, numbers, system, all, first, now, drifts, left, until_look, every, made, looked_at, cost };
+        let mut convoy = Convoy {
+            scheme,
+            numbers,
+            system,
+            all,
+            first,
+            now,
+            drifts,
+            work,
+            left,
+            until_look,
+            every,
+            made,
+            looked_at,
+            cost,
+        };
         for (lane, member) in seats.iter().enumerate() {
             convoy.place(lane, member);
             convoy.count(lane, member);
@@ -119,6 +139,10 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         let State { q, v, .. } = &member.stepper.start;
         self.first.q.set(lane, q);
         self.first.v.set(lane, v);
+        if let Some(work) = &mut self.work {
+            let Compensated { hi, lo } = member.log.watch.work();
+            (work.hi[lane], work.lo[lane]) = (hi, lo);
+        }
         self.take_drifts(lane, member);
     }
 
@@ -157,9 +181,24 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         row
     }
 
-    /// So many steps, or fewer if one arrives; none, and false, where they cannot be made together.
+    /// So many steps, or fewer if one arrives; false, and perhaps some of them, where they cannot be made together.
     pub(super) fn advance(&mut self, steps: u64) -> bool {
-        let Some(made) = self.scheme.advance(&self.system, &mut self.all, steps, &mut self.cost) else { return false };
+        let Convoy { scheme, system, all, cost, work, .. } = self;
+        let Some(work) = work else {
+            let made = scheme.advance(system, all, steps, cost);
+            return made.is_some_and(|made| self.have_made(made));
+        };
+        // Work is that of each step by itself: rows have nothing of it where nobody asks.
+        let (mut made, mut last) = (0, Some(1));
+        while made < steps && last == Some(1) {
+            last = scheme.advance_and_work(system, all, cost, work);
+            made += last.unwrap_or(0);
+        }
+        self.have_made(made) && last.is_some()
+    }
+
+    /// Counts the steps that all have made; whether there were some, or one has come to its end.
+    fn have_made(&mut self, made: u64) -> bool {
         for lane in 0..LANES {
             self.made[lane] += made;
             self.left[lane] -= made;
@@ -197,6 +236,9 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
             }
         }
         log.watch.set_drifts(drifts);
+        if let Some(Compensated { hi, lo }) = self.work {
+            log.watch.set_work(Compensated { hi: hi[lane], lo: lo[lane] });
+        }
         if member.every.is_some() {
             log.until_record = self.until_look[lane];
         }
@@ -267,6 +309,10 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
             let seen = match invariant {
                 Invariant::Energy => Some(system.potential(t, &q) + system.kinetic_energy(&v)),
                 Invariant::DiscreteEnergy => self.scheme.own_energy(system, &self.all),
+                Invariant::WorkEnergy => {
+                    let kinetic = || self.scheme.own_kinetic_energy(system, &self.all);
+                    self.work.map(|work| (kinetic() - work.hi) - work.lo)
+                }
                 _ => None,
             };
             let seen = match invariant {

@@ -33,12 +33,14 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
         let every = if let Due::Every(n) = due { Some(n) } else { None };
         let simulation = simulation.attended(Forget { states: every.is_some() });
         let Prepared { mut stepper, run, steps: left, attend } = simulation.prepare(block.span)?;
-        stepper.scheme.watch(S::SEES_ROUGH, &mut stepper.workspace);
+        stepper.scheme.watch(S::SEES_ROUGH || block.work, &mut stepper.workspace);
         let mut log = Log::new(&stepper, run, due, attend);
         if every.is_none() && !O::STREAMS {
             log = log.with_room(&stepper, left)?;
         }
-        log.watch.forget_work();
+        if !block.work {
+            log.watch.forget_work();
+        }
         let outcome = log.begin(&stepper).map(|()| None);
         // It may begin where it is to end.
         let left = if stepper.arrived() { 0 } else { left };

@@ -100,6 +100,8 @@ pub(super) struct OneLaw<'a, L, S, O, const D: usize> {
     #[cfg_attr(not(any(feature = "ranks", feature = "store")), expect(dead_code, reason = "nobody else has to know"))]
     pub(super) common: &'a Simulation<(), (), S>,
     pub(super) span: Span,
+    /// The work of the steps is summed.
+    pub(super) work: bool,
     /// How many side by side.
     pub(super) lanes: usize,
 }
@@ -116,7 +118,8 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> P
     }
 
     fn go(&self, members: Range<usize>) -> Vec<Outcome<State<D>>> {
-        S::ride(&Block { members, member: self.member, span: self.span, lanes: self.lanes })
+        let OneLaw { member, span, work, lanes, .. } = *self;
+        S::ride(&Block { members, member, span, work, lanes })
     }
 }
 
@@ -127,12 +130,13 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> T
     fn whole(&self) -> Vec<(&'static str, Said)> {
         let number = |x: Option<f64>| x.map_or(Said::Nothing, Said::Number);
         let scheme = &self.common.scheme;
+        let work = if self.work { ", and the work of each step" } else { "" };
         let mut whole = whole::<_, S, O>(self.members, self.span, self.columns().numbers[1..].join(", "));
         whole.extend([
             ("tolerance", number(scheme.tolerance())),
             ("dt", number(self.common.settings.dt)),
             ("options", Said::Words(format!("{scheme:?}"))),
-            ("looks", Said::Words(self.common.due().to_string())),
+            ("looks", Said::Words(format!("{}{work}", self.common.due()))),
             ("invariants", Said::Words(L::INVARIANTS.join(", "))),
         ]);
         whole

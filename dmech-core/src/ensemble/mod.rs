@@ -60,8 +60,8 @@ use crate::state::State;
 /// is told, and costs the others nothing.
 ///
 /// All schemes ride in lanes, with equal and with adaptive steps, but [`Relaxed`](crate::Relaxed), which moves each member alone. The
-/// law is one that `#[dmech::law]` has written, which can be taken apart into its numbers; a scene of few bodies is one too
-/// ([`Ensemble::scene`]). [`Ensemble::each`] takes simulations of any kind, each moved alone:
+/// law is one that `#[dmech::law]` has written, which can be taken apart into its numbers, or an `Option` of such a law, where some members
+/// move freely; a scene of few bodies is one too ([`Ensemble::scene`]). [`Ensemble::each`] takes simulations of any kind, each moved alone:
 ///
 /// ```
 /// use dmech_core::prelude::*;
@@ -103,6 +103,8 @@ pub struct Ensemble<L = NoLaw, X = NoStart, S = NoScheme, M = fn(usize) -> f64, 
 #[derive(Clone, Debug, Default)]
 struct Beside {
     shown: Shown,
+    /// The work of their steps is summed.
+    work: bool,
     /// Where the members are kept.
     #[cfg(feature = "store")]
     path: Option<PathBuf>,
@@ -314,6 +316,27 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// last: a look costs about as much as a step, so that every tenth or hundredth is often enough.
     pub fn look_every(self, n: u64) -> Self {
         self.set(|common| common.record_every(n))
+    }
+
+    /// Sums the work of every step, so that [`Invariant::WorkEnergy`](crate::Invariant::WorkEnergy) of each member is watched too, to the
+    /// bit as a [`Simulation`] alone watches it.
+    ///
+    /// The other invariants are seen in a state; work is done in every step, and costs nothing where nobody asks for it. With AVX2 a
+    /// member's step of leap-frog on a planet takes 3.8 ns in place of 1.4 then, one of `DiscreteGradient` 14 in place of 11, one of
+    /// `Nystrom::order6()` a sixth more.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// # fn map<L: dmech_core::extend::Fields<2>>(law: impl Fn(usize) -> L + Sync) -> Result<(), Error>
+    /// # where Implicit: dmech_core::extend::Rides<L, 2> {
+    /// let members = Ensemble::of(1000).law(law).start(|_| State::new([0.5, 0.0], [0.0, 1.6])).scheme(Implicit).dt(1e-2);
+    /// let run = members.look_every(10).watch_work().run_until(10.0)?;
+    /// assert!(run.drift(7, Invariant::WorkEnergy).unwrap().max_relative() < 1e-13);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn watch_work(self) -> Self {
+        Ensemble { beside: Beside { work: true, ..self.beside }, ..self }
     }
 
     /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are looked at after the steps in

@@ -27,6 +27,8 @@ pub struct Block<'a, L, S, O, const D: usize> {
     pub(super) members: Range<usize>,
     pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S, O> + Sync),
     pub(super) span: Span,
+    /// The work of the steps is summed.
+    pub(super) work: bool,
     /// How many side by side.
     pub(super) lanes: usize,
 }

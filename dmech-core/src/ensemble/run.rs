@@ -68,8 +68,8 @@ impl<X: Clone> EnsembleRun<X> {
     }
 
     /// How an invariant of a member moved, up to where it failed if it did; `None` where the law, or the scheme, has no such
-    /// invariant. The work of steps is not summed in lanes, so that there is no [`Invariant::WorkEnergy`] but of
-    /// [`Ensemble::each`](crate::Ensemble::each).
+    /// invariant. [`Invariant::WorkEnergy`] is there where the work of the steps is summed:
+    /// [`Ensemble::watch_work`](crate::Ensemble::watch_work), and always of [`Ensemble::each`](crate::Ensemble::each).
     ///
     /// # Panics
     /// If there are not so many members.

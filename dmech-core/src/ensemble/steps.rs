@@ -1,6 +1,6 @@
 //! The steps of members side by side: of one length for each, or each as long as its motion allows.
 
-use dmech_scalar::{Mask, Real, Rows};
+use dmech_scalar::{Compensated, Mask, Real, Rows};
 
 use super::lanes::Together;
 use crate::law::Fields;
@@ -35,11 +35,23 @@ pub trait InLanes<L: Fields<D>, const D: usize, const W: usize>: Scheme<Particle
         cost: &mut Effort<Rows<W>>,
     ) -> Option<u64>;
 
+    /// The same of one step, whose work is added.
+    fn advance_and_work(
+        &self,
+        system: &Together<L, D, W>,
+        all: &mut Self::All,
+        cost: &mut Effort<Rows<W>>,
+        work: &mut Compensated<Rows<W>>,
+    ) -> Option<u64>;
+
     /// What one carries.
     fn lane(&self, all: &Self::All, lane: usize) -> Self::Memory;
 
     /// Time, position, velocity.
     fn state(&self, system: &Together<L, D, W>, all: &Self::All) -> (Rows<W>, [[Rows<W>; D]; 2]);
+
+    /// The scheme's own kinetic energy, the one that its work changes.
+    fn own_kinetic_energy(&self, system: &Together<L, D, W>, all: &Self::All) -> Rows<W>;
 
     /// The scheme's own energy, if it has one.
     fn own_energy(&self, _system: &Together<L, D, W>, _all: &Self::All) -> Option<Rows<W>> {
@@ -137,6 +149,19 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
         Some(steps)
     }
 
+    fn advance_and_work(
+        &self,
+        system: &Together<L, D, W>,
+        all: &mut Even<L, S, D, W>,
+        cost: &mut Effort<Rows<W>>,
+        work: &mut Compensated<Rows<W>>,
+    ) -> Option<u64> {
+        let before = all.memory.clone();
+        let made = self.advance(system, all, 1, cost)?;
+        work.add(self.work(system, &all.stride, &before, &all.memory));
+        Some(made)
+    }
+
     fn lane(&self, all: &Even<L, S, D, W>, lane: usize) -> <S as Scheme<Particle<L, D>>>::Memory {
         all.memory.lane(lane)
     }
@@ -145,6 +170,10 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
         let (t, Even { stride, memory, .. }) = (all.t(), all);
         let q = *<S as Scheme<Together<L, D, W>>>::position(self, memory);
         (t, [q, self.velocity(system, stride, t, memory)])
+    }
+
+    fn own_kinetic_energy(&self, system: &Together<L, D, W>, all: &Even<L, S, D, W>) -> Rows<W> {
+        self.kinetic_energy(system, &all.memory)
     }
 
     fn own_energy(&self, system: &Together<L, D, W>, all: &Even<L, S, D, W>) -> Option<Rows<W>> {
@@ -233,6 +262,21 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         Some(made)
     }
 
+    fn advance_and_work(
+        &self,
+        system: &Together<L, D, W>,
+        all: &mut Paced<L, S, D, W>,
+        cost: &mut Effort<Rows<W>>,
+        work: &mut Compensated<Rows<W>>,
+    ) -> Option<u64> {
+        let before = all.memory.clone();
+        let made = self.advance(system, all, 1, cost)?;
+        if made > 0 {
+            work.add(self.inner().work(system, &all.stride, &before, &all.memory));
+        }
+        Some(made)
+    }
+
     fn lane(&self, all: &Paced<L, S, D, W>, lane: usize) -> <Self as Scheme<Particle<L, D>>>::Memory {
         crate::scheme::AdaptiveMemory { inner: all.memory.lane(lane), pacing: all.pacing.lane(lane) }
     }
@@ -242,6 +286,10 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         let t = pacing.time.value();
         let q = *<S as Scheme<Together<L, D, W>>>::position(&scheme, memory);
         (t, [q, scheme.velocity(system, stride, t, memory)])
+    }
+
+    fn own_kinetic_energy(&self, system: &Together<L, D, W>, all: &Paced<L, S, D, W>) -> Rows<W> {
+        self.inner().kinetic_energy(system, &all.memory)
     }
 
     fn at_the_end(&self, all: &Paced<L, S, D, W>) -> Option<Rows<W>> {

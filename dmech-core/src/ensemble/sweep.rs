@@ -76,7 +76,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         common.settings.due.check_for_any()?;
         span.check(dt)?;
         let (member, bare) = (|k| self.member(k), |k| self.bare(k));
-        then(&OneLaw { members: self.members, member: &member, bare: &bare, common, span, lanes: self.hands.lanes })
+        let Ensemble { members, ref beside, ref hands, .. } = *self;
+        then(&OneLaw { members, member: &member, bare: &bare, common, span, work: beside.work, lanes: hands.lanes })
     }
 
     /// Where they are kept.

@@ -11,7 +11,7 @@ use super::{Between, Field, Law, LinearInVelocity, Numbers, PairLaw, Reads, Velo
 #[diagnostic::on_unimplemented(
     message = "the numbers of `{Self}` cannot stand side by side with those of other members",
     label = "not a law of {D} coordinates that `#[dmech::law]` has written",
-    note = "members that are laws written by hand, `Option`s of laws or scenes of many bodies ride alone: `Ensemble::each(n, |k| Simulation::new(…)…)`",
+    note = "members that are laws written by hand or scenes of many bodies ride alone: `Ensemble::each(n, |k| Simulation::new(…)…)`",
     note = "a scene of few bodies is a law by `.as_law::<N, K>()`"
 )]
 pub trait Fields<const D: usize>: Law<D> {
@@ -30,6 +30,11 @@ pub trait Fields<const D: usize>: Law<D> {
     /// What acts on a particle of a mass at a time, by these numbers.
     fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, mass: R, t: R) -> Self::Moment<R>;
 
+    /// Gives to those who have no law, where there are such, the numbers of one that has: what nobody asks for is then worked out for
+    /// something that can be.
+    #[doc(hidden)]
+    fn lend(_: &mut [Self::Numbers]) {}
+
     /// The mass of each coordinate over that of the particle, by these numbers.
     #[doc(hidden)]
     #[inline(always)]
@@ -44,7 +49,7 @@ pub trait Fields<const D: usize>: Law<D> {
 #[diagnostic::on_unimplemented(
     message = "a scene under `{Self}` cannot be one law",
     label = "not a law between bodies in {D} dimensions that `#[dmech::law]` has written",
-    note = "laws by hand and `Option`s of laws remain with the scene: `Simulation::scene(…)`, and for many scenes `Ensemble::each(n, |k| …)`"
+    note = "laws by hand remain with the scene: `Simulation::scene(…)`, and for many scenes `Ensemble::each(n, |k| …)`"
 )]
 pub trait PairFields<const D: usize, P>: PairLaw<D, P> {
     /// `[f64; N]`.

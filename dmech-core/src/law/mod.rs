@@ -6,6 +6,7 @@ mod masses;
 mod numbers;
 mod optional;
 mod pair;
+mod perhaps;
 mod potential;
 #[doc(hidden)]
 pub mod rotation;

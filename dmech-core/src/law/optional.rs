@@ -3,17 +3,18 @@
 use dmech_scalar::Real;
 
 use super::field::Linearised;
+use super::perhaps::Perhaps;
 use super::written::{Written, WrittenPair};
 use super::{
-    Between, Field, Law, LinearInVelocity, MassIndependent, Numbers, PairLaw, Potential, Reads, Symmetric,
-    VelocityIndependent,
+    Between, Field, Fields, Law, LinearInVelocity, MassIndependent, Numbers, PairFields, PairLaw, Potential, Reads,
+    Symmetric, VelocityIndependent,
 };
 use crate::error::Error;
 use crate::look::{Course, Frequency};
 use crate::newton::{self, Equation, Increment, NotConverged};
 
 /// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
-/// `stepper.law_mut()` changes it on the way.
+/// `stepper.law_mut()` changes it on the way. Of an [ensemble](crate::Ensemble) some members may have one and others none.
 #[diagnostic::do_not_recommend]
 impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
     type Field<'a>
@@ -55,6 +56,44 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
 
     fn tell(&self, see: &mut dyn FnMut(&'static str, f64)) {
         self.iter().for_each(|law| law.tell(see));
+    }
+}
+
+/// 1 and the numbers of the law; 0 and nothing where there is none.
+fn numbers<N: Numbers>(law: Option<N>) -> ([f64; 1], N) {
+    law.map_or_else(|| ([0.0], N::from_list(|_| 0.0)), |numbers| ([1.0], numbers))
+}
+
+#[diagnostic::do_not_recommend]
+impl<L: Fields<D>, const D: usize> Fields<D> for Option<L> {
+    type Numbers = ([f64; 1], L::Numbers);
+    type Moment<R: Real> = Perhaps<L::Moment<R>, R>;
+
+    fn numbers(&self) -> Self::Numbers {
+        numbers(self.as_ref().map(L::numbers))
+    }
+
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        see("there");
+        L::names(see);
+    }
+
+    #[inline(always)]
+    fn moment<R: Real>(([here], numbers): ([R; 1], <L::Numbers as Numbers>::Of<R>), mass: R, t: R) -> Self::Moment<R> {
+        Perhaps::new(L::moment(numbers, mass, t), here)
+    }
+
+    /// Of the first that has a law, so that functions of it are finite where they are thrown away.
+    fn lend(all: &mut [Self::Numbers]) {
+        if let Some((_, lent)) = all.iter().find(|([here], _)| *here == 1.0).copied() {
+            all.iter_mut().filter(|([here], _)| *here == 0.0).for_each(|(_, numbers)| *numbers = lent);
+        }
+    }
+
+    #[inline(always)]
+    fn masses<R: Real>(([here], numbers): ([R; 1], <L::Numbers as Numbers>::Of<R>)) -> [R; D] {
+        let here = here.equal(R::ONE);
+        L::masses(numbers).map(|mass| R::either(here, mass, R::ONE))
     }
 }
 
@@ -194,6 +233,31 @@ impl<const D: usize, P, R: Real, X: PairLaw<D, P, R>> PairLaw<D, P, R> for Optio
     }
 }
 
+#[diagnostic::do_not_recommend]
+impl<const D: usize, P, X: PairFields<D, P>> PairFields<D, P> for Option<X> {
+    type Fields = ([f64; 1], X::Fields);
+    type Moment<R: Real> = Perhaps<X::Moment<R>, R>;
+
+    fn fields(&self) -> Self::Fields {
+        numbers(self.as_ref().map(X::fields))
+    }
+
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        see("there");
+        X::names(see);
+    }
+
+    #[inline(always)]
+    fn moment<R: Real>(
+        ([here], fields): ([R; 1], <X::Fields as Numbers>::Of<R>),
+        a: <X::Numbers as Numbers>::Of<R>,
+        b: <X::Numbers as Numbers>::Of<R>,
+        t: R,
+    ) -> Self::Moment<R> {
+        Perhaps::new(X::moment(fields, a, b, t), here)
+    }
+}
+
 impl<B: Between<D, R>, const D: usize, R: Real> Between<D, R> for Option<B> {
     const POTENTIAL: bool = B::POTENTIAL;
     const FORCED: bool = B::FORCED;
@@ -210,6 +274,6 @@ impl<B: Between<D, R>, const D: usize, R: Real> Between<D, R> for Option<B> {
 }
 
 /// Free motion: the drift.
-fn free<const D: usize, R: Real>(equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+pub(super) fn free<const D: usize, R: Real>(equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
     newton::linear(equation, |_| ([R::ZERO; D], nothing()))
 }

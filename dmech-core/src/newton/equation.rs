@@ -106,6 +106,23 @@ impl<const D: usize, R: Real> Equation<D, R> {
         by_component!(|i| self.q[i] + delta[i])
     }
 
+    /// Where the mask does not hold, that of the first lane where it does.
+    pub(crate) fn lent(&self, by: R::Mask) -> Self {
+        let lent = |x: R| x.lent(by);
+        Equation {
+            q: self.q.map(lent),
+            a: self.a.map(lent),
+            drift: self.drift.map(lent),
+            frozen: self.frozen.map(lent),
+            g: lent(self.g),
+            v: self.v.map(lent),
+            rate: lent(self.rate),
+            t_end: lent(self.t_end),
+            guess: self.guess.map(lent),
+            ..*self
+        }
+    }
+
     /// The same equation for a step of θh.
     pub(super) fn shortened(&self, theta: R) -> Self {
         let theta2 = theta * theta;
@@ -143,6 +160,20 @@ pub struct Increment<const D: usize, R: Real> {
 }
 
 impl<const D: usize, R: Real> Increment<D, R> {
+    /// The one where the mask holds, the other elsewhere.
+    #[inline(always)]
+    pub(crate) fn either(which: R::Mask, one: Self, other: Self) -> Self {
+        let either = |x: [R; D], y: [R; D]| core::array::from_fn(|i| R::either(which, x[i], y[i]));
+        let Increment { delta, gradient, parts: [main, rest], evaluations, iterations } = other;
+        Increment {
+            delta: either(one.delta, delta),
+            gradient: either(one.gradient, gradient),
+            parts: [either(one.parts[0], main), either(one.parts[1], rest)],
+            evaluations: which.count(one.evaluations, evaluations),
+            iterations: which.count(one.iterations, iterations),
+        }
+    }
+
     /// With G − `force` for G.
     #[inline(always)]
     pub(crate) fn less(self, force: [R; D]) -> Self {

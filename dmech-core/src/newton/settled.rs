@@ -36,17 +36,7 @@ impl<const D: usize, R: Real> Settled<D, R> {
         if !Self::MANY {
             return settled.all().then_some(next);
         }
-        let before = &self.found;
-        let either = |x: [R; D], y: [R; D]| core::array::from_fn(|i| R::either(self.which, x[i], y[i]));
-        let either_count = |x, y| self.which.count(x, y);
-        let Increment { delta, gradient, parts: [main, rest], evaluations, iterations } = next;
-        self.found = Increment {
-            delta: either(before.delta, delta),
-            gradient: either(before.gradient, gradient),
-            parts: [either(before.parts[0], main), either(before.parts[1], rest)],
-            evaluations: either_count(before.evaluations, evaluations),
-            iterations: either_count(before.iterations, iterations),
-        };
+        self.found = Increment::either(self.which, self.found, next);
         self.which = self.which.or(settled);
         self.which.all().then_some(self.found)
     }

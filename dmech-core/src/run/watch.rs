@@ -119,6 +119,16 @@ impl<R: Real> Watch<R> {
         self.drifts = drifts;
     }
 
+    /// The work of the steps so far.
+    pub(crate) fn work(&self) -> Compensated<R> {
+        self.work
+    }
+
+    /// Takes it from elsewhere.
+    pub(crate) fn set_work(&mut self, work: Compensated<R>) {
+        self.work = work;
+    }
+
     /// Where the work of the steps is not summed.
     pub(crate) fn forget_work(&mut self) {
         self.drifts[Invariant::WorkEnergy as usize] = None;

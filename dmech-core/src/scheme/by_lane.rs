@@ -12,7 +12,7 @@ pub trait ByLane<T, const W: usize> {
     fn lane(&self, lane: usize) -> T;
     /// Another in a lane.
     fn set(&mut self, lane: usize, one: &T);
-    /// Those of another where the mask holds.
+    /// Those of another where the mask holds, from which a step begins: what it adds up itself is nothing yet.
     fn put(&mut self, which: RowsMask<W>, other: &Self);
 }
 
@@ -114,9 +114,10 @@ impl<const W: usize> ByLane<Drift, W> for Drift<Rows<W>> {
 }
 
 /// Says how the fields of what a scheme carries stand in lanes: each of the named ones has a number for each. A memory of stages is one of
-/// `Staged with Pushes`.
+/// `Staged with Pushes`. A sum is what a step adds up.
 macro_rules! by_lane {
-    ($($name:ident $(<const $n:ident>)? $(of $system:ident with $more:ident)? { $($field:ident),* } $(all { $($same:ident),* })?
+    ($($name:ident $(<const $n:ident>)? $(of $system:ident with $more:ident)? { $($field:ident),* } $(sums { $($sum:ident),* })?
+        $(all { $($same:ident),* })?
         $(afresh { $($new:ident),* })?;)*) => {$(
         impl<A, B, $(const $n: usize,)? const W: usize> crate::scheme::by_lane::ByLane<$name<B $(, $n)?>, W> for $name<A $(, $n)?>
         where
@@ -126,11 +127,12 @@ macro_rules! by_lane {
                 Sum: crate::scheme::by_lane::ByLane<B::Sum, W>,
                 Work: crate::scheme::by_lane::ByLane<B::Work, W>,
             > $(+ crate::system::$system<$more: crate::scheme::by_lane::ByLane<B::$more, W>>)?,
-            B: crate::system::System $(+ crate::system::$system)?,
+            B: crate::system::System<Work: Default> $(+ crate::system::$system)?,
         {
             fn alike(one: &$name<B $(, $n)?>) -> Self {
                 $name {
                     $($field: crate::scheme::by_lane::ByLane::alike(&one.$field),)*
+                    $($($sum: crate::scheme::by_lane::ByLane::alike(&one.$sum),)*)?
                     $($($same: one.$same,)*)?
                     $($($new: Default::default(),)*)?
                 }
@@ -138,16 +140,22 @@ macro_rules! by_lane {
             fn lane(&self, lane: usize) -> $name<B $(, $n)?> {
                 $name {
                     $($field: crate::scheme::by_lane::ByLane::lane(&self.$field, lane),)*
+                    $($($sum: crate::scheme::by_lane::ByLane::lane(&self.$sum, lane),)*)?
                     $($($same: self.$same,)*)?
                     $($($new: Default::default(),)*)?
                 }
             }
             fn set(&mut self, lane: usize, one: &$name<B $(, $n)?>) {
                 $(crate::scheme::by_lane::ByLane::set(&mut self.$field, lane, &one.$field);)*
+                $($(crate::scheme::by_lane::ByLane::set(&mut self.$sum, lane, &one.$sum);)*)?
             }
             #[inline(always)]
             fn put(&mut self, which: dmech_scalar::RowsMask<W>, other: &Self) {
                 $(crate::scheme::by_lane::ByLane::put(&mut self.$field, which, &other.$field);)*
+                $($({
+                    let none = crate::scheme::by_lane::ByLane::alike(&B::Work::default());
+                    crate::scheme::by_lane::ByLane::put(&mut self.$sum, which, &none);
+                })*)?
             }
         }
     )*};

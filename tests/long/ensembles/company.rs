@@ -80,7 +80,7 @@ where
             ensemble.with(move |k, member: Company<State<D>>| accompany!(member, k, &(seen as &Vec<Seen>)[k], L, D))
         };
         let runs =
-            [ensemble(&seen).run_until(end).unwrap(), ensemble(&few).lanes(7).threads(1).run_until(end).unwrap()];
+            [ensemble(&seen), ensemble(&few).lanes(7).threads(1).watch_work()].map(|all| all.run_until(end).unwrap());
         for k in 0..MEMBERS {
             let by_itself = Seen::default();
             let alone = Simulation::new(L::member(k), L::start(k)).scheme(scheme);
@@ -95,12 +95,16 @@ where
                 assert_eq!(member.drift_of("farthest"), alone.drift_of("farthest"), "{name}, member {k}");
                 assert_eq!(member.drift_of("twice"), alone.drift_of("twice"), "{name}, member {k}");
                 assert_eq!(member.drift(Invariant::Energy), alone.drift(Invariant::Energy), "{name}, member {k}");
+                if let Some(work) = member.drift(Invariant::WorkEnergy) {
+                    assert_eq!(Some(work), alone.drift(Invariant::WorkEnergy), "{name}, member {k}");
+                }
                 if recorded {
                     assert_eq!(member.states(), alone.states(), "{name}, member {k}");
                 }
                 let effort = |run: &Run<State<D>>| [run.report().evaluations(), run.report().iterations()];
                 assert_eq!(effort(member), effort(&alone), "{name}, member {k}");
             }
+            assert!(runs[1].drift(k, Invariant::WorkEnergy).is_some(), "{name}, member {k}");
             let in_order = |pair: &[Event<State<D>>]| pair[0].state().t <= pair[1].state().t;
             assert!(alone.events().windows(2).all(in_order), "{name}, member {k}");
             happened[0] += alone.events().len();

@@ -61,8 +61,15 @@ fn a_full_disk_is_told_and_takes_nothing() {
     let _ = std::fs::remove_file(&file);
     let common = Simulation::of((), ()).scheme(Leapfrog).dt(0.01);
     let member = |k: usize| common.clone().moving(Spring { k: 1.0 + 0.1 * k as f64 }, State::new([1.0], [0.0]));
-    let plan =
-        OneLaw { members: MEMBERS, member: &member, bare: &member, common: &common, span: Span::Steps(5), lanes: 8 };
+    let plan = OneLaw {
+        members: MEMBERS,
+        member: &member,
+        bare: &member,
+        common: &common,
+        span: Span::Steps(5),
+        work: false,
+        lanes: 8,
+    };
     let go = |row: core::ops::Range<usize>| row.clone().zip(plan.go(row)).collect::<Vec<_>>();
     let store = Store::open(&file, &plan).unwrap();
     let pages: i64 = store.database.query_row("PRAGMA page_count", [], |row| row.get(0)).unwrap();

@@ -32,7 +32,7 @@ memory! {
     }
 }
 
-by_lane! { SplittingMemory { q, v_before, v_after, work } all { begun }; }
+by_lane! { SplittingMemory { q, v_before, v_after } sums { work } all { begun }; }
 
 /// Work of the kick that two steps of different lengths share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,0 +1,188 @@
+//! Laws of which some are there, side by side with free motions.
+
+use dmech_scalar::{Mask, Real};
+
+use super::field::Linearised;
+use super::optional::free;
+use super::{Between, Field, Potential};
+use crate::look::{Course, Frequency};
+use crate::newton::{Equation, Increment, NotConverged};
+use crate::vector::{by_component, by_entry};
+
+/// What acts in the lanes in which a law is there; nothing in the others. To the bit what `Option` gives in each.
+#[derive(Clone, Copy, Debug)]
+pub struct Perhaps<F, R: Real> {
+    law: F,
+    here: R::Mask,
+}
+
+impl<F, R: Real> Perhaps<F, R> {
+    /// Here where the number is 1, not where it is 0.
+    #[inline(always)]
+    pub(super) fn new(law: F, here: R) -> Self {
+        Perhaps { law, here: here.equal(R::ONE) }
+    }
+
+    #[inline(always)]
+    fn number(&self, x: R) -> R {
+        R::either(self.here, x, R::ZERO)
+    }
+
+    #[inline(always)]
+    fn vector<const D: usize>(&self, x: [R; D]) -> [R; D] {
+        self.or([R::ZERO; D], x)
+    }
+
+    /// x where the law is here, else what there is without it.
+    #[inline(always)]
+    fn or<const D: usize>(&self, without: [R; D], x: [R; D]) -> [R; D] {
+        by_component!(|i| R::either(self.here, x[i], without[i]))
+    }
+
+    #[inline(always)]
+    fn matrix<const D: usize>(&self, x: [[R; D]; D]) -> [[R; D]; D] {
+        by_entry!(|i, j| R::either(self.here, x[i][j], R::ZERO))
+    }
+
+    #[inline(always)]
+    fn all<const D: usize>(&self, (x, by_q, by_v): Linearised<D, R>) -> Linearised<D, R> {
+        (self.vector(x), self.matrix(by_q), self.matrix(by_v))
+    }
+
+    /// The increment by the law, or of free motion. Where there is no law, the equation of the first that has one is solved once more:
+    /// nobody waits for a root where there is none.
+    fn increment<const D: usize>(
+        &self,
+        equation: &Equation<D, R>,
+        by_law: impl FnOnce(&F, &Equation<D, R>) -> Result<Increment<D, R>, NotConverged>,
+    ) -> Result<Increment<D, R>, NotConverged> {
+        if self.here.all() {
+            return by_law(&self.law, equation);
+        }
+        let free = free(equation)?;
+        if !self.here.any() {
+            return Ok(free);
+        }
+        Ok(Increment::either(self.here, by_law(&self.law, &equation.lent(self.here))?, free))
+    }
+}
+
+impl<F: Potential<D, R>, const D: usize, R: Real> Potential<D, R> for Perhaps<F, R> {
+    const CENTRAL: bool = F::CENTRAL;
+    const LINEAR: bool = F::LINEAR;
+    const PIECEWISE: bool = F::PIECEWISE;
+    const DEGREE: Option<u32> = F::DEGREE;
+
+    #[inline(always)]
+    fn potential(&self, q: [R; D]) -> R {
+        self.number(self.law.potential(q))
+    }
+    #[inline(always)]
+    fn gradient(&self, q: [R; D]) -> [R; D] {
+        self.vector(self.law.gradient(q))
+    }
+    #[inline(always)]
+    fn hessian(&self, q: [R; D]) -> [[R; D]; D] {
+        self.matrix(self.law.hessian(q))
+    }
+    #[inline(always)]
+    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
+        self.vector(self.law.discrete_gradient(a, b))
+    }
+    #[inline(always)]
+    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
+        self.matrix(self.law.discrete_gradient_jacobian(a, b))
+    }
+}
+
+impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Perhaps<F, R> {
+    const FORCED: bool = F::FORCED;
+    const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
+
+    #[inline(always)]
+    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.vector(self.law.slope(q, v))
+    }
+    #[inline(always)]
+    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        self.vector(self.law.half_force(q, v))
+    }
+    #[inline(always)]
+    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
+        self.vector(self.law.force(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.matrix(self.law.force_dq(q, v, t))
+    }
+    #[inline(always)]
+    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        self.matrix(self.law.force_dv(q, v, t))
+    }
+    #[inline(always)]
+    fn time(&self) -> R {
+        self.number(self.law.time())
+    }
+    #[inline(always)]
+    fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
+        self.or(v, self.law.kick(c, q, v))
+    }
+    #[inline(always)]
+    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
+        self.or(v, self.law.gradient_kick(c, e, q, v))
+    }
+    #[inline(always)]
+    fn kick_by_mean(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
+        self.or(v, self.law.kick_by_mean(c, q, v))
+    }
+    fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.increment(equation, F::implicit_increment)
+    }
+    fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.increment(equation, F::discrete_increment)
+    }
+    fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.increment(equation, F::potential_increment)
+    }
+    fn workless_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+        self.increment(equation, F::workless_increment)
+    }
+    fn frequency(from_now: impl Fn(R) -> Option<Self>, mass: R, t: R, course: Course<D, R>) -> Frequency<R> {
+        let Some(Perhaps { here, .. }) = from_now(R::ZERO) else { return F::frequency(|_| None, mass, t, course) };
+        let under = |course| F::frequency(|s| Some(from_now(s)?.law), mass, t, course);
+        if here.all() {
+            return under(course);
+        }
+        let free = F::frequency(|_| None, mass, t, course);
+        if here.any() { free.where_alone(here.not(), under(course.lent(here))) } else { free }
+    }
+    fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        self.all(self.law.end_slope(b, v, t))
+    }
+    fn secant_slope(&self, a: [R; D], b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
+        self.all(self.law.secant_slope(a, b, v, t))
+    }
+    fn middle_slope(&self, ends: [[R; D]; 2], mean: [R; D], t: R) -> Linearised<D, R> {
+        self.all(self.law.middle_slope(ends, mean, t))
+    }
+}
+
+impl<B: Between<D, R>, const D: usize, R: Real> Between<D, R> for Perhaps<B, R> {
+    const POTENTIAL: bool = B::POTENTIAL;
+    const FORCED: bool = B::FORCED;
+    const RECIPROCAL: bool = B::RECIPROCAL;
+
+    #[inline(always)]
+    fn reaches(&self, d: [R; D]) -> Option<R::Mask> {
+        self.law.reaches(d)
+    }
+    #[inline(always)]
+    fn force(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [R; D] {
+        self.vector(self.law.force(d, va, vb))
+    }
+    #[inline(always)]
+    fn force_jacobians(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [[[R; D]; D]; 3] {
+        let [by_d, by_va, by_vb] = self.law.force_jacobians(d, va, vb);
+        [self.matrix(by_d), self.matrix(by_va), self.matrix(by_vb)]
+    }
+}

@@ -1,22 +1,21 @@
 //! Members side by side, one in each lane.
 
-use core::array::from_fn;
 use core::cell::LazyCell;
 use core::mem::{replace, take};
 use core::ops::Range;
 
 use dmech_scalar::{Compensated, Mask, Real, Rows};
 
-use super::lanes::Together;
 use super::member::Member;
 use super::steps::InLanes;
+use super::together::{Together, together};
 use crate::invariant::{Drift, Invariant};
-use crate::law::{Fields, Numbered, Numbers};
+use crate::law::Fields;
 use crate::ride::LANES;
 use crate::run::Attend;
 use crate::scheme::ByLane;
 use crate::state::State;
-use crate::system::{Effort, Particle, System};
+use crate::system::{Effort, System};
 
 /// After so many steps at the latest somebody looks whether all are still finite.
 const ROW: u64 = 64;
@@ -43,15 +42,6 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
     made: [u64; LANES],
     looked_at: [Option<u64>; LANES],
     cost: Effort<Rows<W>>,
-}
-
-/// What acts on each, by lanes.
-fn together<L: Fields<D>, const D: usize, const W: usize>(numbers: &[(L::Numbers, f64)]) -> Together<L, D, W> {
-    let of = |lane: usize| numbers.get(lane).unwrap_or(&numbers[0]);
-    let mut laws: [L::Numbers; LANES] = from_fn(|lane| of(lane).0);
-    L::lend(&mut laws);
-    let law = Numbered::new(|n| Rows::from_fn(|lane| laws[lane].at(n)));
-    Particle::with_mass(law, Rows::from_fn(|lane| of(lane).1))
 }
 
 impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L, S, D, W> {

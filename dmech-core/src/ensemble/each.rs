@@ -3,9 +3,9 @@
 use core::ops::Range;
 
 use super::EnsembleRun;
+use super::block::Outcome;
 use super::in_order::{Blocks, Hands, Nobody};
 use super::plan::{Nowhere, Opened, Plan, sweep};
-use super::rides::Outcome;
 #[cfg(any(feature = "ranks", feature = "store"))]
 use super::told::{Flat, Named, Said, SetUp, Told, acts, whole};
 use crate::error::Error;

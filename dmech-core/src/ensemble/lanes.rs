@@ -5,18 +5,15 @@ use core::ops::Range;
 
 use dmech_scalar::Rows;
 
+use super::block::{Block, Outcome};
 use super::convoy::Convoy;
 use super::member::Member;
-use super::rides::{Block, Outcome};
 use super::steps::InLanes;
-use crate::law::{Fields, Numbered};
+use crate::law::Fields;
 use crate::run::Attend;
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::system::Particle;
-
-/// Particles side by side, under laws of one kind.
-pub type Together<L, const D: usize, const W: usize> = Particle<Numbered<L, D, Rows<W>>, D, Rows<W>>;
 
 /// Moves the members of a block, so many at a time; a lane that is free takes the next member, and the last few move alone.
 pub(super) fn in_lanes<L, S, O, const D: usize, const W: usize>(

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::rides::{Block, Outcome};
+use super::block::{Block, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
 use crate::run::{Attend, Due, Follow, Interrupted, Log, Prepared};

@@ -3,10 +3,11 @@
 use core::ops::Range;
 
 use super::Ensemble;
+use super::block::{Block, Outcome};
 use super::company::Companies;
 use super::in_order::Blocks;
 use super::plan::Plan;
-use super::rides::{Block, Outcome, Rides};
+use super::rides::Rides;
 #[cfg(any(feature = "ranks", feature = "store"))]
 use super::told::{Flat, Named, Said, SetUp, Told, acts, whole};
 #[cfg(any(feature = "ranks", feature = "store"))]

@@ -1,5 +1,6 @@
 //! Many motions of one law.
 
+mod block;
 mod company;
 mod convoy;
 mod each;
@@ -20,6 +21,7 @@ mod steps;
 #[cfg(feature = "store")]
 mod store;
 mod sweep;
+mod together;
 #[cfg(any(feature = "ranks", feature = "store"))]
 mod told;
 
@@ -28,19 +30,20 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 pub use crate::ride::LANES;
+pub use block::{Block, Outcome};
 pub use company::{Companies, Company, Joined, NoCompany, With};
 pub use each::{Each, Keeps};
 pub use export::End;
-pub use lanes::Together;
 pub use members::{Laws, Members, Starts};
 pub use plan::Nowhere;
 #[cfg(feature = "ranks")]
 pub use ranks::{Ranked, Ranks, Travels};
-pub use rides::{Block, Outcome, Rides};
+pub use rides::Rides;
 pub use run::{Checksum, EnsembleRun};
 pub use steps::InLanes;
 #[cfg(feature = "store")]
 pub use store::InFile;
+pub use together::Together;
 #[cfg(any(feature = "ranks", feature = "store"))]
 pub use told::Flat;
 

@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
+use super::block::Outcome;
 use super::in_order::{Aides, Blocks, Direct, Hands, in_order};
-use super::rides::Outcome;
 use crate::error::Error;
 use crate::run::{Follow, Shown};
 

@@ -1,43 +1,21 @@
 //! How the members of an ensemble travel: in lanes, or each alone.
 
-use core::ops::Range;
-
 use dmech_scalar::Rows;
 
+use super::block::{Block, Outcome};
 use super::lanes::in_lanes;
 use super::member::Member;
 use super::steps::InLanes;
 use crate::law::{Fields, LinearInVelocity, VelocityIndependent};
 use crate::ride::{WIDE, rows};
-use crate::run::{Attend, Interrupted, Run, Simulation};
+use crate::run::Attend;
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{
     Adaptive, Boris, Coefficients, CompensatedLeapfrog, Composed, DiscreteGradient, Explicit, ForceGradient, Gauss,
     Implicit, Kanatani, Leapfrog, LineIntegral, Nystrom, Relaxed, RungeKuttaNystrom, Scheme,
 };
-use crate::span::Span;
 use crate::state::State;
 use crate::system::{AtStages, Particle};
-
-/// What becomes of a member: its run, or what it had come to when it failed.
-pub type Outcome<X> = Result<Run<X>, Interrupted<X>>;
-
-/// Some members in a row.
-pub struct Block<'a, L, S, O, const D: usize> {
-    pub(super) members: Range<usize>,
-    pub(super) member: &'a (dyn Fn(usize) -> Simulation<L, State<D>, S, O> + Sync),
-    pub(super) span: Span,
-    /// The work of the steps is summed.
-    pub(super) work: bool,
-    /// How many side by side.
-    pub(super) lanes: usize,
-}
-
-impl<L, S, O, const D: usize> core::fmt::Debug for Block<'_, L, S, O, D> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Block").field("members", &self.members).field("lanes", &self.lanes).finish_non_exhaustive()
-    }
-}
 
 impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Block<'_, L, S, O, D> {
     /// One member by itself.

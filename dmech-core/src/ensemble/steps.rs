@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Compensated, Mask, Real, Rows};
 
-use super::lanes::Together;
+use super::together::Together;
 use crate::law::Fields;
 use crate::scheme::{Adaptable, Adaptive, ByLane, Pacing, Scheme};
 use crate::stepper::Stepper;

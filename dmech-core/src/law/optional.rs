@@ -11,7 +11,7 @@ use super::{
 };
 use crate::error::Error;
 use crate::look::{Course, Frequency};
-use crate::newton::{self, Equation, Increment, NotConverged};
+use crate::newton::{Equation, Increment, NotConverged, free};
 
 /// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
 /// `stepper.law_mut()` changes it on the way. Of an [ensemble](crate::Ensemble) some members may have one and others none.
@@ -271,9 +271,4 @@ impl<B: Between<D, R>, const D: usize, R: Real> Between<D, R> for Option<B> {
     fn force_jacobians(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [[[R; D]; D]; 3] {
         self.as_ref().map_or([nothing(); 3], |between| between.force_jacobians(d, va, vb))
     }
-}
-
-/// Free motion: the drift.
-pub(super) fn free<const D: usize, R: Real>(equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-    newton::linear(equation, |_| ([R::ZERO; D], nothing()))
 }

@@ -3,10 +3,9 @@
 use dmech_scalar::{Mask, Real};
 
 use super::field::Linearised;
-use super::optional::free;
 use super::{Between, Field, Potential};
 use crate::look::{Course, Frequency};
-use crate::newton::{Equation, Increment, NotConverged};
+use crate::newton::{self, Equation, Increment, NotConverged};
 use crate::vector::{by_component, by_entry};
 
 /// What acts in the lanes in which a law is there; nothing in the others. To the bit what `Option` gives in each.
@@ -59,7 +58,7 @@ impl<F, R: Real> Perhaps<F, R> {
         if self.here.all() {
             return by_law(&self.law, equation);
         }
-        let free = free(equation)?;
+        let free = newton::free(equation)?;
         if !self.here.any() {
             return Ok(free);
         }

@@ -104,3 +104,8 @@ fn turned<const D: usize, R: Real>(jacobian: &[[R; D]; D], change: [R; D]) -> [R
 fn newton_matrix<const D: usize, R: Real>(g: R, jacobian: &[[R; D]; D]) -> [[R; D]; D] {
     by_entry!(|i, j| g.mul_add(jacobian[i][j], if i == j { R::ONE } else { R::ZERO }))
 }
+
+/// Free motion: the drift.
+pub(crate) fn free<const D: usize, R: Real>(equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
+    linear(equation, |_| ([R::ZERO; D], [[R::ZERO; D]; D]))
+}

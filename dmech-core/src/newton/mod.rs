@@ -17,6 +17,7 @@ mod settled;
 
 pub mod central;
 
+pub(crate) use dense::free;
 pub use dense::{dense, dense_discrete, dense_forced, dense_middle, linear};
 pub use drive::{drive, drive_discrete, drive_middle};
 pub use equation::{Correction, Counts, Equation, Increment, NotConverged};

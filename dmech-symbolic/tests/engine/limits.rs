@@ -82,12 +82,19 @@ fn powers_within_choices_keep_their_digits() {
     }
 }
 
-/// cos |q| and cosh |q| are as smooth at the centre as elsewhere: the Newton matrix there is the derivative of the discrete
+/// cos k|q|, cosh k|q| and its inverse are as smooth at the centre as elsewhere: the Newton matrix there is the derivative of the discrete
 /// gradient, and half of the Hessian where both ends meet.
 #[test]
 fn even_functions_of_a_distance_are_smooth_at_the_centre() {
-    for f in [Unary::Cos, Unary::Cosh] {
-        let mut law = Law::build(2, |q, _| (q[0].powi(2) + 4.0 * q[1].powi(2)).sqrt().of(f));
+    let distance = |q: &[E]| (q[0].powi(2) + 4.0 * q[1].powi(2)).sqrt();
+    for (f, n, scaled) in
+        [(Unary::Cos, 1, false), (Unary::Cosh, 1, false), (Unary::Cos, 1, true), (Unary::Cosh, -1, true)]
+    {
+        let mut law = Law::build(2, |q, p| {
+            let r = distance(q);
+            (if scaled { 0.7 * r / p[1] } else { r }).of(f).powi(n)
+        });
+        assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "{f:?}");
         let kernels = law.kernels();
         let secant = |a: &[f64], b: &[f64]| kernels.discrete_gradient.run(law.at(a, b));
         let hessian = kernels.hessian.run(law.at(&[0.0, 0.0], &[0.0, 0.0]));
@@ -102,6 +109,36 @@ fn even_functions_of_a_distance_are_smooth_at_the_centre() {
                     let found = jacobian[2 * i + j];
                     assert!((found - difference).abs() < 1e-8, "{f:?} from {a:?}: {found} and {difference}");
                     assert!(a != [0.0, 0.0] || found == 0.5 * hessian[2 * i + j], "{found} {hessian:?}");
+                }
+            }
+        }
+    }
+}
+
+/// |q|^p with a parameter p > 1 is least at the centre, whatever units |q| has, and no slope is infinite on the way there.
+#[test]
+fn powers_of_distances_have_a_centre() {
+    for p in [1.25, 2.0, 3.0, 4.0] {
+        for scaled in [false, true] {
+            let mut law = Law::build(2, |q, f| {
+                let r = norm(q);
+                (if scaled { r / f[1] } else { r }).powf(0.5 * p * f[1].of(Unary::Round))
+            });
+            assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "p = {p}");
+            let kernels = law.kernels();
+            let centre = [0.0, 0.0];
+            for place in [[0.0, 0.0], [0.3, -0.2], [1e-9, 0.0], [3e-70, 4e-70]] {
+                let slope = kernels.discrete_gradient.run(law.at(&place, &centre));
+                let work: f64 = (0..2).map(|i| slope[i] * place[i]).sum();
+                let [here, there] = [place, centre].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+                assert!((work - (here - there)).abs() <= 1e-14 * here, "p = {p} from {place:?}: {slope:?}");
+                assert!(
+                    kernels.hessian.run(law.at(&place, &place)).iter().all(|x| x.is_finite()),
+                    "p = {p} at {place:?}"
+                );
+                for (a, b) in [(place, centre), (centre, place)] {
+                    let matrix = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+                    assert!(matrix.iter().all(|x| x.is_finite()), "p = {p} from {a:?} to {b:?}: {matrix:?}");
                 }
             }
         }

@@ -123,6 +123,12 @@ impl<'a> Walk<'a> {
                 (_, Some(root)) if self.of_slope && (is_whole || self.chosen[root.below.index()]) => {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
                 }
+                // A function of a root, as it would be of −√s or k √s.
+                _ if self.of_slope && graph.root(u).is_some() => {
+                    let slope = slope(graph, f, u);
+                    let partials = self.product_partials(graph, Number::ONE, &[(u, 1)], depends);
+                    partials.into_iter().map(|(child, partial)| (child, graph.mul(&[slope, partial]))).collect()
+                }
                 _ => vec![(u, slope(graph, f, u))],
             },
             Node::Binary(f, u, w) => {
@@ -187,22 +193,20 @@ impl<'a> Walk<'a> {
         depends: &dyn Fn(Expr) -> bool,
     ) -> Vec<(Expr, Expr)> {
         let mut found = vec![];
-        // As in x √(x² + y²) or ∛(x² + y²)²: other factors vanish with the root, or its own slope does.
-        let vanishes = |root: &Root, i: usize, n: i32| {
-            let others = factors.iter().enumerate().any(|(j, &(other, m))| j != i && m > 0 && depends(other));
-            others || 2 * n > root.degree
-        };
-        for (i, &(f, n)) in factors.iter().enumerate().filter(|(_, (f, _))| depends(*f)) {
-            let mut rest = factors.to_vec();
+        let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| depends(f));
+        for (i, &(f, n)) in moving.iter().enumerate() {
+            let mut rest = moving.clone();
             rest.remove(i);
+            rest.extend(&fixed);
             if let Some(even) = graph.even_of_root(f).filter(|even| even.cardinal == Unary::Sinhc && n < 0) {
                 rest.extend([(inverse_cosh_slope(graph, &even, f, n), 1)]);
                 let outside = graph.product_of(coefficient, rest);
                 found.extend(self.square_partials(graph, outside, &even.square, depends));
                 continue;
             }
+            let vanishes = graph.vanishes_with(&moving, i);
             let (child, order, slope) = match graph.root(f) {
-                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || vanishes(&root, i, n)) => {
+                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || vanishes) => {
                     (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                 }
                 _ => power_slope(graph, f, n),

@@ -12,7 +12,7 @@ use std::rc::Rc;
 use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Square, Substitution, Symbol, Unary};
 use crate::hash::Map;
 
-use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_power, of_root};
+use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_part_of_root, of_power, of_root};
 use super::piecewise::{self, Placed};
 
 /// The two ends of a step: what the coordinates become at each.
@@ -149,11 +149,13 @@ fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut
     let mut found = vec![];
     let mut outside = fixed;
     for (i, &(f, n)) in moving.iter().enumerate() {
-        let root = graph.root(f).filter(|root| n > root.degree);
+        let (root, vanishes) = (graph.root(f), graph.vanishes_with(moving, i));
+        let root = root.filter(|root| n > root.degree || (0 < n && n < root.degree && vanishes));
         let target = root.map_or(f, |root| root.below);
         let (a, b) = ends.values(graph, target);
         let secant = match root {
-            Some(root) => of_root(graph, root.degree, a, b, n),
+            Some(root) if n > root.degree => of_root(graph, root.degree, a, b, n),
+            Some(root) => of_part_of_root(graph, root.degree, a, b, n),
             None => of_power(graph, a, b, n),
         };
         let rest: Vec<_> = moving[i + 1..].iter().map(|&(f, n)| graph.powi(f, n)).collect();

@@ -52,6 +52,13 @@ impl Graph {
         Some(EvenOfRoot { cardinal, half, argument, square: self.square_without_root(argument)? })
     }
 
+    /// Whether a root among the factors that move has a slope of 0 in their product where it vanishes, as in x √(x² + y²) and
+    /// ∛(x² + y²)²: other factors vanish with it, or its own slope does.
+    pub(crate) fn vanishes_with(&self, moving: &[(Expr, i32)], i: usize) -> bool {
+        let others = moving.iter().enumerate().any(|(j, &(_, m))| j != i && m > 0);
+        moving.get(i).is_some_and(|&(f, n)| others || self.root(f).is_some_and(|root| 2 * n > root.degree))
+    }
+
     /// u², if there is a root among the factors of u that is none among its own.
     pub(crate) fn square_without_root(&self, u: Expr) -> Option<Square> {
         let (coefficient, factors) = self.factors(u);

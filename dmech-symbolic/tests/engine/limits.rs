@@ -3,7 +3,7 @@
 use dmech_symbolic::expression::Unary;
 
 use crate::common::laws::Law;
-use crate::common::notation::{E, choose, norm};
+use crate::common::notation::{E, choose, norm, squared};
 
 fn gradient(law: &mut Law, q: &[f64]) -> Vec<f64> {
     law.kernels().gradient.run(law.at(q, q))
@@ -111,6 +111,32 @@ fn even_functions_of_a_distance_are_smooth_at_the_centre() {
                     assert!(a != [0.0, 0.0] || found == 0.5 * hessian[2 * i + j], "{found} {hessian:?}");
                 }
             }
+        }
+    }
+}
+
+/// |q| tanh |q| and |q|^{3/2}, |q|^{4/3}: other factors vanish with the root, or its own slope does. At rest there nothing acts.
+#[test]
+fn products_with_a_root_have_a_centre() {
+    let laws: [fn(&[E]) -> E; 3] =
+        [|q| norm(q) * norm(q).of(Unary::Tanh), |q| norm(q).sqrt().powi(3), |q| squared(q).cbrt().powi(2)];
+    for (k, formula) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, |q, _| formula(q));
+        let kernels = law.kernels();
+        let centre = law.at(&[0.0, 0.0], &[0.0, 0.0]);
+        assert_eq!(kernels.discrete_gradient.run(&centre), [0.0, 0.0], "{k}");
+        assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "{k}");
+        assert!(kernels.hessian.run(&centre).iter().all(|x| x.is_finite()), "{k}");
+        for (a, b) in
+            [([0.0, 0.0], [0.0, 0.0]), ([0.0, 0.0], [0.3, -0.2]), ([0.3, -0.2], [0.0, 0.0]), ([0.3, 0.0], [0.2, 0.0])]
+        {
+            let slope = kernels.discrete_gradient.run(law.at(&a, &b));
+            let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
+            let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+            assert!((work - (end - start)).abs() < 1e-15, "{k} from {a:?} to {b:?}");
+            let matrix = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+            // From rest at the centre the secant of tanh has none.
+            assert!(k == 0 || matrix.iter().all(|x| x.is_finite()), "{k} from {a:?} to {b:?}: {matrix:?}");
         }
     }
 }

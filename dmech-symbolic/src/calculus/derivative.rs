@@ -1,6 +1,8 @@
 //! Gradients by reverse accumulation.
 
-use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Root, Symbol, Unary};
+use crate::expression::{
+    Binary, Choice, Condition, EvenOfRoot, Expr, Graph, Node, Number, Root, Square, Symbol, Unary,
+};
 use crate::hash::Map;
 
 /// ∂e/∂xᵢ for each symbol: one walk from the expression down to the symbols.
@@ -110,48 +112,110 @@ impl<'a> Walk<'a> {
                 };
                 moving.map(partial).collect()
             }
-            Node::Product { coefficient, factors } => {
-                let mut found = vec![];
-                // As in x √(x² + y²) or ∛(x² + y²)²: other factors vanish with the root, or its own slope does.
-                let vanishes = |root: &Root, i: usize, n: i32| {
-                    let others = factors.iter().enumerate().any(|(j, &(other, m))| j != i && m > 0 && depends(other));
-                    others || 2 * n > root.degree
-                };
-                for (i, &(f, n)) in factors.iter().enumerate().filter(|(_, (f, _))| depends(*f)) {
-                    let mut rest = factors.to_vec();
-                    rest.remove(i);
-                    let (child, order, slope) = match graph.root(f) {
-                        Some(root) if (1..root.degree).contains(&n) && (self.of_slope || vanishes(&root, i, n)) => {
-                            (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
-                        }
-                        _ => power_slope(graph, f, n),
-                    };
-                    rest.extend(slope);
-                    let rest = graph.product_of(coefficient, rest);
-                    found.push((child, graph.scale(order, rest)));
-                }
-                found
-            }
+            Node::Product { coefficient, factors } => self.product_partials(graph, coefficient, &factors, depends),
             Node::Unary(f, u) => match (graph.even_of_root(node), graph.root(node)) {
                 (Some(even), _) => {
-                    let slope = graph.unary(even.cardinal, even.root);
-                    vec![(even.below, graph.scale(even.half, slope))]
+                    let slope = graph.unary(even.cardinal, even.argument);
+                    let slope = graph.scale(even.half, slope);
+                    self.square_partials(graph, slope, &even.square, depends)
                 }
                 // A root alone vanishes where the ends do; on a seam, where a step only passes.
                 (_, Some(root)) if self.of_slope && (is_whole || self.chosen[root.below.index()]) => {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
                 }
+                // A function of a root, as it would be of −√s or k √s.
+                _ if self.of_slope && graph.root(u).is_some() => {
+                    let slope = slope(graph, f, u);
+                    let partials = self.product_partials(graph, Number::ONE, &[(u, 1)], depends);
+                    partials.into_iter().map(|(child, partial)| (child, graph.mul(&[slope, partial]))).collect()
+                }
                 _ => vec![(u, slope(graph, f, u))],
             },
             Node::Binary(f, u, w) => {
                 let mut both = binary_slopes(graph, f, u, w);
-                if self.of_slope && f == Binary::Powf {
-                    both.0 = unless_infinite(graph, both.0, u, w);
+                let square = graph.square_without_root(u).filter(|_| f == Binary::Powf);
+                if f == Binary::Powf {
+                    // By u² where u has a root: u^w may be smooth where the root is not.
+                    let degree = if square.is_some() { 2.0 } else { 1.0 };
+                    let slope = power_slope_by(graph, u, w, degree);
+                    both.0 = self.unless_infinite(graph, slope, (u, w), degree);
                 }
-                [(u, both.0), (w, both.1)].into_iter().filter(|(c, _)| depends(*c)).collect()
+                let mut found = match square {
+                    Some(square) => self.square_partials(graph, both.0, &square, depends),
+                    None => vec![(u, both.0)],
+                };
+                found.push((w, both.1));
+                found.retain(|(c, _)| depends(*c));
+                found
             }
             Node::Select(..) => unreachable!("choices are taken as a whole"),
         }
+    }
+
+    /// As [`product_partials`](Self::product_partials), of what depends on u² by a slope.
+    fn square_partials(
+        &self,
+        graph: &mut Graph,
+        slope: Expr,
+        square: &Square,
+        depends: &dyn Fn(Expr) -> bool,
+    ) -> Vec<(Expr, Expr)> {
+        let coefficient = graph.number(square.coefficient.value());
+        let outside = graph.product_of(Number::ONE, vec![(slope, 1), (coefficient, 2)]);
+        let partials = self.product_partials(graph, Number::ONE, &square.factors, depends);
+        partials.into_iter().map(|(child, partial)| (child, graph.mul(&[outside, partial]))).collect()
+    }
+
+    /// The slope of u^w by uⁿ, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < n. Of a law only where w > n/2: then it
+    /// is the limit for a u that vanishes as a square does.
+    fn unless_infinite(&self, graph: &mut Graph, slope: Expr, (u, w): (Expr, Expr), n: f64) -> Expr {
+        let (zero, most) = (graph.zero(), graph.number(n));
+        let least = if self.of_slope { 0.0 } else { 0.5 * n };
+        let vanishes = Condition::equal(u, zero);
+        let condition = match graph.as_number(w) {
+            Some(w) if w <= least || w >= n => return slope,
+            Some(_) => vanishes,
+            None if self.of_slope => vanishes.and(Condition::less(w, most)),
+            None => {
+                let least = graph.number(least);
+                vanishes.and(Condition::less(w, most)).and(Condition::less(least, w))
+            }
+        };
+        graph.select(condition, zero, slope)
+    }
+
+    /// The children of c Π fᵢ^nᵢ that depend on a symbol, each with its partial derivative.
+    fn product_partials(
+        &self,
+        graph: &mut Graph,
+        coefficient: Number,
+        factors: &[(Expr, i32)],
+        depends: &dyn Fn(Expr) -> bool,
+    ) -> Vec<(Expr, Expr)> {
+        let mut found = vec![];
+        let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| depends(f));
+        for (i, &(f, n)) in moving.iter().enumerate() {
+            let mut rest = moving.clone();
+            rest.remove(i);
+            rest.extend(&fixed);
+            if let Some(even) = graph.even_of_root(f).filter(|even| even.cardinal == Unary::Sinhc && n < 0) {
+                rest.extend([(inverse_cosh_slope(graph, &even, f, n), 1)]);
+                let outside = graph.product_of(coefficient, rest);
+                found.extend(self.square_partials(graph, outside, &even.square, depends));
+                continue;
+            }
+            let vanishes = graph.vanishes_with(&moving, i);
+            let (child, order, slope) = match graph.root(f) {
+                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || vanishes) => {
+                    (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
+                }
+                _ => power_slope(graph, f, n),
+            };
+            rest.extend(slope);
+            let rest = graph.product_of(coefficient, rest);
+            found.push((child, graph.scale(order, rest)));
+        }
+        found
     }
 }
 
@@ -205,15 +269,23 @@ impl Root {
     }
 }
 
-/// The slope of u^w, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < 1.
-fn unless_infinite(graph: &mut Graph, slope: Expr, u: Expr, w: Expr) -> Expr {
-    let (zero, one) = (graph.zero(), graph.one());
-    let vanishes = Condition::equal(u, zero);
-    match graph.as_number(w) {
-        Some(w) if w <= 0.0 || w >= 1.0 => slope,
-        Some(_) => graph.select(vanishes, zero, slope),
-        None => graph.select(vanishes.and(Condition::less(w, one)), zero, slope),
-    }
+/// The slope of u^w by uⁿ: (w/n) u^(w − n).
+fn power_slope_by(graph: &mut Graph, u: Expr, w: Expr, n: f64) -> Expr {
+    let degree = graph.number(n);
+    let lowered = graph.sub(w, degree);
+    let power = graph.binary(Binary::Powf, u, lowered);
+    let slope = graph.mul(&[w, power]);
+    graph.scale(n.recip(), slope)
+}
+
+/// The slope of coshⁿ u by u² for n < 0: near the root of u it is regular, and far out it is not ∞·0.
+fn inverse_cosh_slope(graph: &mut Graph, even: &EvenOfRoot, f: Expr, n: i32) -> Expr {
+    let (one, square, cardinal) = (graph.one(), graph.square(even.argument), graph.unary(even.cardinal, even.argument));
+    let tanh = graph.unary(Unary::Tanh, even.argument);
+    let near = graph.product_of(Number::ONE, vec![(f, n - 1), (cardinal, 1)]);
+    let far = graph.product_of(Number::ONE, vec![(f, n), (tanh, 1), (even.argument, -1)]);
+    let slope = graph.select(Condition::less_or_equal(square, one), near, far);
+    graph.scale(even.half * f64::from(n), slope)
 }
 
 /// The derivative of fⁿ as a number and factors, and the expression by which it is taken.

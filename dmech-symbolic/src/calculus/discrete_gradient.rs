@@ -9,10 +9,10 @@
 
 use std::rc::Rc;
 
-use crate::expression::{Binary, Condition, Expr, Graph, Node, Substitution, Symbol, Unary};
+use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Square, Substitution, Symbol, Unary};
 use crate::hash::Map;
 
-use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_power, of_root};
+use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_part_of_root, of_power, of_root};
 use super::piecewise::{self, Placed};
 
 /// The two ends of a step: what the coordinates become at each.
@@ -114,13 +114,14 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
         Node::Unary(f, u) => {
             let (a, b) = ends.values(graph, u);
             let Some(even) = graph.even_of_root(node) else { return vec![(u, divided_difference(graph, f, a, b))] };
-            // sin m sinc δ/(√a + √b) = sinc m sinc δ/2. Halves in the sums: the [tangent](super::tangent) of a root that vanishes
+            // 2 sin m sin δ/(b² − a²) = sinc m sinc δ/2. Halves in the sums: the [tangent](super::tangent) of a root that vanishes
             // is then 0, as that of the whole is even in each root.
             let halves = [a, b].map(|root| graph.scale(0.5, root));
             let (middle, delta) = (graph.add(&halves), graph.sub(halves[1], halves[0]));
             let factors = [graph.unary(even.cardinal, middle), graph.unary(even.cardinal, delta)];
             let secant = graph.mul(&factors);
-            vec![(even.below, graph.scale(even.half, secant))]
+            let secant = graph.scale(even.half, secant);
+            of_square(graph, secant, &even.square, ends, moves)
         }
         Node::Binary(f, u, w) => {
             let both = of_binary(graph, f, u, w, ends, moves);
@@ -129,16 +130,32 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
     }
 }
 
+/// u² toward what it is made of, each with its factor.
+fn of_square(
+    graph: &mut Graph,
+    secant: Expr,
+    square: &Square,
+    ends: &mut TwoPoints,
+    moves: &dyn Fn(Expr) -> bool,
+) -> Vec<(Expr, Expr)> {
+    let (moving, mut fixed): (Vec<_>, Vec<_>) = square.factors.iter().copied().partition(|&(f, _)| moves(f));
+    fixed.extend([(secant, 1), (graph.number(square.coefficient.value()), 2)]);
+    let outside = graph.product_of(Number::ONE, fixed);
+    of_product(graph, outside, &moving, ends)
+}
+
 /// u·w: mean(w) toward u, mean(u) toward w; longer products factor by factor.
 fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut TwoPoints) -> Vec<(Expr, Expr)> {
     let mut found = vec![];
     let mut outside = fixed;
     for (i, &(f, n)) in moving.iter().enumerate() {
-        let root = graph.root(f).filter(|root| n > root.degree);
+        let (root, vanishes) = (graph.root(f), graph.vanishes_with(moving, i));
+        let root = root.filter(|root| n > root.degree || (0 < n && n < root.degree && vanishes));
         let target = root.map_or(f, |root| root.below);
         let (a, b) = ends.values(graph, target);
         let secant = match root {
-            Some(root) => of_root(graph, root.degree, a, b, n),
+            Some(root) if n > root.degree => of_root(graph, root.degree, a, b, n),
+            Some(root) => of_part_of_root(graph, root.degree, a, b, n),
             None => of_power(graph, a, b, n),
         };
         let rest: Vec<_> = moving[i + 1..].iter().map(|&(f, n)| graph.powi(f, n)).collect();
@@ -161,6 +178,13 @@ fn of_binary(
     moves: &dyn Fn(Expr) -> bool,
 ) -> Vec<(Expr, Expr)> {
     let ((ua, ub), (wa, wb)) = (ends.values(graph, u), ends.values(graph, w));
+    let square = graph.square_without_root(u).filter(|_| f == Binary::Powf && !moves(w));
+    if let Some(square) = square.filter(|_| one_sided(graph, u, moves)) {
+        let toward_u = of_powf(graph, (u, ua, ub), (w, wa, wb), false)[0].1;
+        let rises = Condition::less(graph.one(), wa);
+        let secant = unless_vanishing(graph, toward_u, [ua, ub], rises);
+        return of_square(graph, secant, &square, ends, moves);
+    }
     match f {
         Binary::Powf => of_powf(graph, (u, ua, ub), (w, wa, wb), moves(w)),
         Binary::Atan2 => {
@@ -186,6 +210,25 @@ fn of_binary(
         }
         Binary::Min | Binary::Max => unreachable!("choices are taken as a whole"),
     }
+}
+
+/// Whether u, with a root in it, stays on one side of 0: what moves in it are roots.
+fn one_sided(graph: &Graph, u: Expr, moves: &dyn Fn(Expr) -> bool) -> bool {
+    let (_, factors) = graph.factors(u);
+    let is_root = |f: Expr| matches!(graph.node(f), Node::Unary(Unary::Sqrt, _));
+    factors.iter().all(|&(f, _)| !moves(f) || is_root(f))
+}
+
+/// A secant toward u as one toward u², with (u²)[a, b] = a + b; between 0 and 0 it is 0 where the whole
+/// rises faster than u.
+fn unless_vanishing(graph: &mut Graph, toward_u: Expr, [a, b]: [Expr; 2], rises: Condition) -> Expr {
+    // Halves, as in even functions of a root.
+    let halves = [a, b].map(|u| graph.scale(0.5, u));
+    let (zero, middle) = (graph.zero(), graph.add(&halves));
+    let secant = graph.div(toward_u, middle);
+    let secant = graph.scale(0.5, secant);
+    let vanishes = Condition::equal(middle, zero).and(rises);
+    graph.select(vanishes, zero, secant)
 }
 
 /// u^w = exp(w ln u): with δ = (w_b ln u_b − w_a ln u_a)/2 the factor of exp is √(u_a^w_a u_b^w_b) sinhc δ. The powers
@@ -226,12 +269,17 @@ fn of_powf(
     // Far apart the powers do not cancel; and at u = 0 the logarithm is not finite but the power may be.
     let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
     let rise = graph.sub(value_b, value_a);
-    let quotient = graph.div(rise, gap);
+    // Halves, as in even functions of a root.
+    let halves = [ua, ub].map(|u| graph.scale(0.5, u));
+    let half_gap = graph.sub(halves[1], halves[0]);
+    let quotient = graph.div(rise, half_gap);
+    let quotient = graph.scale(0.5, quotient);
     let lowered = graph.sub(wa, one);
     // At each end by itself: their mean may be rounded to below 0. With derivative 0 where that of the limit is infinite.
-    let zero = graph.zero();
+    // For w > 1/2 it is 0, as that of the [gradient](super::gradient) is.
+    let (zero, least) = (graph.zero(), graph.number(-0.5));
     let limits = [ua, ub].map(|u| {
-        let vanishes = Condition::equal(u, zero).and(Condition::less(zero, lowered));
+        let vanishes = Condition::equal(u, zero).and(Condition::less(least, lowered));
         let power = graph.binary(Binary::Powf, u, lowered);
         graph.select(vanishes, zero, power)
     });

@@ -23,7 +23,7 @@
 //! logarithms themselves would cancel, ln 1e22 and ln 4e22 are nearly equal. In atan (beyond a right angle) and atanh
 //! the plain quotient serves, and so it does in eᵘ, where sinhc δ may overflow while eᵇ does not.
 
-use crate::expression::{Condition, Expr, Graph, Unary};
+use crate::expression::{Condition, Expr, Graph, Number, Unary};
 
 use super::derivative::{below_one, beyond_one, leg, logarithm, slope};
 
@@ -245,6 +245,37 @@ pub(super) fn of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> E
     let (zero, reach) = (g.zero(), g.powi(reach, times));
     let nothing = Condition::lost(g, reach);
     g.select(nothing, zero, secant)
+}
+
+/// A power of a root, fⁿ between the values a and b of what is below it, where its exponent there is below 1 and the whole
+/// vanishes with it: 0 between 0 and 0.
+pub(super) fn of_part_of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i32) -> Expr {
+    let (root, times) = if degree == 3 { (Unary::Cbrt, 1) } else { (Unary::Sqrt, degree.trailing_zeros()) };
+    let (mut roots, mut closed, mut nothing) = ([a, b], vec![], None);
+    for _ in 0..times {
+        // Halves in the sums: the tangent of a root that vanishes is then 0.
+        let halves = roots.map(|u| {
+            let root = g.unary(root, u);
+            g.scale(0.5, root)
+        });
+        let sum = if degree == 3 {
+            let terms = [g.square(halves[0]), g.mul(&halves), g.square(halves[1])];
+            let sum = g.add(&terms);
+            g.scale(2.0, sum)
+        } else {
+            g.add(&halves)
+        };
+        closed.push((sum, -1));
+        nothing.get_or_insert(sum);
+        roots = roots.map(|u| g.unary(root, u));
+    }
+    let halves = roots.map(|u| g.scale(0.5, u));
+    let power = of_power(g, halves[0], halves[1], n);
+    closed.push((power, 1));
+    let closed = g.product_of(Number::ONE, closed);
+    let secant = g.scale(2f64.powi(n - 1 - times as i32), closed);
+    let (zero, nothing) = (g.zero(), nothing.unwrap_or(a));
+    g.select(Condition::equal(nothing, zero), zero, secant)
 }
 
 /// (eᵝ − eᵅ)/(β − α) = e^m sinhc δ, given e^m, δ = (β − α)/2 and the values at the ends, which do not cancel where δ is

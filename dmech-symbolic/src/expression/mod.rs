@@ -31,5 +31,5 @@ pub use graph::Graph;
 pub use index::{Expr, Symbol, Variable};
 pub use node::Node;
 pub use number::Number;
-pub(crate) use power::Root;
+pub(crate) use power::{EvenOfRoot, Root, Square};
 pub use substitute::Substitution;

@@ -40,16 +40,40 @@ impl Graph {
         }
     }
 
-    /// cos √s and cosh √s, which are smooth in s where √s is not: with sinc and sinhc the derivative is ∓sinc(√s)/2.
+    /// cos u and cosh u of a u with a root √s in it, which are smooth in s where √s is not: with sinc and sinhc the derivative by u²
+    /// is ∓sinc(u)/2.
     pub(crate) fn even_of_root(&self, e: Expr) -> Option<EvenOfRoot> {
-        let Node::Unary(f, root) = *self.node(e) else { return None };
-        let Node::Unary(Unary::Sqrt, below) = *self.node(root) else { return None };
+        let Node::Unary(f, argument) = *self.node(e) else { return None };
         let (cardinal, half) = match f {
             Unary::Cos => (Unary::Sinc, -0.5),
             Unary::Cosh => (Unary::Sinhc, 0.5),
             _ => return None,
         };
-        Some(EvenOfRoot { cardinal, half, root, below })
+        Some(EvenOfRoot { cardinal, half, argument, square: self.square_without_root(argument)? })
+    }
+
+    /// Whether a root among the factors that move has a slope of 0 in their product where it vanishes, as in x √(x² + y²) and
+    /// ∛(x² + y²)²: other factors vanish with it, or its own slope does.
+    pub(crate) fn vanishes_with(&self, moving: &[(Expr, i32)], i: usize) -> bool {
+        let others = moving.iter().enumerate().any(|(j, &(_, m))| j != i && m > 0);
+        moving.get(i).is_some_and(|&(f, n)| others || self.root(f).is_some_and(|root| 2 * n > root.degree))
+    }
+
+    /// u², if there is a root among the factors of u that is none among its own.
+    pub(crate) fn square_without_root(&self, u: Expr) -> Option<Square> {
+        let (coefficient, factors) = self.factors(u);
+        let below = |f: Expr| match *self.node(f) {
+            Node::Unary(Unary::Sqrt, below) => Some(below),
+            _ => None,
+        };
+        if !factors.iter().any(|&(f, n)| n > 0 && below(f).is_some()) {
+            return None;
+        }
+        let square = |&(f, n): &(Expr, i32)| match below(f) {
+            Some(below) => Some((below, n)),
+            None => Some((f, n.checked_mul(2)?)),
+        };
+        Some(Square { coefficient, factors: factors.iter().map(square).collect::<Option<_>>()? })
     }
 
     /// c e, within the branches if e is a choice: where a branch is 0, c may be infinite.
@@ -74,13 +98,20 @@ impl Graph {
     }
 }
 
-/// cos √s or cosh √s: the cardinal function of its derivative with the factor, √s and s.
-#[derive(Clone, Copy, Debug)]
+/// cos u or cosh u with a root in u: the cardinal function of its derivative by u² with the factor, u, and u².
+#[derive(Clone, Debug)]
 pub(crate) struct EvenOfRoot {
     pub(crate) cardinal: Unary,
     pub(crate) half: f64,
-    pub(crate) root: Expr,
-    pub(crate) below: Expr,
+    pub(crate) argument: Expr,
+    pub(crate) square: Square,
+}
+
+/// c² Π fᵢ^nᵢ
+#[derive(Clone, Debug)]
+pub(crate) struct Square {
+    pub(crate) coefficient: Number,
+    pub(crate) factors: Vec<(Expr, i32)>,
 }
 
 /// A root: its degree, and what is below it.

@@ -3,7 +3,7 @@
 use dmech_symbolic::expression::Unary;
 
 use crate::common::laws::Law;
-use crate::common::notation::{E, choose, norm};
+use crate::common::notation::{E, choose, norm, squared};
 
 fn gradient(law: &mut Law, q: &[f64]) -> Vec<f64> {
     law.kernels().gradient.run(law.at(q, q))
@@ -82,12 +82,19 @@ fn powers_within_choices_keep_their_digits() {
     }
 }
 
-/// cos |q| and cosh |q| are as smooth at the centre as elsewhere: the Newton matrix there is the derivative of the discrete
+/// cos k|q|, cosh k|q| and its inverse are as smooth at the centre as elsewhere: the Newton matrix there is the derivative of the discrete
 /// gradient, and half of the Hessian where both ends meet.
 #[test]
 fn even_functions_of_a_distance_are_smooth_at_the_centre() {
-    for f in [Unary::Cos, Unary::Cosh] {
-        let mut law = Law::build(2, |q, _| (q[0].powi(2) + 4.0 * q[1].powi(2)).sqrt().of(f));
+    let distance = |q: &[E]| (q[0].powi(2) + 4.0 * q[1].powi(2)).sqrt();
+    for (f, n, scaled) in
+        [(Unary::Cos, 1, false), (Unary::Cosh, 1, false), (Unary::Cos, 1, true), (Unary::Cosh, -1, true)]
+    {
+        let mut law = Law::build(2, |q, p| {
+            let r = distance(q);
+            (if scaled { 0.7 * r / p[1] } else { r }).of(f).powi(n)
+        });
+        assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "{f:?}");
         let kernels = law.kernels();
         let secant = |a: &[f64], b: &[f64]| kernels.discrete_gradient.run(law.at(a, b));
         let hessian = kernels.hessian.run(law.at(&[0.0, 0.0], &[0.0, 0.0]));
@@ -102,6 +109,62 @@ fn even_functions_of_a_distance_are_smooth_at_the_centre() {
                     let found = jacobian[2 * i + j];
                     assert!((found - difference).abs() < 1e-8, "{f:?} from {a:?}: {found} and {difference}");
                     assert!(a != [0.0, 0.0] || found == 0.5 * hessian[2 * i + j], "{found} {hessian:?}");
+                }
+            }
+        }
+    }
+}
+
+/// |q| tanh |q| and |q|^{3/2}, |q|^{4/3}: other factors vanish with the root, or its own slope does. At rest there nothing acts.
+#[test]
+fn products_with_a_root_have_a_centre() {
+    let laws: [fn(&[E]) -> E; 3] =
+        [|q| norm(q) * norm(q).of(Unary::Tanh), |q| norm(q).sqrt().powi(3), |q| squared(q).cbrt().powi(2)];
+    for (k, formula) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, |q, _| formula(q));
+        let kernels = law.kernels();
+        let centre = law.at(&[0.0, 0.0], &[0.0, 0.0]);
+        assert_eq!(kernels.discrete_gradient.run(&centre), [0.0, 0.0], "{k}");
+        assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "{k}");
+        assert!(kernels.hessian.run(&centre).iter().all(|x| x.is_finite()), "{k}");
+        for (a, b) in
+            [([0.0, 0.0], [0.0, 0.0]), ([0.0, 0.0], [0.3, -0.2]), ([0.3, -0.2], [0.0, 0.0]), ([0.3, 0.0], [0.2, 0.0])]
+        {
+            let slope = kernels.discrete_gradient.run(law.at(&a, &b));
+            let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
+            let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+            assert!((work - (end - start)).abs() < 1e-15, "{k} from {a:?} to {b:?}");
+            let matrix = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+            // From rest at the centre the secant of tanh has none.
+            assert!(k == 0 || matrix.iter().all(|x| x.is_finite()), "{k} from {a:?} to {b:?}: {matrix:?}");
+        }
+    }
+}
+
+/// |q|^p with a parameter p > 1 is least at the centre, whatever units |q| has, and no slope is infinite on the way there.
+#[test]
+fn powers_of_distances_have_a_centre() {
+    for p in [1.25, 2.0, 3.0, 4.0] {
+        for scaled in [false, true] {
+            let mut law = Law::build(2, |q, f| {
+                let r = norm(q);
+                (if scaled { r / f[1] } else { r }).powf(0.5 * p * f[1].of(Unary::Round))
+            });
+            assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "p = {p}");
+            let kernels = law.kernels();
+            let centre = [0.0, 0.0];
+            for place in [[0.0, 0.0], [0.3, -0.2], [1e-9, 0.0], [3e-70, 4e-70]] {
+                let slope = kernels.discrete_gradient.run(law.at(&place, &centre));
+                let work: f64 = (0..2).map(|i| slope[i] * place[i]).sum();
+                let [here, there] = [place, centre].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+                assert!((work - (here - there)).abs() <= 1e-14 * here, "p = {p} from {place:?}: {slope:?}");
+                assert!(
+                    kernels.hessian.run(law.at(&place, &place)).iter().all(|x| x.is_finite()),
+                    "p = {p} at {place:?}"
+                );
+                for (a, b) in [(place, centre), (centre, place)] {
+                    let matrix = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+                    assert!(matrix.iter().all(|x| x.is_finite()), "p = {p} from {a:?} to {b:?}: {matrix:?}");
                 }
             }
         }

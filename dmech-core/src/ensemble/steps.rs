@@ -135,17 +135,25 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
         steps: u64,
         cost: &mut Effort<Rows<W>>,
     ) -> Option<u64> {
-        let Even { stride, workspace, start, dt, .. } = all;
-        let (mut made, mut memory) = (all.made, all.memory.clone());
-        let mut spent = *cost;
-        for _ in 0..steps {
-            spent += self.step(system, stride, *start + made * *dt, &mut memory, workspace).ok()?;
-            made += Rows::ONE;
+        let alike = const { <S as Scheme<Together<L, D, W>>>::ALIKE };
+        let Even { stride, workspace, start, dt, made, .. } = all;
+        let (mut memory, mut spent, mut last) = (all.memory.clone(), *cost, Effort::default());
+        // Nothing is counted up from step to step where a step does not ask for it: counters take registers from the motion.
+        for k in 0..steps {
+            let t = *start + (*made + Rows::from_f64(k as f64)) * *dt;
+            last = self.step(system, stride, t, &mut memory, workspace).ok()?;
+            if !alike {
+                spent += last;
+            }
+        }
+        if alike {
+            spent.evaluations += last.evaluations * Rows::from_f64(steps as f64);
         }
         if !<S as Scheme<Together<L, D, W>>>::finite(self, &memory) {
             return None;
         }
-        (all.memory, all.made, *cost) = (memory, made, spent);
+        *made += Rows::from_f64(steps as f64);
+        (all.memory, *cost) = (memory, spent);
         Some(steps)
     }
 

@@ -91,6 +91,8 @@ impl<Y: System> CompensatedLeapfrogMemory<Y> {
 }
 
 impl<Y: System + WithoutVelocities> Scheme<Y> for CompensatedLeapfrog {
+    const ALIKE: bool = true;
+
     type Memory = CompensatedLeapfrogMemory<Y>;
     /// ∇Φ.
     type Workspace = Y::Vector;

@@ -62,6 +62,8 @@ impl Method for Explicit {
 }
 
 impl<Y: System> Scheme<Y> for Explicit {
+    const ALIKE: bool = true;
+
     type Memory = ExplicitMemory<Y>;
     type Workspace = Y::Room;
 

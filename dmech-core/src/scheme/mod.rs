@@ -65,6 +65,9 @@ pub trait Scheme<Y: System>: Method {
     /// Whether [watched](Scheme::watch) steps are looked at for bends and jumps: [`rough`](Scheme::rough).
     const SEES_ROUGH: bool = false;
 
+    /// Every step evaluates the force as often as any other, and solves no equation: what several cost is said by one of them.
+    const ALIKE: bool = false;
+
     /// What is carried from step to step.
     type Memory: Clone + core::fmt::Debug;
 

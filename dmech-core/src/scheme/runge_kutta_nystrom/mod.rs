@@ -138,6 +138,7 @@ impl Method for RungeKuttaNystrom {
 }
 
 impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
+    const ALIKE: bool = true;
     const STRETCHES: bool = false;
 
     type Memory = RungeKuttaNystromMemory<Y>;

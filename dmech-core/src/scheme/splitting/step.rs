@@ -92,6 +92,7 @@ macro_rules! stepped_by_drifts_and_kicks {
     ($($scheme:ty, $n:tt, $forces:ident, <$($coefficients:ident: $bound:path, const $m:ident: usize)?>;)*) => {$(
         impl<$($coefficients: $bound, const $m: usize,)? Y: System + $forces> Scheme<Y> for $scheme {
             const STRETCHES: bool = !matches!(Self::FIRST, First::Drift);
+            const ALIKE: bool = true;
 
             type Memory = SplittingMemory<Y>;
             type Workspace = Y::Room;

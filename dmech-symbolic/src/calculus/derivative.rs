@@ -166,9 +166,12 @@ impl<'a> Walk<'a> {
         partials.into_iter().map(|(child, partial)| (child, graph.mul(&[outside, partial]))).collect()
     }
 
-    /// The slope of u^w by uⁿ, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < n. Of a law only where w > n/2: then it
-    /// is the limit for a u that vanishes as a square does.
+    /// The slope of u^w by uⁿ, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < n. Of a law only where w > n/2 and u
+    /// vanishes as a square does: then it is the limit.
     fn unless_infinite(&self, graph: &mut Graph, slope: Expr, (u, w): (Expr, Expr), n: f64) -> Expr {
+        if !self.of_slope && graph.passes_zero(u) {
+            return slope;
+        }
         let (zero, most) = (graph.zero(), graph.number(n));
         let least = if self.of_slope { 0.0 } else { 0.5 * n };
         let vanishes = Condition::equal(u, zero);

@@ -276,8 +276,8 @@ fn of_powf(
     let quotient = graph.scale(0.5, quotient);
     let lowered = graph.sub(wa, one);
     // At each end by itself: their mean may be rounded to below 0. With derivative 0 where that of the limit is infinite.
-    // For w > 1/2 it is 0, as that of the [gradient](super::gradient) is.
-    let (zero, least) = (graph.zero(), graph.number(-0.5));
+    // For w > 1/2 it is 0 where u vanishes as a square does, as that of the [gradient](super::gradient) is.
+    let (zero, least) = (graph.zero(), graph.number(if graph.passes_zero(u) { 0.0 } else { -0.5 }));
     let limits = [ua, ub].map(|u| {
         let vanishes = Condition::equal(u, zero).and(Condition::less(least, lowered));
         let power = graph.binary(Binary::Powf, u, lowered);

@@ -53,10 +53,22 @@ impl Graph {
     }
 
     /// Whether a root among the factors that move has a slope of 0 in their product where it vanishes, as in x √(x² + y²) and
-    /// ∛(x² + y²)²: other factors vanish with it, or its own slope does.
+    /// ∛(x² + y²)²: other factors vanish with it, or its own slope does, as what is below it vanishes like a square.
     pub(crate) fn vanishes_with(&self, moving: &[(Expr, i32)], i: usize) -> bool {
         let others = moving.iter().enumerate().any(|(j, &(_, m))| j != i && m > 0);
-        moving.get(i).is_some_and(|&(f, n)| others || self.root(f).is_some_and(|root| 2 * n > root.degree))
+        moving.get(i).is_some_and(|&(f, n)| {
+            others || self.root(f).is_some_and(|root| 2 * n > root.degree && !self.passes_zero(root.below))
+        })
+    }
+
+    /// Whether u passes through 0 with a slope, as it is written: a coordinate, or a sum in which one stands by itself.
+    pub(crate) fn passes_zero(&self, u: Expr) -> bool {
+        let is_symbol = |e: Expr| matches!(self.node(e), Node::Symbol(_));
+        match self.node(u) {
+            Node::Sum { terms, .. } => terms.iter().any(|&(_, term)| is_symbol(term)),
+            Node::Product { factors, .. } => matches!(factors[..], [(f, 1)] if is_symbol(f)),
+            _ => is_symbol(u),
+        }
     }
 
     /// u², if there is a root among the factors of u that is none among its own.

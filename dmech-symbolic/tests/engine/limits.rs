@@ -188,3 +188,21 @@ fn powers_of_nearly_nothing_have_a_newton_matrix() {
         }
     }
 }
+
+/// x^w for w < 1 has an infinite slope at 0, and is not said to have none: 0 is the limit where x² + y² stands in the place of x.
+#[test]
+fn an_infinite_slope_is_told() {
+    let exponents: [fn(&[E]) -> E; 2] = [|p| p[0], |_| 0.75.into()];
+    for exponent in exponents {
+        for mut plain in [
+            Law::build(1, |q, p| q[0].powf(exponent(p))),
+            Law::build(1, |q, p| (q[0] - 2.0).powf(exponent(p))),
+            Law::build(1, |q, p| (3.0 * q[0]).powf(exponent(p))),
+        ] {
+            let slopes = [0.0, 2.0].map(|x| gradient(&mut plain, &[x])[0]);
+            assert!(slopes.contains(&f64::INFINITY), "{slopes:?}");
+        }
+        let mut round = Law::build(2, |q, p| squared(q).powf(exponent(p)));
+        assert_eq!(gradient(&mut round, &[0.0, 0.0]), [0.0; 2]);
+    }
+}

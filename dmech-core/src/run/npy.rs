@@ -5,7 +5,7 @@ use std::io::{self, Seek, SeekFrom, Write};
 use super::csv::Columns;
 use super::stream::Sink;
 
-/// A table of NumPy, `numpy.load("motion.npy")`: a row of `f64` for each state, with the columns of [`Csv`]. The number of rows
+/// A table of NumPy, `numpy.load("motion.npy")`: a row of `f64` for each state, with the columns of [`Csv`](crate::Csv). The number of rows
 /// is put into its head when the run ends, also where it ends early.
 #[derive(Clone, Debug)]
 pub struct Npy<W> {

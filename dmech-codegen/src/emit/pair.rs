@@ -14,8 +14,7 @@ use super::implementation::{
 };
 use super::names::{Names, ident, receiver, runtime, underscored};
 use super::pair_document::{self, force_texts, potential_texts};
-use super::printer::Printer;
-use super::printer::Reached;
+use super::printer::{Printer, Reached};
 use super::rank::{POINTWISE, Rank};
 use crate::PairDerivation;
 use crate::lower::{LoweredPair, Read, Source, data};

@@ -7,8 +7,10 @@ use super::block::Outcome;
 use super::in_order::{Blocks, Hands, Nobody};
 use super::plan::{Nowhere, Opened, Plan, sweep};
 #[cfg(any(feature = "ranks", feature = "store"))]
-use super::told::{Flat, Named, Said, SetUp, Told, acts, whole};
+use super::told::{Named, Said, SetUp, Told, acts, whole};
 use crate::error::Error;
+#[cfg(any(feature = "ranks", feature = "store"))]
+use crate::flat::Flat;
 use crate::run::{Attend, Shown, Simulation};
 use crate::scheme::Scheme;
 use crate::setup::Setup;

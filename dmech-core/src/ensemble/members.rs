@@ -9,9 +9,11 @@ use super::in_order::Blocks;
 use super::plan::Plan;
 use super::rides::Rides;
 #[cfg(any(feature = "ranks", feature = "store"))]
-use super::told::{Flat, Named, Said, SetUp, Told, acts, whole};
+use super::told::{Named, Said, SetUp, Told, acts, whole};
 #[cfg(any(feature = "ranks", feature = "store"))]
 use crate::error::Error;
+#[cfg(any(feature = "ranks", feature = "store"))]
+use crate::flat::Flat;
 use crate::law::Fields;
 #[cfg(any(feature = "ranks", feature = "store"))]
 use crate::law::Numbers;

@@ -29,6 +29,8 @@ mod told;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+#[cfg(any(feature = "ranks", feature = "store"))]
+pub use crate::flat::Flat;
 pub use crate::ride::LANES;
 pub use block::{Block, Outcome};
 pub use company::{Companies, Company, Joined, NoCompany, With};
@@ -44,8 +46,6 @@ pub use steps::InLanes;
 #[cfg(feature = "store")]
 pub use store::InFile;
 pub use together::Together;
-#[cfg(any(feature = "ranks", feature = "store"))]
-pub use told::Flat;
 
 use in_order::Hands;
 

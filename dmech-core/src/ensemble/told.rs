@@ -4,7 +4,7 @@ use super::Checksum;
 use super::plan::Plan;
 use crate::checkpoint::{Fingerprint, Saved};
 use crate::error::Error;
-pub use crate::flat::Flat;
+use crate::flat::Flat;
 use crate::method::Method;
 use crate::run::{Attend, Restored, Run};
 use crate::span::Span;

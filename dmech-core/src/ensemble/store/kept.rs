@@ -11,9 +11,10 @@ use super::layout::{Layout, TABLES};
 use super::record::{Members, read};
 use super::settings::set;
 use crate::ensemble::plan::Moved;
-use crate::ensemble::told::{Flat, Told};
+use crate::ensemble::told::Told;
 use crate::ensemble::{Checksum, Outcome};
 use crate::error::{Error, StoreError};
+use crate::flat::Flat;
 
 /// How long somebody else who writes is waited for.
 const PATIENCE: Duration = Duration::from_secs(10);

@@ -1,6 +1,7 @@
 //! The tables of a store, as SQL.
 
-use crate::ensemble::told::{Flat, Named};
+use crate::ensemble::told::Named;
+use crate::flat::Flat;
 use crate::name::Name;
 
 /// What the columns depend on.

@@ -17,9 +17,9 @@ pub(super) use moving::Stored;
 
 use super::each::OneByOne;
 use super::plan::Opened;
-use super::told::Flat;
 use super::{Beside, Each, Ensemble, Keeps, Nowhere};
 use crate::checkpoint::Saved;
+use crate::flat::Flat;
 use crate::run::{Attend, Columns};
 use crate::scheme::Scheme;
 use crate::setup::Setup;

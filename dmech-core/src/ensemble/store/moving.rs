@@ -5,9 +5,10 @@ use std::path::Path;
 
 use super::kept::Store;
 use crate::ensemble::plan::{Keep, Moved, Opened, Ranges};
-use crate::ensemble::told::{Flat, Told};
+use crate::ensemble::told::Told;
 use crate::ensemble::{Checksum, Outcome};
 use crate::error::Error;
+use crate::flat::Flat;
 use crate::run::Columns;
 
 /// A store on its way: what it has, and the checksum of what was seen.

@@ -7,8 +7,8 @@ use rusqlite::{Connection, params_from_iter, types::Value};
 
 use super::layout::Layout;
 use super::table::{Reader, Writer};
-use crate::ensemble::told::Flat;
 use crate::error::StoreError;
+use crate::flat::Flat;
 
 /// What of a state stands in the row of its owner: all, or its time and how many bodies there are.
 pub(super) struct Head {

@@ -10,8 +10,9 @@ use super::places::{Bodies, Head, Placed, rows};
 use super::settings::{get, set};
 use super::table::{Reader, Writer};
 use crate::ensemble::Checksum;
-use crate::ensemble::told::{Flat, Named, SetUp, Told};
+use crate::ensemble::told::{Named, SetUp, Told};
 use crate::error::StoreError;
+use crate::flat::Flat;
 use crate::name::Name;
 use crate::words::word;
 

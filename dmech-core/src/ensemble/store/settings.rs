@@ -3,8 +3,9 @@
 use rusqlite::types::Value;
 use rusqlite::{Connection, OptionalExtension};
 
-use crate::ensemble::told::{Flat, Said, Told};
+use crate::ensemble::told::{Said, Told};
 use crate::error::{Reach, StoreError};
+use crate::flat::Flat;
 use crate::name::Name;
 use crate::words::word;
 

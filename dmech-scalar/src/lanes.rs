@@ -94,8 +94,9 @@ impl Lanes {
     /// If the slice has fewer than eight.
     #[inline(always)]
     pub fn from_slice(x: &[f64]) -> Self {
-        let (first, _) = x.split_first_chunk().expect("eight numbers for eight lanes");
-        Self::from_array(*first)
+        // One by one: copied as a whole, they may come by way of the stack, in halves that a register of eight waits for.
+        let (&[x0, x1, x2, x3, x4, x5, x6, x7], _) = x.split_first_chunk().expect("eight numbers for eight lanes");
+        Self::from_array([x0, x1, x2, x3, x4, x5, x6, x7])
     }
 
     /// Writes the lanes to the first eight places of a slice.

@@ -136,15 +136,31 @@ fn beyond_x<R: Number>(x: R, z: R) -> R {
 pub(crate) fn asin<R: Number>(x: R) -> R {
     let a = x.abs();
     let inner = a.less_or_equal(c(0.5));
-    let near = || a + beyond_x(a, a * a);
-    let far = || {
+    if R::SINGLE && inner.all() {
+        return turned(a + beyond_x(a, a * a), sign(x));
+    }
+    let Folded { root, rest, series } = Folded::of(a, a, inner);
+    let (large, error) = fast_two_sum(c(QUARTER[0]), -(root + root));
+    let far = large + c::<R>(-2.0).mul_add(series + rest, error + c(QUARTER[1]));
+    turned(R::either(inner, a + series, far), sign(x))
+}
+
+/// √w with what its rounding leaves, and the terms of arcsin beyond the first: of x where |x| ≤ 1/2, of √w elsewhere. Lanes that
+/// disagree take one polynomial.
+struct Folded<R> {
+    root: R,
+    rest: R,
+    series: R,
+}
+
+impl<R: Number> Folded<R> {
+    #[inline(always)]
+    fn of(x: R, a: R, inner: R::Mask) -> Self {
         let w = (R::ONE - a) * c(0.5);
         let (root, rest) = half_root(w);
-        let (large, error) = fast_two_sum(c(QUARTER[0]), -(root + root));
-        let small = beyond_x(root, w) + rest;
-        large + (c::<R>(-2.0).mul_add(small, error + c(QUARTER[1])))
-    };
-    turned(R::select(inner, near, far), sign(x))
+        let series = beyond_x(R::either(inner, x, root), R::either(inner, x * x, w));
+        Self { root, rest, series }
+    }
 }
 
 /// √w; of 0 it is 0.
@@ -158,18 +174,16 @@ fn half_root<R: Number>(w: R) -> (R, R) {
 pub(crate) fn acos<R: Number>(x: R) -> R {
     let a = x.abs();
     let inner = a.less_or_equal(c(0.5));
-    let near = || {
+    let from_quarter = |x: R, terms: R| {
         let (large, error) = fast_two_sum(c(QUARTER[0]), -x);
-        large + ((error + c(QUARTER[1])) - beyond_x(x, x * x))
+        large + ((error + c(QUARTER[1])) - terms)
     };
-    let far = || {
-        let w = (R::ONE - a) * c(0.5);
-        let (root, rest) = half_root(w);
-        let small = beyond_x(root, w) + rest;
-        let (large, error) = fast_two_sum(c(QUARTER[0]), -root);
-        let negative = large + ((error + c(QUARTER[1])) - small);
-        let half = R::either(x.less(R::ZERO), negative, root + small);
-        half + half
-    };
-    R::select(inner, near, far)
+    if R::SINGLE && inner.all() {
+        return from_quarter(x, beyond_x(x, x * x));
+    }
+    let Folded { root, rest, series } = Folded::of(x, a, inner);
+    let terms = R::either(inner, series, series + rest);
+    let difference = from_quarter(R::either(inner, x, root), terms);
+    let half = R::either(x.less(R::ZERO), difference, root + terms);
+    R::either(inner, difference, half + half)
 }

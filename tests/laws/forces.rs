@@ -191,3 +191,32 @@ fn jacobians_of_the_force_are_those_of_the_force() {
     assert!(dv[0][1] != 0.0 && dq[0][0] != 0.0);
     assert_eq!(field.force(q, v, t), field.lorentz(q, v));
 }
+
+/// A magnetic field in a half-plane, and none in the other.
+#[derive(Clone, Copy, Debug)]
+struct Magnet {
+    b: f64,
+    edge: f64,
+}
+
+#[dmech::law]
+impl Magnet {
+    #[force]
+    fn lorentz(&self, q: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+        if q[0] > self.edge { [self.b * v[1], -self.b * v[0]] } else { [0.0, 0.0] }
+    }
+}
+
+/// Where a force acts is for the place to say: it is as linear in the velocity, and does as little work, as without the choice.
+#[test]
+fn a_field_in_a_half_plane_is_a_field() {
+    let magnet =
+        || Simulation::new(Magnet { b: 2.3, edge: 0.4 }, State::new([0.0, 0.0], [1.0, 0.3])).mass(1.3).dt(0.05);
+    for run in [magnet().scheme(Boris).run(400), magnet().scheme(DiscreteGradient).run(400)] {
+        let run = run.unwrap();
+        assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+        // In by the front, part of a circle, and out again as from a mirror.
+        let [x, y] = run.last().v;
+        assert!((x + 1.0).abs() < 0.15 && (y - 0.3).abs() < 0.15, "{x} {y}");
+    }
+}

@@ -8,9 +8,9 @@ use crate::expression::{Expr, Graph, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
-use super::expand::expand;
 use super::mean::{KickByMean, LinearForce};
 use super::newton::{Force, correction, dot, newton_matrix};
+use super::vanishes::vanishes;
 use super::variables::Variables;
 
 /// Everything generated for a force.
@@ -249,7 +249,6 @@ fn does_no_work(graph: &mut Graph, force: &[Expr], velocity: &[Symbol]) -> bool 
             graph.mul(&[f, v])
         })
         .collect();
-    let expanded: Vec<_> = powers.iter().map(|&e| expand(graph, e)).collect();
-    let power = graph.add(&expanded);
-    graph.is_zero(power)
+    let power = graph.add(&powers);
+    vanishes(graph, power)
 }

@@ -12,8 +12,8 @@ use crate::expression::{Expr, Graph, Node, Substitution, Symbol};
 use crate::linear;
 use crate::program::Program;
 
-use super::expand::expand;
 use super::newton::dot;
+use super::vanishes::vanishes;
 use super::variables::Variables;
 
 /// The kick by a force at its mean velocity.
@@ -37,16 +37,14 @@ pub(super) struct LinearForce {
 impl LinearForce {
     /// None where ∂²F/∂v∂v is not seen to vanish, or the velocity makes a choice.
     pub(super) fn of(graph: &mut Graph, force: &[Expr], force_dv: &[Vec<Expr>], v: &[Symbol]) -> Option<Self> {
-        if !is_polynomial(graph, force, v) || force.iter().any(|&f| !graph.choices(f, v).is_empty()) {
+        if !is_polynomial(graph, force, v) {
             return None;
         }
         for &entry in force_dv.iter().flatten() {
             if graph.depends_on(entry, v) {
-                for second in calculus::tangent(graph, entry, v) {
-                    let second = expand(graph, second);
-                    if !graph.is_zero(second) {
-                        return None;
-                    }
+                let second = calculus::tangent(graph, entry, v);
+                if !second.into_iter().all(|second| vanishes(graph, second)) {
+                    return None;
                 }
             }
         }
@@ -92,18 +90,19 @@ impl LinearForce {
         (0..s.len()).all(|i| {
             (0..=i).all(|j| {
                 let sum = graph.add(&[s[i][j], s[j][i]]);
-                let sum = expand(graph, sum);
-                graph.is_zero(sum)
+                vanishes(graph, sum)
             })
         })
     }
 }
 
-/// Whether the velocity stands in sums and products alone, so that formulas have their value at rest.
+/// Whether the velocity stands in sums and products alone, so that formulas have their value at rest; where they stand it may be left
+/// to a choice, which the velocity does not make.
 fn is_polynomial(graph: &mut Graph, force: &[Expr], v: &[Symbol]) -> bool {
     let moves = graph.dependence(v);
     graph.reachable(force).into_iter().filter(|e| moves[e.index()]).all(|e| match graph.node(e) {
-        Node::Symbol(_) | Node::Sum { .. } | Node::Select(..) => true,
+        Node::Symbol(_) | Node::Sum { .. } => true,
+        Node::Select(condition, ..) => !condition.operands().iter().any(|e| moves[e.index()]),
         Node::Product { factors, .. } => factors.iter().all(|&(f, n)| n > 0 || !moves[f.index()]),
         _ => false,
     })

@@ -1,10 +1,10 @@
 //! The programs that schemes need of a law, made for its structure.
 
-mod expand;
 mod forced;
 mod mean;
 mod newton;
 mod pair;
+mod vanishes;
 mod variables;
 
 pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};

@@ -10,7 +10,7 @@ use crate::program::Program;
 use crate::structure::{Central, Structure};
 
 use super::Formulas;
-use super::expand::expand;
+use super::vanishes::vanishes;
 use super::variables::{Variables, exchange};
 
 /// The variables of a pair law besides those of a potential in d.
@@ -152,8 +152,7 @@ impl PairKernels {
         let symmetric = law.potential.is_none_or(|phi| {
             let other = exchanged.apply(graph, phi);
             let difference = graph.sub(phi, other);
-            let difference = expand(graph, difference);
-            phi == other || graph.is_zero(difference)
+            phi == other || vanishes(graph, difference)
         });
         let force = law.force.as_ref().map(|force| PairForce::new(graph, force, &mut exchanged, variables, pair));
         Self { potential, force, symmetric }
@@ -233,8 +232,7 @@ impl PairForce {
         let reciprocal = force.iter().all(|&f| {
             let other = exchanged.apply(graph, f);
             let sum = graph.add(&[f, other]);
-            let sum = expand(graph, sum);
-            graph.is_zero(sum)
+            vanishes(graph, sum)
         });
         Self {
             force: Program::schedule(graph, force),

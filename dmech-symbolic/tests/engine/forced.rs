@@ -2,7 +2,7 @@
 //! work or without.
 
 use crate::common::laws::Law;
-use crate::common::notation::{E, squared, within};
+use crate::common::notation::{E, choose, squared, within};
 use dmech_symbolic::kernel::ForcedKernels;
 
 /// F in q, v and parameters.
@@ -67,6 +67,12 @@ fn examples() -> Vec<Example> {
         magnetic("uniform field", well, |_, v, p| turned(p[0], v), true),
         magnetic("field of the speed", well, |_, v, p| turned(p[0] * squared(v), v), false),
         magnetic("field of the place", well, |q, v, p| turned(p[0] * q[0], v), false),
+        magnetic(
+            "field in a half-plane",
+            well,
+            |q, v, p| turned(p[0], v).into_iter().map(|f| choose(q[0].less(p[1]), f, 0.0)).collect(),
+            false,
+        ),
     ]
 }
 

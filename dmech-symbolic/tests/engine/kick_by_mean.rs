@@ -1,7 +1,7 @@
 //! Which forces are known to be linear in the velocity, and what their kick at the mean velocity is.
 
 use crate::common::laws::Law;
-use crate::common::notation::{E, squared, within};
+use crate::common::notation::{E, choose, squared, within};
 use dmech_symbolic::expression::Symbol;
 use dmech_symbolic::kernel::{ForcedKernels, KickByMean};
 
@@ -17,7 +17,7 @@ enum Known {
 
 type Force = fn(&[E], &[E], &[E]) -> Vec<E>;
 
-const EXAMPLES: [(&str, usize, Force, Known); 15] = [
+const EXAMPLES: [(&str, usize, Force, Known); 19] = [
     ("spring", 1, |q, _, p| vec![-p[0] * q[0]], Known::NoVelocity),
     ("drag", 1, |_, v, p| vec![-p[0] * v[0]], Known::Solved),
     ("drag in a place", 1, |q, v, p| vec![-p[0] * q[0].powi(2) * v[0] + p[1]], Known::Solved),
@@ -29,6 +29,30 @@ const EXAMPLES: [(&str, usize, Force, Known); 15] = [
     ("quadratic drag", 1, |_, v, p| vec![-p[0] * v[0] * v[0].abs()], Known::Nothing),
     ("cubic drag", 1, |_, v, p| vec![-p[0] * v[0].powi(3)], Known::Nothing),
     ("dry friction", 1, |_, v, p| vec![-p[0] * v[0].abs()], Known::Nothing),
+    // Where it acts is not for the velocity to say.
+    ("drag in a half-line", 1, |q, v, p| vec![choose(q[0].less(p[1]), -p[0] * v[0], 0.0)], Known::Solved),
+    ("drag one way", 1, |_, v, p| vec![choose(v[0].less(p[1]), -p[0] * v[0], 0.0)], Known::Nothing),
+    (
+        "field in a half-plane",
+        2,
+        |q, v, p| {
+            let inside = q[0].less(p[1]);
+            vec![choose(inside.clone(), p[0] * v[1], 0.0), choose(inside, -p[0] * v[0], 0.0)]
+        },
+        Known::Rotation(1),
+    ),
+    (
+        "fields of three regions",
+        2,
+        |q, v, p| {
+            let (here, there) = (q[0].less(p[1]), q[1].less(p[0]));
+            let field = |v: E, sign: f64| {
+                choose(here.clone(), sign * p[0] * v, choose(there.clone(), sign * p[1] * q[0] * v, 0.0))
+            };
+            vec![field(v[1], 1.0), field(v[0], -1.0)]
+        },
+        Known::Rotation(1),
+    ),
     ("uniform field", 2, |_, v, p| vec![p[0] * v[1], -p[0] * v[0]], Known::Rotation(1)),
     ("field of the place", 2, |q, v, p| vec![p[0] * q[0] * v[1], -p[0] * q[0] * v[0]], Known::Rotation(1)),
     ("crossed fields", 2, |_, v, p| vec![p[0] * v[1] + p[1], -p[0] * v[0]], Known::Rotation(3)),

@@ -3,7 +3,7 @@
 
 use crate::common::algebra::{Algebra, Big, Dual, big, narrow};
 use crate::common::evaluate::evaluate;
-use crate::common::notation::{E, norm, squared, within};
+use crate::common::notation::{E, choose, norm, squared, within};
 use crate::common::tracked::Tracked;
 use crate::common::{U, Worst, ratio};
 use dmech_symbolic::expression::{Expr, Graph, Symbol};
@@ -279,13 +279,25 @@ fn relative(p: &Place) -> Vec<E> {
     p.va.iter().zip(&p.vb).map(|(&a, &b)| a - b).collect()
 }
 
-const FORCES: [(&str, bool, Force); 8] = [
+const FORCES: [(&str, bool, Force); 11] = [
     ("drag between two", true, |p| along(-p.k, relative(p))),
     ("drag with masses", true, |p| along(-p.k * p.a[1] * p.b[1] * (1.0 + squared(&p.d)), relative(p))),
     ("dissipative particles", true, |p| {
         let u = relative(p);
         let push = u.iter().zip(&p.d).fold(E::from(0.0), |sum, (&u, &d)| sum + u * d);
         along(-p.k * push / squared(&p.d), p.d.clone())
+    }),
+    ("drag within a distance", true, |p| {
+        let near = squared(&p.d).less(1.2);
+        relative(p).into_iter().map(|u| choose(near.clone(), -p.k * u, 0.0)).collect()
+    }),
+    ("drag of one far away", false, |p| {
+        let near = squared(&p.d).less(0.5);
+        relative(p).into_iter().zip(&p.va).map(|(u, &va)| choose(near.clone(), -p.k * u, -p.k * va)).collect()
+    }),
+    ("drag on one side", false, |p| {
+        let left = p.d[0].less(0.0);
+        relative(p).into_iter().map(|u| choose(left.clone(), -p.k * u, -0.5 * p.k * u)).collect()
     }),
     ("gravity", true, |p| along(-p.k * p.a[1] * p.b[1] / norm(&p.d).powi(3), p.d.clone())),
     ("Greenspan's molecules", false, |p| {

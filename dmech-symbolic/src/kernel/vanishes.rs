@@ -1,11 +1,40 @@
-//! Products over sums, multiplied out.
+//! What is 0 once it is multiplied out.
 
-use crate::expression::{Expr, Graph, Node, Number};
+use crate::expression::{Expr, Graph, Node, Number, Substitution};
 
-/// a (b + c) = a b + a c, where a sum stands to the first power; only to recognise a zero.
+/// Whether an expression is seen to be 0, on either side of every choice in it.
+pub(super) fn vanishes(graph: &mut Graph, e: Expr) -> bool {
+    /// Conditions of one expression.
+    const MOST: u32 = 6;
+    vanishes_within(graph, e, MOST)
+}
+
+fn vanishes_within(graph: &mut Graph, e: Expr, conditions: u32) -> bool {
+    let e = expand(graph, e);
+    if graph.is_zero(e) {
+        return true;
+    }
+    let inside = graph.reachable(&[e]);
+    let first = inside.iter().find_map(|&e| match graph.node(e) {
+        Node::Select(condition, ..) => Some(condition.clone()),
+        _ => None,
+    });
+    let Some(condition) = first else { return false };
+    conditions > 0
+        && [true, false].into_iter().all(|holds| {
+            let branches = inside.iter().filter_map(|&e| match graph.node(e) {
+                Node::Select(chosen, yes, no) if *chosen == condition => Some((e, if holds { *yes } else { *no })),
+                _ => None,
+            });
+            let branch = Substitution::of_expressions(branches).apply(graph, e);
+            vanishes_within(graph, branch, conditions - 1)
+        })
+}
+
+/// a (b + c) = a b + a c, where a sum stands to the first power.
 ///
 /// A product of many sums has more terms than anyone wants to store: past a bound it stays as it is, and the zero unseen.
-pub(super) fn expand(graph: &mut Graph, e: Expr) -> Expr {
+fn expand(graph: &mut Graph, e: Expr) -> Expr {
     const MOST: usize = 1 << 14;
     let bound = graph.len() + MOST;
     expand_below(graph, e, bound)

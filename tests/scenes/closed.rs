@@ -280,3 +280,52 @@ fn a_collision_names_the_bodies() {
     assert_eq!(failed.run().steps(), 3);
     assert_eq!(failed.run().last().q[0], [-0.125]);
 }
+
+/// A spring within a distance, and friction there.
+#[derive(Clone, Copy, Debug)]
+struct Grains {
+    k: f64,
+    c: f64,
+    reach: f64,
+}
+
+#[dmech::law]
+impl Grains {
+    #[pair]
+    fn energy(&self, r: f64) -> f64 {
+        if r < self.reach { 0.4 * self.k * (self.reach - r).powf(2.5) } else { 0.0 }
+    }
+    #[pair_force]
+    fn friction(&self, d: [f64; 2], va: [f64; 2], vb: [f64; 2]) -> [f64; 2] {
+        let near = d[0] * d[0] + d[1] * d[1] < self.reach * self.reach;
+        if near { [-self.c * (va[0] - vb[0]), -self.c * (va[1] - vb[1])] } else { [0.0, 0.0] }
+    }
+}
+
+/// What acts within a distance is reciprocal if it is there, and may be cut off where it ends, friction and all: the same motion, of
+/// which the momentum is kept and the energy falls.
+#[test]
+fn grains_rub_within_their_reach() {
+    let law = Grains { k: 90.0, c: 0.8, reach: 0.5 };
+    let scene = || {
+        let scene = Scene::new().body(1.3, [0.0, 0.0], [0.9, 0.1]).body(2.1, [1.0, 0.05], [-0.5, 0.0]);
+        scene.body(0.7, [1.6, 0.4], [-1.5, -0.6]).pairs(law)
+    };
+    let mut slowed = 0;
+    macro_rules! check {
+        ($($scheme:expr),*) => {$(
+            let whole = Simulation::scene(scene()).scheme($scheme).dt(0.01).run(300).unwrap();
+            let cut = Simulation::scene(scene().cutoff(law.reach)).scheme($scheme).dt(0.01).run(300).unwrap();
+            assert!(apart(whole.last(), cut.last()) < 1e-12, "{}: {:e}", whole.report().scheme(), apart(whole.last(), cut.last()));
+            for run in [&whole, &cut] {
+                assert!(run.drift(Invariant::LinearMomentum).unwrap().max_abs() < 1e-14);
+                assert!(run.drift(Invariant::WorkEnergy).unwrap().max_abs() < 1e-14);
+                assert!(run.drift(Invariant::Energy).is_none());
+            }
+            let speed = |v: &[[f64; 2]]| v.iter().flatten().map(|v| v * v).sum::<f64>();
+            slowed += u32::from(speed(&whole.last().v) < 0.5 * speed(&whole.states()[0].v));
+        )*};
+    }
+    check!(Explicit, Implicit, DiscreteGradient, Composed::order4(DiscreteGradient), LineIntegral::order6());
+    assert_eq!(slowed, 5);
+}

@@ -231,9 +231,10 @@ fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]
 fn potential(printer: &Printer<'_>, derivation: &PairDerivation) -> (TokenStream, TokenStream) {
     let (potential, force) = (derivation.kernels.potential.as_ref(), derivation.kernels.force.as_ref());
     let is_radial = |p: &PairPotential| matches!(p.formulas, PairFormulas::Radial(_));
-    // As for one body: with a force beside it nothing follows from the potential alone.
+    let central = potential.is_none_or(is_radial);
+    // With a force beside it nothing of a step follows from the potential alone.
     let alone = force.is_none();
-    let (central, linear) = (alone && potential.is_none_or(is_radial), alone && potential.is_none_or(|p| p.linear));
+    let linear = alone && potential.is_none_or(|p| p.linear);
     let piecewise = potential.is_some_and(|p| p.piecewise) || force.is_some_and(|force| force.piecewise);
     let piecewise = piecewise.then(|| {
         quote! { const PIECEWISE: bool = true; }

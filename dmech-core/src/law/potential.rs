@@ -10,7 +10,8 @@ use dmech_scalar::Real;
 /// # Shapes and units
 /// Positions are arrays `[R; D]` in any consistent unit; `jac[i][j]` = ∂(component i)/∂(coordinate j).
 pub trait Potential<const D: usize, R: Real = f64> {
-    /// The force is along q: Φ depends on |q| alone, and the angular momentum about the origin is kept.
+    /// −∇Φ is along q: Φ depends on |q| alone, and the angular momentum about the origin is kept. (Of two bodies that is said of the
+    /// potential; a force beside it may have any direction.)
     const CENTRAL: bool = false;
     /// The Hessian does not depend on q: the implicit steps are linear and need no iteration.
     const LINEAR: bool = false;

@@ -19,7 +19,8 @@ use crate::invariant::{Invariant, Kept};
 ///
 /// - **A magnetic field**, F = b v × B: the map is the rotation that J. P. Boris made of two cross products. It turns v about
 ///   B by the angle 2 atan(hω/2), ω = b|B|/m, and keeps the speed to rounding, for any step and any field. (In a uniform field,
-///   where each step rounds as the one before, the energy moves by up to 10⁻¹⁶ (hω)⁴ a step.)
+///   where each step rounds as the one before, the energy moves by up to 10⁻¹⁶ (hω)⁴ a step. A law of more than three coordinates,
+///   such as one of two charges, is solved by elimination: it loses digits where hω is large. The bodies of a scene turn one by one.)
 /// - **Friction**, F = −c v: it is v′ = v (1 − hc/2m)/(1 + hc/2m), damped leap-frog. The energy falls for any step, and the
 ///   velocity does not change its sign while hc < 2m.
 /// - **No velocity**: it is leap-frog, as drift, kick, drift.

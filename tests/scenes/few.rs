@@ -230,7 +230,8 @@ pub(crate) fn derivatives<A: AmongFew<D, N, S>, S: Sides, const D: usize, const 
 ) -> usize {
     type Many = DoubleDouble;
     let (State { t, q, v }, t_other) = (law.start(), 0.83);
-    let other: [f64; K] = core::array::from_fn(|i| q[i] + 0.1 + 0.07 * (i as f64).sin());
+    let moved = |i: usize| if Law::<K, f64>::pinned(law, i) { 0.0 } else { 0.1 + 0.07 * (i as f64).sin() };
+    let other: [f64; K] = core::array::from_fn(|i| q[i] + moved(i));
     let field = |t: f64| Law::<K, f64>::field(law, 1.0, t);
     let many = |t: f64| Law::<K, Many>::field(law, Many::from(1.0), Many::from(t));
     let wide = |x: [f64; K]| x.map(Many::from);

@@ -31,9 +31,9 @@ pub type Clones = Few<((), OnPairs<Gravity>), (), 2, 4, 8>;
 /// A sun, a planet, and two more: of two test bodies each is where the other is.
 pub fn clones(k: usize) -> Scene<2, (), ((), OnPairs<Gravity>)> {
     let (a, both) = (part(k, 0.17), is_test(k, 2) && is_test(k, 3));
-    let third = (0.7, [-1.9, 0.2 * a], [0.1, -0.8 + 0.1 * a], ());
-    let fourth = if both { third } else { (0.2, [0.3, 2.7 + 0.2 * a], [-0.7, 0.1], ()) };
-    let bodies = [(1.6 + a, [0.1, -0.1 * a], [0.0, 0.05], ()), (0.05, [1.1, 0.1], [-0.1, 1.2], ()), third, fourth];
+    let third = (0.03, [-2.0, 0.2 * a], [0.1, -0.9 + 0.1 * a], ());
+    let fourth = if both { third } else { (0.02, [0.3, 3.2 + 0.2 * a], [-0.7, 0.1], ()) };
+    let bodies = [(1.6 + a, [0.1, -0.1 * a], [0.0, 0.05], ()), (0.05, [1.1, 0.1], [-0.1, 1.3], ()), third, fourth];
     let scene = bodies.into_iter().enumerate().fold(Scene::new(), |scene, (i, body)| add(scene, (k, i), body));
     scene.pairs(Gravity { g: 0.9 + 0.2 * a }).at_time(0.25 * part(k, 0.71))
 }

@@ -102,8 +102,7 @@ pub fn traps(k: usize) -> Scene<2, Charge, OfTraps> {
 
 type OfVapours = (((), OnNear<LennardJones>), OnPairs<Pull>);
 
-pub type Vapours =
-    FewBodies<<OfVapours as Term<2, (), Periodic<2>>>::Ready, 2, 4, 8, Restricted>;
+pub type Vapours = FewBodies<<OfVapours as Term<2, (), Periodic<2>>>::Ready, 2, 4, 8, Restricted>;
 
 /// Four atoms within a cut-off, that pull on each other in a box.
 pub fn vapours(k: usize) -> Scene<2, (), OfVapours, Periodic<2>> {

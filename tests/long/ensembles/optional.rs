@@ -9,7 +9,9 @@ use dmech::scene::{OnChain, OnEach, OnNear, Periodic};
 use dmech::scheme::Adaptive;
 
 use crate::as_alone::{Settings, as_alone};
-use crate::laws::{Bottle, Clones, Contact, Damped, Driven, Each, Many, Molecules, Orbit, Pair, Plummer, Saddle, Stars};
+use crate::laws::{
+    Bottle, Clones, Contact, Damped, Driven, Each, Many, Molecules, Orbit, Pair, Plummer, Saddle, Stars,
+};
 use crate::same::the_same;
 use crate::store::Place;
 

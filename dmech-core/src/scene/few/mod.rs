@@ -87,13 +87,17 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Si
 }
 
 impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Copy for FewBodies<A, D, N, K, S> {}
-impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Clone for FewBodies<A, D, N, K, S> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Clone
+    for FewBodies<A, D, N, K, S>
+{
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> core::fmt::Debug for FewBodies<A, D, N, K, S> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> core::fmt::Debug
+    for FewBodies<A, D, N, K, S>
+{
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let mut shown = f.debug_struct("FewBodies");
         shown
@@ -158,8 +162,8 @@ impl<const K: usize> State<K> {
 }
 
 #[diagnostic::do_not_recommend]
-impl<A: AmongFew<D, N, S> + WithoutVelocities, const D: usize, const N: usize, const K: usize, S: Sides> VelocityIndependent
-    for FewBodies<A, D, N, K, S>
+impl<A: AmongFew<D, N, S> + WithoutVelocities, const D: usize, const N: usize, const K: usize, S: Sides>
+    VelocityIndependent for FewBodies<A, D, N, K, S>
 {
 }
 
@@ -169,7 +173,9 @@ impl<A: AmongFew<D, N, S> + LinearVelocities, const D: usize, const N: usize, co
 {
 }
 
-impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Law<K, R> for FewBodies<A, D, N, K, S> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Law<K, R>
+    for FewBodies<A, D, N, K, S>
+{
     type Field<'a>
         = Whole<A, D, N, K, R, S>
     where
@@ -215,7 +221,9 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Re
     }
 }
 
-impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Fields<K> for FewBodies<A, D, N, K, S> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Fields<K>
+    for FewBodies<A, D, N, K, S>
+{
     type Numbers = ([[f64; N]; 2], A::Numbers);
     type Moment<R: Real> = Whole<A, D, N, K, R, S>;
 

@@ -29,11 +29,7 @@ impl<const D: usize, const N: usize, S: Sides, X: Fields<D>> AmongFew<D, N, S> f
         (0..N).for_each(|_| see("masses"));
     }
     #[inline(always)]
-    fn moment<R: Real>(
-        (law, masses): (Of<X::Numbers, R>, [R; N]),
-        acting: S::Acting<N, R>,
-        t: R,
-    ) -> Self::Moment<R> {
+    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), acting: S::Acting<N, R>, t: R) -> Self::Moment<R> {
         OnEachOfFew { law, masses, acting, t }
     }
 }

@@ -9,14 +9,7 @@ use crate::look::{Course, Frequency};
 use crate::vector::scaled;
 
 /// What acts among few bodies at one moment, the rows of each divided by its mass: that of a particle of mass 1.
-pub struct Whole<
-    A: AmongFew<D, N, S>,
-    const D: usize,
-    const N: usize,
-    const K: usize,
-    R: Real,
-    S: Sides = Mutual,
-> {
+pub struct Whole<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides = Mutual> {
     pub(super) acts: A::Moment<R>,
     /// Those of the bodies; of pinned ones infinite.
     pub(super) inertia: [R; N],
@@ -97,7 +90,9 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Re
     }
 }
 
-impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Field<K, R> for Whole<A, D, N, K, R, S> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Field<K, R>
+    for Whole<A, D, N, K, R, S>
+{
     const FORCED: bool = A::FORCED;
     const CONSERVES_ENERGY: bool = !A::FORCED;
 

@@ -250,13 +250,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     pub fn scene<F, A, const D: usize, const N: usize, const K: usize, Y: Sides>(
         self,
         scene: F,
-    ) -> Ensemble<
-        impl Fn(usize) -> FewBodies<A, D, N, K, Y> + Clone + Sync,
-        impl Fn(usize) -> State<K> + Clone + Sync,
-        S,
-        M,
-        C,
-    >
+    ) -> Ensemble<F, impl Fn(usize) -> State<K> + Clone + Sync, S, M, C>
     where
         F: Fn(usize) -> FewBodies<A, D, N, K, Y> + Clone + Sync,
         A: AmongFew<D, N, Y>,

@@ -7,6 +7,8 @@ use dmech_scalar::{Mask, Real};
 use super::links::{Here, Presence};
 
 /// Who acts on whom among few bodies, [`Mutual`] or [`Restricted`]: by the type, so that steps without test bodies have nothing of them.
+/// One branch for each force, never taken and by a number that is there anyway, took leap-frog of three bodies 45 % more instructions alone
+/// and 32 % side by side.
 pub trait Sides: Copy + Debug + Send + Sync + 'static {
     /// Every body acts on all others, and counts in all sums.
     const MUTUAL: bool;

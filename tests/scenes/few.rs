@@ -4,7 +4,7 @@ use dmech::SceneError;
 use dmech::extend::{Field, Law, Potential};
 use dmech::models::pairs::{Gravity, Spring};
 use dmech::prelude::*;
-use dmech::scene::{AmongFew, FewBodies};
+use dmech::scene::{AmongFew, FewBodies, Sides};
 
 use dmech_tests::few::{
     Bond, LISTS, Link, beads, clusters, creatures, fluid, hung, ions, loops, molecules, packs, rope, stars, tides, tied,
@@ -12,9 +12,9 @@ use dmech_tests::few::{
 
 /// Runs both, and compares where they end, what they must keep, and how well they keep it.
 macro_rules! alike {
-    ($($name:literal: $scene:path, $members:expr, $n:literal, $k:literal, [$($scheme:expr),*], $dt:expr, within $bound:expr;)*) => {$($(for k in $members {
+    ($as_law:ident: $($name:literal: $scene:path, $members:expr, $n:literal, $k:literal, [$($scheme:expr),*], $dt:expr, within $bound:expr;)*) => {$($(for k in $members {
         let scene = $scene(k);
-        let law = scene.clone().as_law::<$n, $k>();
+        let law = scene.clone().$as_law::<$n, $k>();
         let start = law.start();
         let scene = Simulation::scene(scene).scheme($scheme).dt($dt).run_until(start.t + 3.0).unwrap();
         let law = Simulation::new(law, start).scheme($scheme).dt($dt).run_until(start.t + 3.0).unwrap();
@@ -34,10 +34,11 @@ macro_rules! alike {
         }
     })*)*};
 }
+pub(crate) use alike;
 
 #[test]
 fn the_same_motion_as_that_of_the_scene() {
-    alike! {
+    alike! { as_law:
         "stars": stars, [1], 3, 6, [
             Leapfrog, CompensatedLeapfrog, Composed::order6(Leapfrog), Nystrom::order6(), ForceGradient::order4(),
             RungeKuttaNystrom::order12(), Relaxed::order6(), Kanatani, Implicit, DiscreteGradient,
@@ -52,7 +53,7 @@ fn the_same_motion_as_that_of_the_scene() {
 
 #[test]
 fn the_same_motion_where_bonds_are_listed() {
-    alike! {
+    alike! { as_law:
         "molecules": molecules, 0..5, 4, 8, [
             Leapfrog, Nystrom::order6(), ForceGradient::order4(), Kanatani, Implicit, DiscreteGradient, Gauss::order16()
         ], 0.01, within 1e-12;
@@ -64,7 +65,7 @@ fn the_same_motion_where_bonds_are_listed() {
 
 #[test]
 fn the_same_motion_in_a_box() {
-    alike! {
+    alike! { as_law:
         "fluid": fluid, [1, 2, 7], 4, 12, [
             Leapfrog, Nystrom::order6(), ForceGradient::order4(), Implicit, DiscreteGradient, Gauss::order16()
         ], 0.005, within 1e-10;
@@ -76,7 +77,7 @@ fn the_same_motion_in_a_box() {
 
 #[test]
 fn the_same_motion_where_bodies_are_pinned() {
-    alike! {
+    alike! { as_law:
         "tied": tied, 0..5, 4, 8, [
             Leapfrog, CompensatedLeapfrog, Nystrom::order6(), ForceGradient::order4(), Kanatani, Implicit, DiscreteGradient,
             Gauss::order16()
@@ -138,23 +139,26 @@ fn what_is_pinned_stays() {
     }
 }
 
+/// Runs both with steps that follow the motion.
+macro_rules! paced {
+    ($as_law:ident: $($scene:path, $members:expr, $n:literal, $k:literal, $scheme:expr, $tolerance:expr;)*) => {$(for k in $members {
+        let law = $scene(k).$as_law::<$n, $k>();
+        let end = law.start().t + 3.0;
+        let scene = Simulation::scene($scene(k)).scheme($scheme).adaptive($tolerance).dt(0.3).run_until(end).unwrap();
+        let law = Simulation::new(law, law.start()).scheme($scheme).adaptive($tolerance).dt(0.3).run_until(end).unwrap();
+        let (end, of_scene) = (law.last().bodies::<{ $k / $n }>(), scene.last());
+        let pairs = end.q.as_flattened().iter().zip(of_scene.q.as_flattened());
+        let apart = pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        println!("{} {k}: {} steps, {apart:.1e} apart", stringify!($scene), law.steps());
+        assert!(apart < 1e-10 && scene.steps() == law.steps(), "{k}: {apart:e}, {} steps", scene.steps());
+    })*};
+}
+pub(crate) use paced;
+
 /// Steps that follow the motion find the same time scale: as many of them, to the same place.
 #[test]
 fn the_same_time_scale_as_that_of_the_scene() {
-    macro_rules! paced {
-        ($($scene:path, $members:expr, $n:literal, $k:literal, $scheme:expr, $tolerance:expr;)*) => {$(for k in $members {
-            let law = $scene(k).as_law::<$n, $k>();
-            let end = law.start().t + 3.0;
-            let scene = Simulation::scene($scene(k)).scheme($scheme).adaptive($tolerance).dt(0.3).run_until(end).unwrap();
-            let law = Simulation::new(law, law.start()).scheme($scheme).adaptive($tolerance).dt(0.3).run_until(end).unwrap();
-            let (end, of_scene) = (law.last().bodies::<{ $k / $n }>(), scene.last());
-            let pairs = end.q.as_flattened().iter().zip(of_scene.q.as_flattened());
-            let apart = pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-            println!("{} {k}: {} steps, {apart:.1e} apart", stringify!($scene), law.steps());
-            assert!(apart < 1e-10 && scene.steps() == law.steps(), "{k}: {apart:e}, {} steps", scene.steps());
-        })*};
-    }
-    paced! {
+    paced! { as_law:
         tides, 0..3, 3, 6, Gauss::order16(), 1e-9;
         rope, 0..3, 4, 4, Gauss::order16(), 1e-7;
         beads, 0..3, 4, 4, DiscreteGradient, 1e-2;
@@ -221,12 +225,13 @@ fn sums_over_the_bodies_are_kept() {
 }
 
 /// The derivatives of a law against differences in twice as many digits, and the secant identity.
-fn derivatives<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize>(
-    law: &FewBodies<A, D, N, K>,
+pub(crate) fn derivatives<A: AmongFew<D, N, S>, S: Sides, const D: usize, const N: usize, const K: usize>(
+    law: &FewBodies<A, D, N, K, S>,
 ) -> usize {
     type Many = DoubleDouble;
     let (State { t, q, v }, t_other) = (law.start(), 0.83);
-    let other: [f64; K] = core::array::from_fn(|i| q[i] + 0.1 + 0.07 * (i as f64).sin());
+    let moved = |i: usize| if Law::<K, f64>::pinned(law, i) { 0.0 } else { 0.1 + 0.07 * (i as f64).sin() };
+    let other: [f64; K] = core::array::from_fn(|i| q[i] + moved(i));
     let field = |t: f64| Law::<K, f64>::field(law, 1.0, t);
     let many = |t: f64| Law::<K, Many>::field(law, Many::from(1.0), Many::from(t));
     let wide = |x: [f64; K]| x.map(Many::from);
@@ -251,7 +256,7 @@ fn derivatives<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize
     compare("secant", field(t).discrete_gradient_jacobian(q, other), other, &|b| many(t).discrete_gradient(wide(q), b));
     compare("force by q", field(t).force_dq(other, v, t_other), other, &|q| many(t).force(q, wide(v), t_other.into()));
     compare("force by v", field(t).force_dv(other, v, t_other), v, &|v| many(t).force(wide(other), v, t_other.into()));
-    let masses = Law::<K, f64>::mass_ratios(law);
+    let masses = Law::<K, f64>::weights(law);
     let secant = many(t).discrete_gradient(wide(q), wide(other));
     let along = (0..K).map(|i| Many::from(masses[i]) * secant[i] * (Many::from(other[i]) - Many::from(q[i])));
     let rise = many(t).potential(wide(other)) - many(t).potential(wide(q));
@@ -389,19 +394,22 @@ fn what_cannot_be_a_law_says_why() {
     assert_eq!(in_box(2.0, 1.1), SceneError::CutoffInBox { cutoff: 1.1, component: 0, length: 2.0 }.into());
 }
 
+/// Verifies the laws of scenes, and counts what was measured.
+macro_rules! verified {
+    ($measured:ident, $as_law:ident: $($scene:path, $members:expr, $n:literal, $k:literal;)*) => {$(for k in $members {
+        let law = $scene(k).$as_law::<$n, $k>();
+        let report = verify(law.clone(), law.start());
+        assert!(report.passed(), "{} {k} {report}", stringify!($scene));
+        $measured += report.checks().iter().filter(|check| check.measured().is_some()).count();
+    })*};
+}
+pub(crate) use verified;
+
 /// What is verified of a law holds for the law of a scene, whatever its masses and pins; one that cannot be run says why.
 #[test]
 fn scenes_as_laws_are_verified() {
     let mut measured = 0;
-    macro_rules! verified {
-        ($($scene:path, $members:expr, $n:literal, $k:literal;)*) => {$(for k in $members {
-            let law = $scene(k).as_law::<$n, $k>();
-            let report = verify(law.clone(), law.start());
-            assert!(report.passed(), "{} {k} {report}", stringify!($scene));
-            measured += report.checks().iter().filter(|check| check.measured().is_some()).count();
-        })*};
-    }
-    verified! {
+    verified! { measured, as_law:
         stars, [1, 2], 3, 6;
         rope, [2, 5], 4, 4;
         creatures, [3], 3, 6;

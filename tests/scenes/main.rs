@@ -6,5 +6,6 @@ mod driven;
 mod few;
 mod optional;
 mod pair_models;
+mod restricted;
 mod stops;
 mod test_bodies;

@@ -29,3 +29,4 @@ pub mod measured;
 pub mod memory;
 pub mod motion;
 pub mod published;
+pub mod restricted;

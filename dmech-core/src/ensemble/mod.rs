@@ -52,7 +52,7 @@ use in_order::Hands;
 use crate::law::{MassIndependent, Masses};
 use crate::run::{Shown, Simulation};
 #[cfg(feature = "scene")]
-use crate::scene::{AmongFew, FewBodies};
+use crate::scene::{AmongFew, FewBodies, Sides};
 use crate::scheme::{Adaptable, Adaptive, NoScheme};
 use crate::state::State;
 
@@ -247,19 +247,13 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// # }
     /// ```
     #[cfg(feature = "scene")]
-    pub fn scene<F, A, const D: usize, const N: usize, const K: usize>(
+    pub fn scene<F, A, const D: usize, const N: usize, const K: usize, Y: Sides>(
         self,
         scene: F,
-    ) -> Ensemble<
-        impl Fn(usize) -> FewBodies<A, D, N, K> + Clone + Sync,
-        impl Fn(usize) -> State<K> + Clone + Sync,
-        S,
-        M,
-        C,
-    >
+    ) -> Ensemble<F, impl Fn(usize) -> State<K> + Clone + Sync, S, M, C>
     where
-        F: Fn(usize) -> FewBodies<A, D, N, K> + Clone + Sync,
-        A: AmongFew<D, N>,
+        F: Fn(usize) -> FewBodies<A, D, N, K, Y> + Clone + Sync,
+        A: AmongFew<D, N, Y>,
     {
         let start = scene.clone();
         self.law(scene).start(move |k| start(k).start())

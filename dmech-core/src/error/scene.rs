@@ -105,9 +105,9 @@ pub enum SceneError {
         /// Those of the law.
         declared: usize,
     },
-    /// A body that moves along a given path, or acts on no other, where the scene is to be a law.
+    /// A body that moves along a given path, where the scene is to be a law; or a test body, where it is to be one without.
     #[error(
-        "body {body} is driven or a test body: in a law of few bodies each is free or pinned, and acts on all others"
+        "body {body} is driven, or a test body: in a law of few bodies each is free or pinned, and test bodies are those of `as_restricted_law`"
     )]
     NotFree {
         /// The body.

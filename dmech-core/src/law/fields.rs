@@ -35,7 +35,7 @@ pub trait Fields<const D: usize>: Law<D> {
     #[doc(hidden)]
     fn lend(_: &mut [Self::Numbers]) {}
 
-    /// The mass of each coordinate over that of the particle, by these numbers.
+    /// The mass of each coordinate over that of the particle, by these numbers; 0 for test bodies.
     #[doc(hidden)]
     #[inline(always)]
     fn masses<R: Real>(_: <Self::Numbers as Numbers>::Of<R>) -> [R; D] {
@@ -103,6 +103,7 @@ impl<L: Fields<D>, const D: usize, R: Real> Law<D, R> for Numbered<L, D, R> {
     const BODY: usize = <L as Law<D>>::BODY;
     const LINEAR_MOMENTUM: bool = <L as Law<D>>::LINEAR_MOMENTUM;
     const ANGULAR_MOMENTUM: bool = <L as Law<D>>::ANGULAR_MOMENTUM;
+    const ALL_COUNT: bool = <L as Law<D>>::ALL_COUNT;
 
     #[inline(always)]
     fn field(&self, mass: R, t: R) -> L::Moment<R> {

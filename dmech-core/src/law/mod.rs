@@ -111,6 +111,10 @@ pub trait Law<const D: usize, R: Real = f64> {
     /// Σ m (q v − v q) over the bodies is kept. Of one body this is said by [`Potential::CENTRAL`].
     const ANGULAR_MOMENTUM: bool = false;
 
+    /// No coordinate is that of a test body, which counts in no energy: no weight is 0.
+    #[doc(hidden)]
+    const ALL_COUNT: bool = true;
+
     /// The names of the law's own invariants, the first [`MAX_OWN`](crate::extend::MAX_OWN) of which a run watches:
     /// the methods that are marked `#[invariant]`.
     const INVARIANTS: &'static [&'static str] = &[];
@@ -141,7 +145,7 @@ pub trait Law<const D: usize, R: Real = f64> {
         [1.0; D]
     }
 
-    /// The same in the scalar in use.
+    /// By which each coordinate counts in energies, momenta and work, in the scalar in use: the same, and 0 for test bodies.
     #[doc(hidden)]
     #[inline(always)]
     fn weights(&self) -> [R; D] {

@@ -26,6 +26,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
     const BODY: usize = L::BODY;
     const LINEAR_MOMENTUM: bool = L::LINEAR_MOMENTUM;
     const ANGULAR_MOMENTUM: bool = L::ANGULAR_MOMENTUM;
+    const ALL_COUNT: bool = L::ALL_COUNT;
     const INVARIANTS: &'static [&'static str] = L::INVARIANTS;
 
     fn invariant(&self, k: usize, q: [R; D], v: [R; D], t: R) -> R {
@@ -48,6 +49,11 @@ impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
     #[inline(always)]
     fn mass_ratios(&self) -> [f64; D] {
         self.as_ref().map_or([1.0; D], L::mass_ratios)
+    }
+
+    #[inline(always)]
+    fn weights(&self) -> [R; D] {
+        self.as_ref().map_or([R::ONE; D], L::weights)
     }
 
     fn written(&self) -> Option<&dyn Written<D>> {

@@ -150,10 +150,10 @@ impl<L: Law<D>, const D: usize> Subject<L, D> {
         points::around(&law.field(*mass, *t), *q, self.moves(), scales.length)
     }
 
-    /// What acts, as it is before it is divided by the masses of the coordinates.
+    /// What acts, as it is before it is divided by the masses of the coordinates; nothing on test bodies, whose energy is not counted.
     fn weighted(&self, x: [f64; D]) -> [f64; D] {
-        let ratios = self.law.mass_ratios();
-        from_fn(|i| ratios[i] * x[i])
+        let weights = self.law.weights();
+        from_fn(|i| weights[i] * x[i])
     }
 
     fn scheme<'l, S: Scheme<Particle<Borrowed<'l, L>, D>>>(&'l self, scheme: S, checks: &mut Vec<Check>) {
@@ -187,6 +187,7 @@ impl<L: Law<D>, const D: usize> Law<D> for Borrowed<'_, L> {
     const BODY: usize = L::BODY;
     const LINEAR_MOMENTUM: bool = L::LINEAR_MOMENTUM;
     const ANGULAR_MOMENTUM: bool = L::ANGULAR_MOMENTUM;
+    const ALL_COUNT: bool = L::ALL_COUNT;
 
     #[inline(always)]
     fn field(&self, mass: f64, t: f64) -> L::Field<'_> {
@@ -200,6 +201,11 @@ impl<L: Law<D>, const D: usize> Law<D> for Borrowed<'_, L> {
     #[inline(always)]
     fn mass_ratios(&self) -> [f64; D] {
         self.0.mass_ratios()
+    }
+
+    #[inline(always)]
+    fn weights(&self) -> [f64; D] {
+        self.0.weights()
     }
 
     fn written(&self) -> Option<&dyn Written<D>> {

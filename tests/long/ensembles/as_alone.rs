@@ -5,8 +5,8 @@ use dmech::prelude::*;
 use dmech::scheme::Adaptive;
 
 use crate::laws::{
-    Beads, Bottle, Clusters, Contact, Creatures, Damped, Driven, Each, Fluid, Hung, Ions, Loops, Many, Molecules,
-    Orbit, Packs, Pair, Plummer, Rope, Saddle, Stars, Tides, Tied,
+    Beads, Bottle, Clones, Clusters, Contact, Cords, Creatures, Damped, Driven, Each, Fluid, Herds, Hung, Ions, Loops,
+    Many, Molecules, Orbit, Packs, Pair, Plummer, Rope, Saddle, Stars, Tethers, Tides, Tied, Traps, Vapours,
 };
 
 /// More than twice as many as ride side by side, and no multiple of any power of two.
@@ -107,6 +107,19 @@ table! {
     gauss_of_few: Gauss::order16(), [Stars, Rope, Creatures, Ions, Molecules, Tied];
 }
 
+// Others of the bodies are test bodies in each member, all and none too.
+table! {
+    leapfrog_restricted: Leapfrog, [Clones, Tethers, Vapours];
+    nystrom_restricted: Nystrom::order6(), [Clones];
+    force_gradient_restricted: ForceGradient::order4(), [Clones];
+    relaxed_restricted: Relaxed::order6(), [Clones];
+    explicit_restricted: Explicit, [Herds];
+    boris_restricted: Boris, [Traps, Cords];
+    implicit_restricted: Implicit, [Herds, Tethers];
+    discrete_gradient_restricted: DiscreteGradient, [Clones, Cords, Traps, Vapours];
+    gauss_restricted: Gauss::order16(), [Clones, Herds];
+}
+
 /// A look after every step, and none but at the end.
 #[test]
 fn looks_that_are_many_or_few() {
@@ -149,6 +162,8 @@ fn adaptive() {
     as_alone::<Tides, _, 6>(Adaptive::new(Implicit, 1e-3), "tides", driven);
     as_alone::<Hung, _, 8>(Adaptive::new(Gauss::order16(), 1e-8), "hung", driven);
     as_alone::<Loops, _, 6>(Adaptive::new(Nystrom::order6(), 1e-6), "loops", driven);
+    as_alone::<Clones, _, 8>(Adaptive::new(Nystrom::order6(), 1e-6), "clones", driven);
+    as_alone::<Herds, _, 6>(Adaptive::new(Gauss::order16(), 1e-8), "herds", driven);
 }
 
 /// Each coordinate of each member with a mass of its own: two bodies on a plane that pull on each other.

@@ -4,6 +4,7 @@ use dmech::extend::Fields;
 use dmech::prelude::*;
 
 use dmech_tests::few::{self, part};
+use dmech_tests::restricted;
 
 /// A law whose members differ in every number.
 pub(crate) trait Many<const D: usize>: Copy + Sync {
@@ -144,14 +145,14 @@ impl<L: Many<D> + Fields<D>, const D: usize> Each<D> for L {
 
 /// Scenes of few bodies.
 macro_rules! few {
-    ($($name:ident, $d:literal: $scene:path;)*) => {$(
+    ($from:ident, $as_law:ident: $($name:ident, $d:literal: $scene:path;)*) => {$(
         pub(crate) struct $name;
 
         impl Each<$d> for $name {
-            type Law = few::$name;
+            type Law = $from::$name;
 
-            fn law(k: usize) -> few::$name {
-                $scene(k).as_law()
+            fn law(k: usize) -> $from::$name {
+                $scene(k).$as_law()
             }
             fn begin(k: usize) -> State<$d> {
                 Self::law(k).start()
@@ -160,7 +161,7 @@ macro_rules! few {
     )*};
 }
 
-few! {
+few! { few, as_law:
     Stars, 6: few::stars;
     Rope, 4: few::rope;
     Tides, 6: few::tides;
@@ -174,4 +175,14 @@ few! {
     Loops, 6: few::loops;
     Tied, 8: few::tied;
     Hung, 8: few::hung;
+}
+
+// Of which some are test bodies, in each member others.
+few! { restricted, as_restricted_law:
+    Clones, 8: restricted::clones;
+    Cords, 4: restricted::cords;
+    Herds, 6: restricted::herds;
+    Tethers, 8: restricted::tethers;
+    Traps, 6: restricted::traps;
+    Vapours, 8: restricted::vapours;
 }

@@ -9,7 +9,9 @@ use dmech::scene::{OnChain, OnEach, OnNear, Periodic};
 use dmech::scheme::Adaptive;
 
 use crate::as_alone::{Settings, as_alone};
-use crate::laws::{Bottle, Contact, Damped, Driven, Each, Many, Molecules, Orbit, Pair, Plummer, Saddle, Stars};
+use crate::laws::{
+    Bottle, Clones, Contact, Damped, Driven, Each, Many, Molecules, Orbit, Pair, Plummer, Saddle, Stars,
+};
 use crate::same::the_same;
 use crate::store::Place;
 
@@ -49,6 +51,7 @@ table! {
     runge_kutta_nystrom: RungeKuttaNystrom::order12(), [Saddle];
     scenes: Nystrom::order6(), [Molecules];
     scenes_exactly: DiscreteGradient, [Stars];
+    restricted_scenes: DiscreteGradient, [Clones];
 }
 
 /// Steps that follow the motion; of those that are free, the longest.

@@ -2,7 +2,7 @@
 
 use dmech_scalar::Real;
 
-use super::links::Presence;
+use super::sides::{Mutual, Sides};
 use crate::law::Numbers;
 use crate::look::{Course, Frequency};
 use crate::scene::terms::Acts;
@@ -10,12 +10,12 @@ use crate::scene::terms::Acts;
 /// A vector of each of N bodies.
 pub type Places<const D: usize, const N: usize, R> = [[R; D]; N];
 
-/// Terms of a scene that can act among N bodies as one law.
+/// Terms of a scene that can act among N bodies as one law; `S` says who acts on whom.
 #[diagnostic::on_unimplemented(
     message = "this scene cannot be one law of {N} bodies",
     note = "that takes laws of `#[dmech::law]`, on each body or along links: `.field(law)`, `.pairs(law)`, `.chain(law)`, `.bonds(law, list)`"
 )]
-pub trait AmongFew<const D: usize, const N: usize>: Acts<D> {
+pub trait AmongFew<const D: usize, const N: usize, S: Sides = Mutual>: Acts<D> {
     /// What is read of the laws and of the bodies.
     type Numbers: Numbers;
     /// What acts at one moment, by numbers of any scalar.
@@ -25,11 +25,12 @@ pub trait AmongFew<const D: usize, const N: usize>: Acts<D> {
     fn numbers(&self) -> Self::Numbers;
     /// The names of these numbers, in their order.
     fn names(see: &mut dyn FnMut(&'static str));
-    /// What acts at a time, by these numbers.
-    fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, t: R) -> Self::Moment<R>;
+    /// What acts at a time, by these numbers, on those on whom it acts.
+    fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, acting: S::Acting<N, R>, t: R) -> Self::Moment<R>;
 }
 
-/// What acts among N bodies at one moment: the functions of [`Acts`], each of which adds to what it is given.
+/// What acts among N bodies at one moment: the functions of [`Acts`], each of which adds to what it is given. Test bodies feel what acts
+/// on them, and neither act nor count.
 pub trait Among<const D: usize, const N: usize, R: Real> {
     /// Φ(q).
     fn potential(&self, q: &Places<D, N, R>) -> R;
@@ -58,24 +59,8 @@ pub trait Among<const D: usize, const N: usize, R: Real> {
         Self: Sized;
 }
 
-/// Adds a block to the rows of body a and the columns of body b.
-#[inline(always)]
-pub(super) fn add_block<const D: usize, const K: usize, R: Real>(
-    out: &mut [[R; K]; K],
-    [a, b]: [usize; 2],
-    block: &[[R; D]; D],
-    here: impl Presence<R>,
-) {
-    for i in 0..D {
-        for j in 0..D {
-            let out = &mut out[D * a + i][D * b + j];
-            *out = here.choose(*out + block[i][j], *out);
-        }
-    }
-}
-
 /// Nothing acts.
-impl<const D: usize, const N: usize> AmongFew<D, N> for () {
+impl<const D: usize, const N: usize, S: Sides> AmongFew<D, N, S> for () {
     type Numbers = [f64; 0];
     type Moment<R: Real> = ();
 
@@ -83,7 +68,7 @@ impl<const D: usize, const N: usize> AmongFew<D, N> for () {
         []
     }
     fn names(_: &mut dyn FnMut(&'static str)) {}
-    fn moment<R: Real>(_: [R; 0], _: R) {}
+    fn moment<R: Real>(_: [R; 0], _: S::Acting<N, R>, _: R) {}
 }
 
 impl<const D: usize, const N: usize, R: Real> Among<D, N, R> for () {
@@ -101,7 +86,9 @@ impl<const D: usize, const N: usize, R: Real> Among<D, N, R> for () {
 }
 
 /// Two terms, or a list of them and one more.
-impl<const D: usize, const N: usize, A: AmongFew<D, N>, B: AmongFew<D, N>> AmongFew<D, N> for (A, B) {
+impl<const D: usize, const N: usize, S: Sides, A: AmongFew<D, N, S>, B: AmongFew<D, N, S>> AmongFew<D, N, S>
+    for (A, B)
+{
     type Numbers = (A::Numbers, B::Numbers);
     type Moment<R: Real> = (A::Moment<R>, B::Moment<R>);
 
@@ -113,8 +100,8 @@ impl<const D: usize, const N: usize, A: AmongFew<D, N>, B: AmongFew<D, N>> Among
         B::names(see);
     }
     #[inline(always)]
-    fn moment<R: Real>((a, b): <Self::Numbers as Numbers>::Of<R>, t: R) -> Self::Moment<R> {
-        (A::moment(a, t), B::moment(b, t))
+    fn moment<R: Real>((a, b): <Self::Numbers as Numbers>::Of<R>, acting: S::Acting<N, R>, t: R) -> Self::Moment<R> {
+        (A::moment(a, acting, t), B::moment(b, acting, t))
     }
 }
 

@@ -28,6 +28,14 @@ pub trait Presence<R: Real>: Copy {
     fn choose(self, linked: R, not: R) -> R;
     /// The same of time scales.
     fn frequency(self, linked: Frequency<R>, not: Frequency<R>) -> Frequency<R>;
+    /// In those lanes alone that the mask has.
+    fn within(self, mask: R::Mask) -> Here<R>;
+    /// Where both are.
+    fn and(self, other: Self) -> Self;
+    /// Where one of both is.
+    fn or(self, other: Self) -> Self;
+    /// In some lane.
+    fn anywhere(self) -> bool;
 }
 
 /// In all lanes, which costs nothing.
@@ -43,6 +51,22 @@ impl<R: Real> Presence<R> for Always {
     fn frequency(self, linked: Frequency<R>, _: Frequency<R>) -> Frequency<R> {
         linked
     }
+    #[inline(always)]
+    fn within(self, mask: R::Mask) -> Here<R> {
+        Here(mask)
+    }
+    #[inline(always)]
+    fn and(self, _: Self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn or(self, _: Self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn anywhere(self) -> bool {
+        true
+    }
 }
 
 /// In some lanes.
@@ -57,6 +81,22 @@ impl<R: Real> Presence<R> for Here<R> {
     #[inline(always)]
     fn frequency(self, linked: Frequency<R>, not: Frequency<R>) -> Frequency<R> {
         not.where_alone(self.0.not(), linked)
+    }
+    #[inline(always)]
+    fn within(self, mask: R::Mask) -> Here<R> {
+        Here(self.0.and(mask))
+    }
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        Here(self.0.and(other.0))
+    }
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        Here(self.0.or(other.0))
+    }
+    #[inline(always)]
+    fn anywhere(self) -> bool {
+        self.0.any()
     }
 }
 

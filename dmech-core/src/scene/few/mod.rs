@@ -2,10 +2,13 @@
 
 mod among;
 mod links;
+mod sides;
+mod sums;
 mod terms;
 mod whole;
 
 pub use among::{Among, AmongFew, Places};
+pub use sides::{Mutual, Restricted, Sides};
 pub use whole::Whole;
 
 use core::array::from_fn;
@@ -33,17 +36,20 @@ use crate::system::{LinearVelocities, WithoutVelocities};
 /// Masses are those of the bodies; a [`mass`](crate::Simulation::mass) beside them multiplies their inertia, and not what laws read of
 /// them; that of a pinned body is infinite. Momenta are sums over the bodies. It is the same motion as that of the scene, in other
 /// roundings.
-pub struct FewBodies<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> {
+///
+/// Under [`Restricted`] some may be test bodies ([`Scene::as_restricted_law`]): sums are those over the others.
+pub struct FewBodies<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides = Mutual> {
     numbers: A::Numbers,
-    masses: [f64; N],
+    /// By which bodies count in sums: the masses that were given, also of those at rest; 0 of test bodies.
+    weights: [f64; N],
     /// Masses by which accelerations are forces: infinite, of bodies that are pinned. A quotient by it is 0 to the bit, so that nothing
-    /// is there for pins where there are none. What is summed over the bodies has the masses that were given, at rest.
+    /// is there for pins where there are none.
     inertia: [f64; N],
     first: State<K>,
     refused: Option<Error>,
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodies<A, D, N, K> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> FewBodies<A, D, N, K, S> {
     /// Where the bodies of the scene are.
     pub fn start(&self) -> State<K> {
         self.first
@@ -57,27 +63,45 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> FewBodie
         let (t, given) = (bodies.t, bodies.masses.len());
         let masses = <[f64; N]>::try_from(bodies.masses);
         let masses = masses.map_err(|_| SceneError::NotSoMany { bodies: given, declared: N })?;
-        if let Some(body) = bodies.drives.bodies().chain(bodies.tests.iter().copied()).min() {
+        let tests = |i: &usize| bodies.tests.contains(i);
+        if let Some(body) = bodies.drives.bodies().chain((0..N).filter(|i| S::MUTUAL && tests(i))).min() {
             return Err(SceneError::NotFree { body }.into());
         }
+        let weights = from_fn(|i| if tests(&i) { 0.0 } else { masses[i] });
         let inertia = from_fn(|i| if bodies.pins.contains(&i) { f64::INFINITY } else { masses[i] });
         let [q, v] = [bodies.q, bodies.v].map(|list| from_fn(|i| list[i / D][i % D]));
-        Ok(FewBodies { numbers: acts.numbers(), masses, inertia, first: State { t, q, v }, refused: None })
+        Ok(FewBodies { numbers: acts.numbers(), weights, inertia, first: State { t, q, v }, refused: None })
+    }
+
+    /// The law; what refuses it is told when it is run.
+    fn new<P, L: Term<D, P, B, Ready = A>, B: Space<D>>(scene: Scene<D, P, L, B>) -> Self {
+        const { assert!(K == N * D, "a scene of N bodies in D dimensions is a law of K = N D coordinates") };
+        FewBodies::of(scene).unwrap_or_else(|cause| FewBodies {
+            numbers: Numbers::from_list(|_| f64::NAN),
+            weights: [1.0; N],
+            inertia: [1.0; N],
+            first: State::new([0.0; K], [0.0; K]),
+            refused: Some(cause),
+        })
     }
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Copy for FewBodies<A, D, N, K> {}
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Clone for FewBodies<A, D, N, K> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Copy for FewBodies<A, D, N, K, S> {}
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Clone
+    for FewBodies<A, D, N, K, S>
+{
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> core::fmt::Debug for FewBodies<A, D, N, K> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> core::fmt::Debug
+    for FewBodies<A, D, N, K, S>
+{
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let mut shown = f.debug_struct("FewBodies");
         shown
-            .field("masses", &self.masses)
+            .field("weights", &self.weights)
             .field("inertia", &self.inertia)
             .field("start", &self.first)
             .finish_non_exhaustive()
@@ -90,19 +114,41 @@ impl<const D: usize, P, B: Space<D>, L: Term<D, P, B>> Scene<D, P, L, B> {
     /// Laws are those that `#[dmech::law]` writes, on each body, on all pairs, also with a cut-off, along the chain and along bonds, of 24
     /// bodies at most. Members of an ensemble may have each its own list of bonds, its own box, its own pins. All pairs are looked at,
     /// also where a cut-off leaves few. What a simulation of the scene would refuse is refused when the law is run, and so are another
-    /// number of bodies ([`SceneError::NotSoMany`]) and bodies that are driven or test bodies ([`SceneError::NotFree`]).
+    /// number of bodies ([`SceneError::NotSoMany`]) and bodies that are driven ([`SceneError::NotFree`]). Test bodies are those of
+    /// [`as_restricted_law`](Scene::as_restricted_law), and refused here.
     pub fn as_law<const N: usize, const K: usize>(self) -> FewBodies<L::Ready, D, N, K>
     where
         L::Ready: AmongFew<D, N>,
     {
-        const { assert!(K == N * D, "a scene of N bodies in D dimensions is a law of K = N D coordinates") };
-        FewBodies::of(self).unwrap_or_else(|cause| FewBodies {
-            numbers: Numbers::from_list(|_| f64::NAN),
-            masses: [1.0; N],
-            inertia: [1.0; N],
-            first: State::new([0.0; K], [0.0; K]),
-            refused: Some(cause),
-        })
+        FewBodies::new(self)
+    }
+
+    /// The same of a scene with [test bodies](Scene::test_body), which feel the others and do not act on them: as in the restricted
+    /// problem of three bodies, or clones of an asteroid among planets.
+    ///
+    /// Energy, momenta and work are those of the bodies that act, as in the scene. Which bodies are test bodies may differ from member to
+    /// member of an ensemble, all and none of them too. That choices are made along each link is why it is another law: of one without
+    /// test bodies it is, to the bit, what [`as_law`](Scene::as_law) gives, in more time.
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::scene::{AmongFew, Restricted, Scene, Term};
+    /// # fn map<L: Term<2, ()>>(planets: impl Fn() -> Scene<2, (), L> + Clone + Sync) -> Result<(), Error>
+    /// # where L::Ready: AmongFew<2, 3, Restricted> + dmech_core::scheme::WithoutVelocities {
+    /// // A sun, a planet, and an asteroid that is elsewhere in each member.
+    /// let run = Ensemble::of(1000)
+    ///     .scene(|k| planets().test_body(1.0, [2.0, 1e-3 * k as f64], [0.0, 0.7]).as_restricted_law::<3, 6>())
+    ///     .scheme(Nystrom::order6())
+    ///     .dt(0.01)
+    ///     .run_until(100.0)?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn as_restricted_law<const N: usize, const K: usize>(self) -> FewBodies<L::Ready, D, N, K, Restricted>
+    where
+        L::Ready: AmongFew<D, N, Restricted>,
+    {
+        FewBodies::new(self)
     }
 }
 
@@ -116,20 +162,22 @@ impl<const K: usize> State<K> {
 }
 
 #[diagnostic::do_not_recommend]
-impl<A: AmongFew<D, N> + WithoutVelocities, const D: usize, const N: usize, const K: usize> VelocityIndependent
-    for FewBodies<A, D, N, K>
+impl<A: AmongFew<D, N, S> + WithoutVelocities, const D: usize, const N: usize, const K: usize, S: Sides>
+    VelocityIndependent for FewBodies<A, D, N, K, S>
 {
 }
 
 #[diagnostic::do_not_recommend]
-impl<A: AmongFew<D, N> + LinearVelocities, const D: usize, const N: usize, const K: usize> LinearInVelocity
-    for FewBodies<A, D, N, K>
+impl<A: AmongFew<D, N, S> + LinearVelocities, const D: usize, const N: usize, const K: usize, S: Sides> LinearInVelocity
+    for FewBodies<A, D, N, K, S>
 {
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real> Law<K, R> for FewBodies<A, D, N, K> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Law<K, R>
+    for FewBodies<A, D, N, K, S>
+{
     type Field<'a>
-        = Whole<A, D, N, K, R>
+        = Whole<A, D, N, K, R, S>
     where
         Self: 'a;
 
@@ -137,11 +185,13 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     const BODY: usize = D;
     const LINEAR_MOMENTUM: bool = A::LINEAR_MOMENTUM;
     const ANGULAR_MOMENTUM: bool = A::ANGULAR_MOMENTUM;
+    const ALL_COUNT: bool = S::MUTUAL;
 
     #[inline(always)]
-    fn field(&self, _: R, t: R) -> Whole<A, D, N, K, R> {
+    fn field(&self, _: R, t: R) -> Whole<A, D, N, K, R, S> {
         let numbers = A::Numbers::gather(|k| R::from_f64(self.numbers.at(k)));
-        Whole { acts: A::moment(numbers, t), inertia: self.inertia.map(R::from_f64), t }
+        let acting = S::acting(&self.weights.map(R::from_f64));
+        Whole { acts: A::moment(numbers, acting, t), inertia: self.inertia.map(R::from_f64), t }
     }
 
     fn refused(&self) -> Option<Error> {
@@ -152,8 +202,18 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
         self.inertia[i / D] == f64::INFINITY
     }
 
+    /// A test body has the mass by which it is moved; one that is pinned any.
     fn mass_ratios(&self) -> [f64; K] {
-        from_fn(|i| self.masses[i / D])
+        from_fn(|i| match (self.weights[i / D], self.inertia[i / D]) {
+            (0.0, f64::INFINITY) => 1.0,
+            (0.0, inertia) => inertia,
+            (weight, _) => weight,
+        })
+    }
+
+    #[inline(always)]
+    fn weights(&self) -> [R; K] {
+        from_fn(|i| R::from_f64(self.weights[i / D]))
     }
 
     fn tell(&self, see: &mut dyn FnMut(&'static str, f64)) {
@@ -161,12 +221,14 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     }
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K> for FewBodies<A, D, N, K> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Sides> Fields<K>
+    for FewBodies<A, D, N, K, S>
+{
     type Numbers = ([[f64; N]; 2], A::Numbers);
-    type Moment<R: Real> = Whole<A, D, N, K, R>;
+    type Moment<R: Real> = Whole<A, D, N, K, R, S>;
 
     fn numbers(&self) -> Self::Numbers {
-        ([self.masses, self.inertia], self.numbers)
+        ([self.weights, self.inertia], self.numbers)
     }
 
     fn names(see: &mut dyn FnMut(&'static str)) {
@@ -176,15 +238,15 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize> Fields<K
 
     #[inline(always)]
     fn moment<R: Real>(
-        ([_, inertia], numbers): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>),
+        ([weights, inertia], numbers): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>),
         _: R,
         t: R,
-    ) -> Whole<A, D, N, K, R> {
-        Whole { acts: A::moment(numbers, t), inertia, t }
+    ) -> Whole<A, D, N, K, R, S> {
+        Whole { acts: A::moment(numbers, S::acting(&weights), t), inertia, t }
     }
 
     #[inline(always)]
-    fn masses<R: Real>(([masses, _], _): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>)) -> [R; K] {
-        from_fn(|i| masses[i / D])
+    fn masses<R: Real>(([weights, _], _): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>)) -> [R; K] {
+        from_fn(|i| weights[i / D])
     }
 }

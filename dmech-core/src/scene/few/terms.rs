@@ -5,19 +5,21 @@ use core::marker::PhantomData;
 
 use dmech_scalar::{Mask, Real};
 
-use super::among::{Among, AmongFew, Places, add_block};
+use super::among::{Among, AmongFew, Places};
 use super::links::{Always, LinksOfFew, Presence};
+use super::sides::{Acting, Sides};
+use super::sums::{add, add_block, add_link, add_opposite};
 use crate::law::{Between, Field, Fields, Numbers, PairFields, Potential, Reads};
 use crate::look::{Course, Frequency, Stiffness};
 use crate::scene::space::{Images, SpaceOfFew};
 use crate::scene::terms::{Acts, EachReady, LinkedReady, Way, link_stiffness};
-use crate::vector::{by_entry, difference, sum};
+use crate::vector::{by_entry, difference};
 
 type Of<N, R> = <N as Numbers>::Of<R>;
 
-impl<const D: usize, const N: usize, X: Fields<D>> AmongFew<D, N> for EachReady<X> {
+impl<const D: usize, const N: usize, S: Sides, X: Fields<D>> AmongFew<D, N, S> for EachReady<X> {
     type Numbers = (X::Numbers, [f64; N]);
-    type Moment<R: Real> = OnEachOfFew<X, D, N, R>;
+    type Moment<R: Real> = OnEachOfFew<X, S::Acting<N, R>, D, N, R>;
 
     fn numbers(&self) -> Self::Numbers {
         (self.law.numbers(), from_fn(|i| self.masses[i]))
@@ -27,29 +29,33 @@ impl<const D: usize, const N: usize, X: Fields<D>> AmongFew<D, N> for EachReady<
         (0..N).for_each(|_| see("masses"));
     }
     #[inline(always)]
-    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), t: R) -> OnEachOfFew<X, D, N, R> {
-        OnEachOfFew { law, masses, t }
+    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), acting: S::Acting<N, R>, t: R) -> Self::Moment<R> {
+        OnEachOfFew { law, masses, acting, t }
     }
 }
 
 /// A law on each body at one moment.
-pub struct OnEachOfFew<X: Fields<D>, const D: usize, const N: usize, R: Real> {
+pub struct OnEachOfFew<X: Fields<D>, W, const D: usize, const N: usize, R: Real> {
     law: Of<X::Numbers, R>,
     masses: [R; N],
+    acting: W,
     t: R,
 }
 
-impl<X: Fields<D>, const D: usize, const N: usize, R: Real> OnEachOfFew<X, D, N, R> {
+impl<X: Fields<D>, W, const D: usize, const N: usize, R: Real> OnEachOfFew<X, W, D, N, R> {
     #[inline(always)]
     fn on(&self, i: usize) -> X::Moment<R> {
         X::moment(self.law, self.masses[i], self.t)
     }
 }
 
-impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for OnEachOfFew<X, D, N, R> {
+impl<X: Fields<D>, W: Acting<R>, const D: usize, const N: usize, R: Real> Among<D, N, R>
+    for OnEachOfFew<X, W, D, N, R>
+{
     #[inline(always)]
     fn potential(&self, q: &Places<D, N, R>) -> R {
-        (0..N).fold(R::ZERO, |sum, i| sum + self.on(i).potential(q[i]))
+        let counted = |i, sum| self.acting.acts(i, Always).choose(sum + self.on(i).potential(q[i]), sum);
+        (0..N).fold(R::ZERO, |sum, i| counted(i, sum))
     }
     #[inline(always)]
     fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
@@ -107,13 +113,13 @@ impl<X: Fields<D>, const D: usize, const N: usize, R: Real> Among<D, N, R> for O
     }
 }
 
-impl<const D: usize, const N: usize, P, X: PairFields<D, P>, T: LinksOfFew, B: SpaceOfFew<D>> AmongFew<D, N>
-    for LinkedReady<X, T, P, B>
+impl<const D: usize, const N: usize, S: Sides, P, X: PairFields<D, P>, T: LinksOfFew, B: SpaceOfFew<D>>
+    AmongFew<D, N, S> for LinkedReady<X, T, P, B>
 where
     Self: Acts<D>,
 {
     type Numbers = ((X::Fields, [<X as Reads<P>>::Numbers; N]), (T::Numbers<N>, B::Numbers));
-    type Moment<R: Real> = BetweenFew<X, T, P, B, D, N, R>;
+    type Moment<R: Real> = BetweenFew<X, T, P, B, S::Acting<N, R>, D, N, R>;
 
     fn numbers(&self) -> Self::Numbers {
         ((self.law.fields(), from_fn(|i| self.numbers.of_body(i))), (self.links.numbers(), self.space.numbers()))
@@ -125,24 +131,37 @@ where
         B::names(see);
     }
     #[inline(always)]
-    fn moment<R: Real>(((law, bodies), (links, space)): Of<Self::Numbers, R>, t: R) -> Self::Moment<R> {
-        BetweenFew { law, bodies, links, space: B::of(space), t, data: PhantomData }
+    fn moment<R: Real>(
+        ((law, bodies), (links, space)): Of<Self::Numbers, R>,
+        acting: S::Acting<N, R>,
+        t: R,
+    ) -> Self::Moment<R> {
+        BetweenFew { law, bodies, links, acting, space: B::of(space), t, data: PhantomData }
     }
 }
 
 /// A law along links at one moment.
-pub struct BetweenFew<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, const N: usize, R: Real>
-{
+pub struct BetweenFew<
+    X: PairFields<D, P>,
+    T: LinksOfFew,
+    P,
+    B: SpaceOfFew<D>,
+    W,
+    const D: usize,
+    const N: usize,
+    R: Real,
+> {
     law: Of<X::Fields, R>,
     bodies: [Of<<X as Reads<P>>::Numbers, R>; N],
     links: Of<T::Numbers<N>, R>,
+    acting: W,
     space: B::In<R>,
     t: R,
     data: PhantomData<fn() -> P>,
 }
 
-impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, const N: usize, R: Real>
-    BetweenFew<X, T, P, B, D, N, R>
+impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, const D: usize, const N: usize, R: Real>
+    BetweenFew<X, T, P, B, W, D, N, R>
 {
     #[inline(always)]
     fn between(&self, a: usize, b: usize, t: R) -> X::Moment<R> {
@@ -155,46 +174,53 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
         self.space.nearest(difference(q[a], q[b]))
     }
 
+    /// Visits every link that somebody feels, with where each of its two bodies does.
     #[inline(always)]
-    fn visit(&self, visit: impl FnMut(usize, usize, T::Presence<R>)) {
-        T::visit::<N, R>(&self.links, visit);
+    fn visit(&self, mut visit: impl FnMut(usize, usize, [W::Where<T::Presence<R>>; 2])) {
+        T::visit::<N, R>(&self.links, |a, b, link| {
+            let felt = [b, a].map(|by| self.acting.acts(by, link));
+            if felt[0].or(felt[1]).anywhere() {
+                visit(a, b, felt);
+            }
+        });
     }
 }
 
-impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, const N: usize, R: Real> Among<D, N, R>
-    for BetweenFew<X, T, P, B, D, N, R>
+impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, const D: usize, const N: usize, R: Real>
+    Among<D, N, R> for BetweenFew<X, T, P, B, W, D, N, R>
 {
     #[inline(always)]
     fn potential(&self, q: &Places<D, N, R>) -> R {
         let mut sum = R::ZERO;
-        self.visit(|a, b, here| {
-            sum = here.choose(sum + self.between(a, b, self.t).potential(self.apart(q, a, b)), sum);
+        self.visit(|a, b, [on_a, on_b]| {
+            // The energy is that of the bodies that act.
+            sum = on_a.and(on_b).choose(sum + self.between(a, b, self.t).potential(self.apart(q, a, b)), sum);
         });
         sum
     }
     #[inline(always)]
     fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::POTENTIAL {
-            self.visit(|a, b, here| {
-                add_opposite(out, [a, b], self.between(a, b, self.t).gradient(self.apart(q, a, b)), here);
+            self.visit(|a, b, felt| {
+                add_opposite(out, [a, b], self.between(a, b, self.t).gradient(self.apart(q, a, b)), felt);
             });
         }
     }
     #[inline(always)]
     fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
         if X::Moment::<R>::POTENTIAL {
-            self.visit(|a, b, here| {
-                add_link(out, [a, b], self.between(a, b, self.t).hessian(self.apart(q, a, b)), here);
+            self.visit(|a, b, felt| {
+                add_link(out, [a, b], self.between(a, b, self.t).hessian(self.apart(q, a, b)), felt);
             });
         }
     }
     #[inline(always)]
     fn add_discrete_gradient(&self, from: &Places<D, N, R>, to: &Places<D, N, R>, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::POTENTIAL {
-            self.visit(|a, b, here| {
+            self.visit(|a, b, felt| {
                 let (from, to) = (difference(from[a], from[b]), difference(to[a], to[b]));
                 let way = Way::new(&self.space, from, to);
-                add_opposite(out, [a, b], way.discrete_gradient(&self.between(a, b, self.t)), here);
+                add_opposite(out, [a, b], way.discrete_gradient(&self.between(a, b, self.t)), felt);
             });
         }
     }
@@ -206,24 +232,24 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
         out: &mut [[R; K]; K],
     ) {
         if X::Moment::<R>::POTENTIAL {
-            self.visit(|a, b, here| {
+            self.visit(|a, b, felt| {
                 let (from, to) = (difference(from[a], from[b]), difference(to[a], to[b]));
                 let way = Way::new(&self.space, from, to);
-                add_link(out, [a, b], way.discrete_gradient_jacobian(&self.between(a, b, self.t)), here);
+                add_link(out, [a, b], way.discrete_gradient_jacobian(&self.between(a, b, self.t)), felt);
             });
         }
     }
     #[inline(always)]
     fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
         if X::Moment::<R>::FORCED {
-            self.visit(|a, b, here| {
+            self.visit(|a, b, felt| {
                 let force = |a: usize, b: usize| self.between(a, b, t).force(self.apart(q, a, b), v[a], v[b]);
                 let on_a = force(a, b);
                 if X::Moment::<R>::RECIPROCAL {
-                    add_opposite(out, [a, b], on_a, here);
+                    add_opposite(out, [a, b], on_a, felt);
                 } else {
-                    add(&mut out[a], on_a, here);
-                    add(&mut out[b], force(b, a), here);
+                    add(&mut out[a], on_a, felt[0]);
+                    add(&mut out[b], force(b, a), felt[1]);
                 }
             });
         }
@@ -237,8 +263,8 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
         [by_q, by_v]: [&mut [[R; K]; K]; 2],
     ) {
         if X::Moment::<R>::FORCED {
-            self.visit(|a, b, here| {
-                for [a, b] in [[a, b], [b, a]] {
+            self.visit(|a, b, felt| {
+                for ([a, b], here) in [[a, b], [b, a]].into_iter().zip(felt) {
                     let d = self.apart(q, a, b);
                     let [by_d, by_va, by_vb] = self.between(a, b, t).force_jacobians(d, v[a], v[b]);
                     add_block(by_q, [a, a], &by_d, here);
@@ -251,7 +277,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
     }
     fn frequency(&self, from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         let mut all = Frequency::none(bodies[0].least);
-        self.visit(|a, b, here| {
+        self.visit(|a, b, [felt_by_a, felt_by_b]| {
             let (on_a, on_b) = (&bodies[a], &bodies[b]);
             let stiffness = |s, d, _| {
                 let Some(now) = from_now(s) else { return Stiffness::NONE };
@@ -266,7 +292,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, const D: usize, co
                 Some(near) => all.where_alone(near.not(), both),
                 None => both,
             };
-            all = here.frequency(both, all);
+            all = felt_by_a.or(felt_by_b).frequency(both, all);
         });
         all
     }
@@ -281,43 +307,4 @@ fn moving<R: Real>(per_mass: R, all: Frequency<R>, other: impl FnOnce() -> Frequ
     }
     let both = all.and(other());
     if still.any() { all.where_alone(still, both) } else { both }
-}
-
-/// Adds to a body.
-#[inline(always)]
-fn add<const D: usize, R: Real>(to: &mut [R; D], x: [R; D], here: impl Presence<R>) {
-    let sum = sum(*to, x);
-    for k in 0..D {
-        to[k] = here.choose(sum[k], to[k]);
-    }
-}
-
-/// Adds to body a, and its opposite to body b.
-#[inline(always)]
-fn add_opposite<const D: usize, const N: usize, R: Real>(
-    out: &mut Places<D, N, R>,
-    [a, b]: [usize; 2],
-    x: [R; D],
-    here: impl Presence<R>,
-) {
-    add(&mut out[a], x, here);
-    let rest = difference(out[b], x);
-    for k in 0..D {
-        out[b][k] = here.choose(rest[k], out[b][k]);
-    }
-}
-
-/// The derivative of what is on a along d = q_a − q_b, and of its opposite on b.
-#[inline(always)]
-fn add_link<const D: usize, const K: usize, R: Real>(
-    out: &mut [[R; K]; K],
-    [a, b]: [usize; 2],
-    by_d: [[R; D]; D],
-    here: impl Presence<R>,
-) {
-    let back = by_entry!(|i, j| -by_d[i][j]);
-    add_block(out, [a, a], &by_d, here);
-    add_block(out, [b, b], &by_d, here);
-    add_block(out, [a, b], &back, here);
-    add_block(out, [b, a], &back, here);
 }

@@ -3,12 +3,13 @@
 use dmech_scalar::Real;
 
 use super::among::{Among, AmongFew, Places};
+use super::sides::{Mutual, Sides};
 use crate::law::{Field, Potential};
 use crate::look::{Course, Frequency};
 use crate::vector::scaled;
 
 /// What acts among few bodies at one moment, the rows of each divided by its mass: that of a particle of mass 1.
-pub struct Whole<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real> {
+pub struct Whole<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides = Mutual> {
     pub(super) acts: A::Moment<R>,
     /// Those of the bodies; of pinned ones infinite.
     pub(super) inertia: [R; N],
@@ -25,7 +26,7 @@ fn bodies<const D: usize, const N: usize, const K: usize, R: Real>(x: [R; K]) ->
     all
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real> Whole<A, D, N, K, R> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Whole<A, D, N, K, R, S> {
     /// What is added up for each body, divided by its mass.
     #[inline(always)]
     fn rows(&self, add: impl FnOnce(&mut Places<D, N, R>)) -> [R; K] {
@@ -62,8 +63,8 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     }
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real> Potential<K, R>
-    for Whole<A, D, N, K, R>
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Potential<K, R>
+    for Whole<A, D, N, K, R, S>
 {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
     const PIECEWISE: bool = A::PIECEWISE;
@@ -89,7 +90,9 @@ impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real>
     }
 }
 
-impl<A: AmongFew<D, N>, const D: usize, const N: usize, const K: usize, R: Real> Field<K, R> for Whole<A, D, N, K, R> {
+impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Real, S: Sides> Field<K, R>
+    for Whole<A, D, N, K, R, S>
+{
     const FORCED: bool = A::FORCED;
     const CONSERVES_ENERGY: bool = !A::FORCED;
 

@@ -183,6 +183,16 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         *out = sum;
     }
     #[inline(always)]
+    fn leave_uncounted(&self, x: &mut [R; D]) {
+        if L::ALL_COUNT {
+            return;
+        }
+        let weights = self.law.weights();
+        for i in 0..D {
+            x[i] = R::either(weights[i].equal(R::ZERO), R::ZERO, x[i]);
+        }
+    }
+    #[inline(always)]
     fn is_finite(x: &[R; D]) -> bool {
         finite(*x)
     }

@@ -1,10 +1,11 @@
 //! A scene whose number of bodies is known when it is compiled, as one law.
 
 mod among;
+mod between;
+mod each;
 mod links;
 mod sides;
 mod sums;
-mod terms;
 mod whole;
 
 pub use among::{Among, AmongFew, Places};

@@ -1,9 +1,10 @@
 //! What acts among few bodies, added to those of them that feel it.
 
-use dmech_scalar::Real;
+use dmech_scalar::{Mask, Real};
 
 use super::among::Places;
 use super::links::Presence;
+use crate::look::Frequency;
 use crate::vector::{by_entry, difference, sum};
 
 /// Adds a block to the rows of body a and the columns of body b.
@@ -59,4 +60,15 @@ pub(super) fn add_link<const D: usize, const K: usize, R: Real, T: Presence<R>>(
     add_block(out, [b, b], &by_d, on_b);
     add_block(out, [a, b], &back, on_a);
     add_block(out, [b, a], &back, on_b);
+}
+
+/// With what moves beside it: not so what is pinned, and what is between two that are.
+#[inline(always)]
+pub(super) fn moving<R: Real>(per_mass: R, all: Frequency<R>, other: impl FnOnce() -> Frequency<R>) -> Frequency<R> {
+    let still = per_mass.equal(R::ZERO);
+    if still.all() {
+        return all;
+    }
+    let both = all.and(other());
+    if still.any() { all.where_alone(still, both) } else { both }
 }

@@ -1,4 +1,4 @@
-//! A law on each of few bodies, and one between them.
+//! A law between few bodies.
 
 use core::array::from_fn;
 use core::marker::PhantomData;
@@ -6,112 +6,16 @@ use core::marker::PhantomData;
 use dmech_scalar::{Mask, Real};
 
 use super::among::{Among, AmongFew, Places};
-use super::links::{Always, LinksOfFew, Presence};
+use super::links::{LinksOfFew, Presence};
 use super::sides::{Acting, Sides};
-use super::sums::{add, add_block, add_link, add_opposite};
-use crate::law::{Between, Field, Fields, Numbers, PairFields, Potential, Reads};
+use super::sums::{add, add_block, add_link, add_opposite, moving};
+use crate::law::{Between, Numbers, PairFields, Potential, Reads};
 use crate::look::{Course, Frequency, Stiffness};
 use crate::scene::space::{Images, SpaceOfFew};
-use crate::scene::terms::{Acts, EachReady, LinkedReady, Way, link_stiffness};
+use crate::scene::terms::{Acts, LinkedReady, Way, link_stiffness};
 use crate::vector::{by_entry, difference};
 
 type Of<N, R> = <N as Numbers>::Of<R>;
-
-impl<const D: usize, const N: usize, S: Sides, X: Fields<D>> AmongFew<D, N, S> for EachReady<X> {
-    type Numbers = (X::Numbers, [f64; N]);
-    type Moment<R: Real> = OnEachOfFew<X, S::Acting<N, R>, D, N, R>;
-
-    fn numbers(&self) -> Self::Numbers {
-        (self.law.numbers(), from_fn(|i| self.masses[i]))
-    }
-    fn names(see: &mut dyn FnMut(&'static str)) {
-        X::names(see);
-        (0..N).for_each(|_| see("masses"));
-    }
-    #[inline(always)]
-    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), acting: S::Acting<N, R>, t: R) -> Self::Moment<R> {
-        OnEachOfFew { law, masses, acting, t }
-    }
-}
-
-/// A law on each body at one moment.
-pub struct OnEachOfFew<X: Fields<D>, W, const D: usize, const N: usize, R: Real> {
-    law: Of<X::Numbers, R>,
-    masses: [R; N],
-    acting: W,
-    t: R,
-}
-
-impl<X: Fields<D>, W, const D: usize, const N: usize, R: Real> OnEachOfFew<X, W, D, N, R> {
-    #[inline(always)]
-    fn on(&self, i: usize) -> X::Moment<R> {
-        X::moment(self.law, self.masses[i], self.t)
-    }
-}
-
-impl<X: Fields<D>, W: Acting<R>, const D: usize, const N: usize, R: Real> Among<D, N, R>
-    for OnEachOfFew<X, W, D, N, R>
-{
-    #[inline(always)]
-    fn potential(&self, q: &Places<D, N, R>) -> R {
-        let counted = |i, sum| self.acting.acts(i, Always).choose(sum + self.on(i).potential(q[i]), sum);
-        (0..N).fold(R::ZERO, |sum, i| counted(i, sum))
-    }
-    #[inline(always)]
-    fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
-        for i in 0..N {
-            add(&mut out[i], self.on(i).gradient(q[i]), Always);
-        }
-    }
-    #[inline(always)]
-    fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
-        for i in 0..N {
-            add_block(out, [i, i], &self.on(i).hessian(q[i]), Always);
-        }
-    }
-    #[inline(always)]
-    fn add_discrete_gradient(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut Places<D, N, R>) {
-        for i in 0..N {
-            add(&mut out[i], self.on(i).discrete_gradient(a[i], b[i]), Always);
-        }
-    }
-    #[inline(always)]
-    fn add_discrete_jacobian<const K: usize>(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut [[R; K]; K]) {
-        for i in 0..N {
-            add_block(out, [i, i], &self.on(i).discrete_gradient_jacobian(a[i], b[i]), Always);
-        }
-    }
-    #[inline(always)]
-    fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
-        if X::Moment::<R>::FORCED {
-            for i in 0..N {
-                add(&mut out[i], self.on(i).force(q[i], v[i], t), Always);
-            }
-        }
-    }
-    #[inline(always)]
-    fn add_force_jacobians<const K: usize>(
-        &self,
-        q: &Places<D, N, R>,
-        v: &Places<D, N, R>,
-        t: R,
-        [by_q, by_v]: [&mut [[R; K]; K]; 2],
-    ) {
-        if X::Moment::<R>::FORCED {
-            for i in 0..N {
-                add_block(by_q, [i, i], &self.on(i).force_dq(q[i], v[i], t), Always);
-                add_block(by_v, [i, i], &self.on(i).force_dv(q[i], v[i], t), Always);
-            }
-        }
-    }
-    fn frequency(&self, from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
-        (0..N).fold(Frequency::none(bodies[0].least), |all, i| {
-            let mass = bodies[i].per_mass.recip();
-            let of = |s, q, v| from_now(s).map_or(Stiffness::NONE, |now| Stiffness::of(&now.on(i), mass, t + s, q, v));
-            moving(bodies[i].per_mass, all, || Frequency::of(bodies[i], of))
-        })
-    }
-}
 
 impl<const D: usize, const N: usize, S: Sides, P, X: PairFields<D, P>, T: LinksOfFew, B: SpaceOfFew<D>>
     AmongFew<D, N, S> for LinkedReady<X, T, P, B>
@@ -296,15 +200,4 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, cons
         });
         all
     }
-}
-
-/// With what moves beside it: not so what is pinned, and what is between two that are.
-#[inline(always)]
-fn moving<R: Real>(per_mass: R, all: Frequency<R>, other: impl FnOnce() -> Frequency<R>) -> Frequency<R> {
-    let still = per_mass.equal(R::ZERO);
-    if still.all() {
-        return all;
-    }
-    let both = all.and(other());
-    if still.any() { all.where_alone(still, both) } else { both }
 }

@@ -1,13 +1,13 @@
 //! Gradients by reverse accumulation.
 
 use crate::expression::{
-    Binary, Choice, Condition, EvenOfRoot, Expr, Graph, Node, Number, Root, Square, Symbol, Unary,
+    Binary, Choice, Condition, EvenOfRoot, Expr, Graph, Node, Number, Root, Square, Symbol, Unary, Variable,
 };
 use crate::hash::Map;
 
 /// ∂e/∂xᵢ for each symbol: one walk from the expression down to the symbols.
 pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
-    Walk::new(symbols, false).gradient(graph, e)
+    Walk::new(graph, symbols, false).gradient(graph, e, 0.0)
 }
 
 /// As [`gradient`], of an expression that is a slope itself: where a root in it vanishes and has no slope, 0 stands for that.
@@ -15,15 +15,20 @@ pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
 /// Newton's method then makes a plain iteration there, where ∞·0 would end it; and where the product does have a limit, as
 /// r·x has at the origin, it is this one.
 pub fn tangent(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
-    Walk::new(symbols, true).gradient(graph, e)
+    Walk::new(graph, symbols, true).gradient(graph, e, 0.0)
 }
+
+/// The bits of an order.
+type Beside = u64;
 
 struct Walk<'a> {
     symbols: &'a [Symbol],
     /// The expression is a slope.
     of_slope: bool,
-    /// The slopes of the branches of a choice, which may be wanted in many places.
-    choices: Map<Expr, [Vec<Expr>; 2]>,
+    /// What is of a higher [order](Graph::order) has a slope of 0 where it vanishes.
+    order: f64,
+    /// The slopes of the branches of a choice, which may be wanted in many places, by what comes times it.
+    choices: Map<(Expr, Beside), [Vec<Expr>; 2]>,
     /// Which expressions contain a symbol, as far as they have been looked at.
     depends: Vec<bool>,
     /// Which are made with a choice: the place where a step crosses a seam is.
@@ -31,11 +36,15 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    fn new(symbols: &'a [Symbol], of_slope: bool) -> Self {
-        Self { symbols, of_slope, choices: Map::default(), depends: vec![], chosen: vec![] }
+    fn new(graph: &Graph, symbols: &'a [Symbol], of_slope: bool) -> Self {
+        // A slope by a squared distance is itself one of a first order with the two coordinates that it comes times.
+        let squared = symbols.iter().all(|&s| graph.variable(s) == Variable::SquaredDistance);
+        let order = if of_slope && squared { 0.0 } else { 1.0 };
+        Self { symbols, of_slope, order, choices: Map::default(), depends: vec![], chosen: vec![] }
     }
 
-    fn gradient(&mut self, graph: &mut Graph, e: Expr) -> Vec<Expr> {
+    /// The same of an expression that comes times others of the order `beside`.
+    fn gradient(&mut self, graph: &mut Graph, e: Expr, beside: f64) -> Vec<Expr> {
         let symbols = self.symbols;
         graph.extend_dependence(&mut self.depends, symbols);
         graph.extend_choosing(&mut self.chosen);
@@ -62,11 +71,13 @@ impl<'a> Walk<'a> {
             }
             if let Some(Choice { condition, yes, no }) = graph.choice(node) {
                 // Straight to the symbols, the adjoint within the branches: 0·∞ of the branch not taken must not arise.
-                let slopes = match self.choices.get(&node) {
+                let beside = beside + graph.order(adjoint);
+                let place = (node, beside.to_bits());
+                let slopes = match self.choices.get(&place) {
                     Some(slopes) => slopes.clone(),
                     None => {
-                        let slopes = [yes, no].map(|branch| self.gradient(graph, branch));
-                        self.choices.insert(node, slopes.clone());
+                        let slopes = [yes, no].map(|branch| self.gradient(graph, branch, beside));
+                        self.choices.insert(place, slopes.clone());
                         slopes
                     }
                 };
@@ -80,7 +91,11 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             }
-            for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], node == e) {
+            let order = beside + graph.order(adjoint) + graph.order(node);
+            // 1/√s with √s among the factors cancels.
+            let flat = order > self.order && !graph.has_factor(adjoint, node);
+            let alone = graph.as_number(adjoint).is_some();
+            for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
                 // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
                 let summands = if is_cardinal_slope(graph, node) { &summands[..] } else { &[adjoint] };
@@ -97,7 +112,8 @@ impl<'a> Walk<'a> {
         graph: &mut Graph,
         node: Expr,
         depends: &dyn Fn(Expr) -> bool,
-        is_whole: bool,
+        flat: bool,
+        alone: bool,
     ) -> Vec<(Expr, Expr)> {
         match graph.node(node).clone() {
             Node::Number(_) | Node::Symbol(_) => Vec::new(),
@@ -112,21 +128,26 @@ impl<'a> Walk<'a> {
                 };
                 moving.map(partial).collect()
             }
-            Node::Product { coefficient, factors } => self.product_partials(graph, coefficient, &factors, depends),
+            Node::Product { coefficient, factors } => {
+                self.product_partials(graph, coefficient, &factors, depends, flat)
+            }
             Node::Unary(f, u) => match (graph.even_of_root(node), graph.root(node)) {
                 (Some(even), _) => {
                     let slope = graph.unary(even.cardinal, even.argument);
                     let slope = graph.scale(even.half, slope);
-                    self.square_partials(graph, slope, &even.square, depends)
+                    self.square_partials(graph, slope, &even.square, depends, flat)
                 }
-                // A root alone vanishes where the ends do; on a seam, where a step only passes.
-                (_, Some(root)) if self.of_slope && (is_whole || self.chosen[root.below.index()]) => {
+                // A root alone, or in a sum, vanishes where the ends do; on a seam, where a step only passes.
+                (_, Some(root))
+                    if flat && graph.order(node) > 0.0
+                        || self.of_slope && (alone || self.chosen[root.below.index()]) =>
+                {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
                 }
                 // A function of a root, as it would be of −√s or k √s.
                 _ if self.of_slope && graph.root(u).is_some() => {
                     let slope = slope(graph, f, u);
-                    let partials = self.product_partials(graph, Number::ONE, &[(u, 1)], depends);
+                    let partials = self.product_partials(graph, Number::ONE, &[(u, 1)], depends, flat);
                     partials.into_iter().map(|(child, partial)| (child, graph.mul(&[slope, partial]))).collect()
                 }
                 _ => vec![(u, slope(graph, f, u))],
@@ -141,7 +162,7 @@ impl<'a> Walk<'a> {
                     both.0 = self.unless_infinite(graph, slope, (u, w), degree);
                 }
                 let mut found = match square {
-                    Some(square) => self.square_partials(graph, both.0, &square, depends),
+                    Some(square) => self.square_partials(graph, both.0, &square, depends, flat),
                     None => vec![(u, both.0)],
                 };
                 found.push((w, both.1));
@@ -159,23 +180,22 @@ impl<'a> Walk<'a> {
         slope: Expr,
         square: &Square,
         depends: &dyn Fn(Expr) -> bool,
+        flat: bool,
     ) -> Vec<(Expr, Expr)> {
         let coefficient = graph.number(square.coefficient.value());
         let outside = graph.product_of(Number::ONE, vec![(slope, 1), (coefficient, 2)]);
-        let partials = self.product_partials(graph, Number::ONE, &square.factors, depends);
+        let partials = self.product_partials(graph, Number::ONE, &square.factors, depends, flat);
         partials.into_iter().map(|(child, partial)| (child, graph.mul(&[outside, partial]))).collect()
     }
 
-    /// The slope of u^w by uⁿ, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < n. Of a law only where w > n/2 and u
-    /// vanishes as a square does: then it is the limit.
+    /// The slope of u^w by uⁿ, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < n. Of a law only where it is of an
+    /// order above 1: then it is the limit.
     fn unless_infinite(&self, graph: &mut Graph, slope: Expr, (u, w): (Expr, Expr), n: f64) -> Expr {
-        if !self.of_slope && graph.passes_zero(u) {
-            return slope;
-        }
         let (zero, most) = (graph.zero(), graph.number(n));
-        let least = if self.of_slope { 0.0 } else { 0.5 * n };
+        let least = if self.of_slope { 0.0 } else { graph.order(u).recip() };
         let vanishes = Condition::equal(u, zero);
         let condition = match graph.as_number(w) {
+            _ if least >= n => return slope,
             Some(w) if w <= least || w >= n => return slope,
             Some(_) => vanishes,
             None if self.of_slope => vanishes.and(Condition::less(w, most)),
@@ -194,6 +214,7 @@ impl<'a> Walk<'a> {
         coefficient: Number,
         factors: &[(Expr, i32)],
         depends: &dyn Fn(Expr) -> bool,
+        flat: bool,
     ) -> Vec<(Expr, Expr)> {
         let mut found = vec![];
         let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| depends(f));
@@ -204,12 +225,11 @@ impl<'a> Walk<'a> {
             if let Some(even) = graph.even_of_root(f).filter(|even| even.cardinal == Unary::Sinhc && n < 0) {
                 rest.extend([(inverse_cosh_slope(graph, &even, f, n), 1)]);
                 let outside = graph.product_of(coefficient, rest);
-                found.extend(self.square_partials(graph, outside, &even.square, depends));
+                found.extend(self.square_partials(graph, outside, &even.square, depends, flat));
                 continue;
             }
-            let vanishes = graph.vanishes_with(&moving, i);
             let (child, order, slope) = match graph.root(f) {
-                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || vanishes) => {
+                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || flat) => {
                     (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                 }
                 _ => power_slope(graph, f, n),
@@ -234,8 +254,8 @@ pub fn derivative(graph: &mut Graph, e: Expr, symbol: Symbol) -> Expr {
 
 /// ∂eᵢ/∂xⱼ of components that are slopes: see [`tangent`].
 pub fn jacobian(graph: &mut Graph, components: &[Expr], symbols: &[Symbol]) -> Vec<Vec<Expr>> {
-    let mut walk = Walk::new(symbols, true);
-    components.iter().map(|&e| walk.gradient(graph, e)).collect()
+    let mut walk = Walk::new(graph, symbols, true);
+    components.iter().map(|&e| walk.gradient(graph, e, 0.0)).collect()
 }
 
 /// ∂²e/∂xᵢ∂xⱼ; both halves are the same expressions.
@@ -255,7 +275,10 @@ fn unless_vanishing(graph: &mut Graph, root: &Root, f: Expr, n: i32) -> Expr {
     let (_, order, factors) = root.power_slope(graph, f, n);
     let slope = graph.product_of(Number::ONE, factors);
     let (zero, slope) = (graph.zero(), graph.scale(order, slope));
-    graph.select(Condition::equal(root.below, zero), zero, slope)
+    // A square root is of nothing negative.
+    let vanishes =
+        if root.degree == 3 { Condition::equal(root.below, zero) } else { Condition::lost(graph, root.below) };
+    graph.select(vanishes, zero, slope)
 }
 
 impl Root {

@@ -90,7 +90,13 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             }
             continue;
         }
-        for (child, secant) in secants(graph, node, ends, &|c: Expr| depends[c.index()]) {
+        let flat = graph.order(adjoint) + graph.order(node) > 1.0;
+        let of_root = if flat { of_flat_root(graph, node, adjoint, ends) } else { None };
+        let factors = match of_root {
+            Some(factor) => vec![factor],
+            None => secants(graph, node, ends, &|c: Expr| depends[c.index()], flat),
+        };
+        for (child, secant) in factors {
             let share = graph.mul(&[adjoint, secant]);
             arriving[child.index()].push(share);
         }
@@ -98,8 +104,23 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
     found
 }
 
+/// A root in what is of a higher order than the first; √a + √b may be among the factors that it comes times, and cancels.
+fn of_flat_root(graph: &mut Graph, node: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Option<(Expr, Expr)> {
+    let root = graph.root(node).filter(|_| graph.order(node) > 0.0)?;
+    let (a, b) = ends.values(graph, node);
+    let sum = graph.add(&[a, b]);
+    let (a, b) = ends.values(graph, root.below);
+    (!graph.has_factor(adjoint, sum)).then(|| (root.below, of_part_of_root(graph, root.degree, a, b, 1)))
+}
+
 /// The moving children of a node, each with its factor in Δnode = Σ factor·Δchild.
-fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(Expr) -> bool) -> Vec<(Expr, Expr)> {
+fn secants(
+    graph: &mut Graph,
+    node: Expr,
+    ends: &mut TwoPoints,
+    moves: &dyn Fn(Expr) -> bool,
+    flat: bool,
+) -> Vec<(Expr, Expr)> {
     match graph.node(node).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Select(..) => Vec::new(),
         Node::Sum { terms, .. } => {
@@ -109,7 +130,7 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
         Node::Product { coefficient, factors } => {
             let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| moves(f));
             let fixed = graph.product_of(coefficient, fixed);
-            of_product(graph, fixed, &moving, ends)
+            of_product(graph, fixed, &moving, ends, flat)
         }
         Node::Unary(f, u) => {
             let (a, b) = ends.values(graph, u);
@@ -121,10 +142,10 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
             let factors = [graph.unary(even.cardinal, middle), graph.unary(even.cardinal, delta)];
             let secant = graph.mul(&factors);
             let secant = graph.scale(even.half, secant);
-            of_square(graph, secant, &even.square, ends, moves)
+            of_square(graph, secant, &even.square, ends, moves, flat)
         }
         Node::Binary(f, u, w) => {
-            let both = of_binary(graph, f, u, w, ends, moves);
+            let both = of_binary(graph, f, (u, w), ends, moves, flat);
             both.into_iter().filter(|(c, _)| moves(*c)).collect()
         }
     }
@@ -137,20 +158,26 @@ fn of_square(
     square: &Square,
     ends: &mut TwoPoints,
     moves: &dyn Fn(Expr) -> bool,
+    flat: bool,
 ) -> Vec<(Expr, Expr)> {
     let (moving, mut fixed): (Vec<_>, Vec<_>) = square.factors.iter().copied().partition(|&(f, _)| moves(f));
     fixed.extend([(secant, 1), (graph.number(square.coefficient.value()), 2)]);
     let outside = graph.product_of(Number::ONE, fixed);
-    of_product(graph, outside, &moving, ends)
+    of_product(graph, outside, &moving, ends, flat)
 }
 
 /// u·w: mean(w) toward u, mean(u) toward w; longer products factor by factor.
-fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut TwoPoints) -> Vec<(Expr, Expr)> {
+fn of_product(
+    graph: &mut Graph,
+    fixed: Expr,
+    moving: &[(Expr, i32)],
+    ends: &mut TwoPoints,
+    flat: bool,
+) -> Vec<(Expr, Expr)> {
     let mut found = vec![];
     let mut outside = fixed;
     for (i, &(f, n)) in moving.iter().enumerate() {
-        let (root, vanishes) = (graph.root(f), graph.vanishes_with(moving, i));
-        let root = root.filter(|root| n > root.degree || (0 < n && n < root.degree && vanishes));
+        let root = graph.root(f).filter(|root| n > root.degree || (0 < n && n < root.degree && flat));
         let target = root.map_or(f, |root| root.below);
         let (a, b) = ends.values(graph, target);
         let secant = match root {
@@ -172,10 +199,10 @@ fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut
 fn of_binary(
     graph: &mut Graph,
     f: Binary,
-    u: Expr,
-    w: Expr,
+    (u, w): (Expr, Expr),
     ends: &mut TwoPoints,
     moves: &dyn Fn(Expr) -> bool,
+    flat: bool,
 ) -> Vec<(Expr, Expr)> {
     let ((ua, ub), (wa, wb)) = (ends.values(graph, u), ends.values(graph, w));
     let square = graph.square_without_root(u).filter(|_| f == Binary::Powf && !moves(w));
@@ -183,7 +210,7 @@ fn of_binary(
         let toward_u = of_powf(graph, (u, ua, ub), (w, wa, wb), false)[0].1;
         let rises = Condition::less(graph.one(), wa);
         let secant = unless_vanishing(graph, toward_u, [ua, ub], rises);
-        return of_square(graph, secant, &square, ends, moves);
+        return of_square(graph, secant, &square, ends, moves, flat);
     }
     match f {
         Binary::Powf => of_powf(graph, (u, ua, ub), (w, wa, wb), moves(w)),
@@ -227,7 +254,9 @@ fn unless_vanishing(graph: &mut Graph, toward_u: Expr, [a, b]: [Expr; 2], rises:
     let (zero, middle) = (graph.zero(), graph.add(&halves));
     let secant = graph.div(toward_u, middle);
     let secant = graph.scale(0.5, secant);
-    let vanishes = Condition::equal(middle, zero).and(rises);
+    // Its derivative divides by the square.
+    let square = graph.square(middle);
+    let vanishes = Condition::lost(graph, square).and(rises);
     graph.select(vanishes, zero, secant)
 }
 
@@ -276,8 +305,9 @@ fn of_powf(
     let quotient = graph.scale(0.5, quotient);
     let lowered = graph.sub(wa, one);
     // At each end by itself: their mean may be rounded to below 0. With derivative 0 where that of the limit is infinite.
-    // For w > 1/2 it is 0 where u vanishes as a square does, as that of the [gradient](super::gradient) is.
-    let (zero, least) = (graph.zero(), graph.number(if graph.passes_zero(u) { 0.0 } else { -0.5 }));
+    // It is 0 where the whole is of an order above 1, as that of the [gradient](super::gradient) is.
+    let order = graph.order(u);
+    let (zero, least) = (graph.zero(), graph.number(if order > 0.0 { order.recip() - 1.0 } else { 0.0 }));
     let limits = [ua, ub].map(|u| {
         let vanishes = Condition::equal(u, zero).and(Condition::less(least, lowered));
         let power = graph.binary(Binary::Powf, u, lowered);
@@ -290,7 +320,10 @@ fn of_powf(
     let at_one = Condition::lost(graph, square);
     let far = graph.select(at_one, limit, quotient);
     // That of the closed form divides by the fourth power of the sum.
-    let (distance, product, least) = (graph.unary(Unary::Abs, delta), graph.mul(&[ua, ub]), graph.number(1e-153));
-    let near = Condition::less(least, product).and(Condition::less_or_equal(distance, one));
+    let (distance, product) = (graph.unary(Unary::Abs, delta), graph.mul(&[ua, ub]));
+    // The square of the product, below 0 where the ends lie on two sides.
+    let size = graph.unary(Unary::Abs, product);
+    let (square, least) = (graph.mul(&[product, size]), graph.number(Number::LEAST.value()));
+    let near = Condition::less(least, square).and(Condition::less_or_equal(distance, one));
     vec![(u, graph.select(near, closed, far))]
 }

@@ -154,6 +154,13 @@ impl<'a> Walk<'a> {
             },
             Node::Binary(f, u, w) => {
                 let mut both = binary_slopes(graph, f, u, w);
+                if f == Binary::Atan2 && self.of_slope {
+                    // None at the origin, as of a root that vanishes.
+                    let squares = [graph.square(u), graph.square(w)];
+                    let (zero, r2) = (graph.zero(), graph.add(&squares));
+                    let origin = Condition::lost(graph, r2);
+                    both = (graph.select(origin.clone(), zero, both.0), graph.select(origin, zero, both.1));
+                }
                 let square = graph.square_without_root(u).filter(|_| f == Binary::Powf);
                 if f == Binary::Powf {
                     // By u² where u has a root: u^w may be smooth where the root is not.

@@ -13,7 +13,7 @@ use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Square, Su
 use crate::hash::Map;
 
 use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_part_of_root, of_power, of_root};
-use super::piecewise::{self, Placed};
+use super::piecewise::{self, Placed, or_zero};
 
 /// The two ends of a step: what the coordinates become at each.
 pub struct TwoPoints {
@@ -231,9 +231,20 @@ fn of_binary(
             let half_turn = graph.number(std::f64::consts::PI);
             let near = Condition::less_or_equal(width, dot).and(Condition::less_or_equal(swing, half_turn));
             let k = graph.select(near, acute, other);
+            // From or to the origin, where no angle is, along the way.
+            let gaps = [graph.sub(ub, ua), graph.sub(wb, wa)];
+            let squares = gaps.map(|gap| graph.square(gap));
+            let (zero, length2) = (graph.zero(), graph.add(&squares));
+            let origin = Condition::equal(width, zero).and(Condition::equal(dot, zero));
+            let k = graph.select(origin.clone(), zero, k);
+            let along = gaps.map(|gap| {
+                let rise = graph.mul(&[turn, gap]);
+                let along = or_zero(graph, rise, length2);
+                graph.select(origin.clone(), along, zero)
+            });
             let (mean_u, mean_w) = (graph.mean(ua, ub), graph.mean(wa, wb));
             let toward_w = graph.mul(&[mean_u, k]);
-            vec![(u, graph.mul(&[mean_w, k])), (w, graph.neg(toward_w))]
+            vec![(u, graph.mul(&[mean_w, k])), (w, graph.neg(toward_w)), (u, along[0]), (w, along[1])]
         }
         Binary::Min | Binary::Max => unreachable!("choices are taken as a whole"),
     }

@@ -1,6 +1,8 @@
 //! Where something is 0 or infinite and the law is not: choices and products of roots have the limits that they should.
 
+use dmech_symbolic::calculus;
 use dmech_symbolic::expression::Unary;
+use dmech_symbolic::program::Program;
 
 use crate::common::laws::Law;
 use crate::common::notation::{E, choose, norm, squared};
@@ -215,5 +217,73 @@ fn an_infinite_slope_is_told() {
         }
         let mut round = Law::build(2, |q, p| squared(q).powf(exponent(p)));
         assert_eq!(gradient(&mut round, &[0.0, 0.0]), [0.0; 2]);
+    }
+}
+
+/// The bounds below which an inverse is lost are those of the scalar: motions in |q|^p that have died away in binary32.
+#[test]
+fn bounds_follow_the_scalar() {
+    let laws: [fn(&[E], &[E]) -> E; 5] = [
+        |q, p| norm(q).powf(p[1].of(Unary::Round)),
+        |q, _| norm(q).powf(2.7),
+        |q, _| norm(q).powi(3),
+        |q, _| q[0].abs().powf(1.3) + q[1].powi(2),
+        |q, _| q[1].powi(2) + (q[0] - q[1]).abs(),
+    ];
+    for (i, phi) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, |q, p| phi(q, p));
+        let matrix = law.kernels().discrete_gradient_jacobian;
+        for k in 8..45_i32 {
+            let a = [10f32.powi(-k), 0.0];
+            for part in [1.0, 1.1, -0.7, 1e-10, 0.0] {
+                let found = matrix.run(law.values(|x| x as f32, &a, &a, &[part * a[0], 0.0]));
+                assert!(found.iter().all(|x| x.is_finite()), "{i} from {a:?}, {part}: {found:?}");
+            }
+        }
+    }
+}
+
+/// Forces |v|^p v of velocities whose squares are hardly numbers any more.
+#[test]
+fn drags_of_hardly_any_velocity_are_finite() {
+    let sizes: [fn(&[E]) -> E; 4] =
+        [norm, |v| norm(v).powf(0.7), |v| norm(v).sqrt(), |v| norm(v).powf(1.5) / (1.0 + norm(v))];
+    for (i, size) in sizes.into_iter().enumerate() {
+        let mut law = Law::build(2, |v, _| size(v));
+        let v = law.variables.q.clone();
+        let force: Vec<_> = v.iter().map(|&v| (law.phi, law.graph.symbol(v))).collect();
+        let force: Vec<_> = force.into_iter().map(|(size, v)| law.graph.mul(&[size, v])).collect();
+        let jacobian = calculus::jacobian(&mut law.graph, &force, &v).concat();
+        let program = Program::schedule(&mut law.graph, &jacobian);
+        let mut last = f64::INFINITY;
+        for k in 0..320 {
+            let small = [0.6 * 10f64.powi(-k), -0.8 * 10f64.powi(-k)];
+            let found = program.run(law.at(&small, &small));
+            let largest = found.iter().fold(0.0, |size: f64, x| if x.is_nan() { *x } else { size.max(x.abs()) });
+            assert!(largest <= last, "{i} at {small:?}: {found:?}");
+            last = largest;
+        }
+        assert_eq!(last, 0.0, "{i}");
+    }
+}
+
+/// The angle from the origin, where none is: the discrete gradient goes along the way and makes the work.
+#[test]
+fn angles_reach_the_origin() {
+    let laws: [fn(&[E]) -> E; 2] = [|q| q[1].atan2(q[0]), |q| squared(q) * (1.0 + q[1].atan2(q[0]))];
+    for (i, phi) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, |q, _| phi(q));
+        let kernels = law.kernels();
+        let places = [[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [-1.1, 0.4]];
+        for (a, b) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
+            let slope = kernels.discrete_gradient.run(law.at(a, b));
+            let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
+            let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(q, q))[0]);
+            assert!((work - (end - start)).abs() < 1e-14, "{i} from {a:?} to {b:?}: {slope:?}");
+            let matrix = kernels.discrete_gradient_jacobian.run(law.at(a, b));
+            assert!(matrix.iter().all(|x| x.is_finite()), "{i} from {a:?} to {b:?}: {matrix:?}");
+        }
+        let hessian = kernels.hessian.run(law.at(&[0.0; 2], &[0.0; 2]));
+        assert!(i == 0 || hessian.iter().all(|x| x.is_finite()), "{i}: {hessian:?}");
     }
 }

@@ -1,7 +1,6 @@
 //! To which order an expression vanishes where the coordinates in it do.
 
-use super::{Binary, Node, Number, Unary, Variable};
-use crate::expression::{Expr, Graph, Symbol};
+use super::{Binary, Expr, Graph, Node, Number, Unary, Variable};
 
 impl Graph {
     /// The order to which an expression vanishes where the coordinates in it do, as it is written: x² + y² to the second, its root to
@@ -15,7 +14,11 @@ impl Graph {
     pub(super) fn order_of(&self, node: &Node) -> f64 {
         match node {
             Node::Number(_) => 0.0,
-            Node::Symbol(s) => self.order_of_symbol(*s),
+            Node::Symbol(s) => match self.variable(*s) {
+                Variable::SquaredDistance => 2.0,
+                Variable::Coordinate => 1.0,
+                Variable::Parameter => 0.0,
+            },
             Node::Sum { constant, terms } => {
                 let start = if *constant == Number::ZERO { f64::INFINITY } else { 0.0 };
                 let least = terms.iter().fold(start, |least, &(_, term)| least.min(self.order(term)));
@@ -39,16 +42,7 @@ impl Graph {
 
     /// A coordinate, or a multiple of one.
     fn is_linear(&self, e: Expr) -> bool {
-        let is_symbol = |e: Expr| matches!(self.node(e), Node::Symbol(_));
-        is_symbol(e)
-            || matches!(self.node(e), Node::Product { factors, .. } if factors.iter().all(|&(f, n)| n == 1 && is_symbol(f)))
-    }
-
-    fn order_of_symbol(&self, symbol: Symbol) -> f64 {
-        match self.variable(symbol) {
-            Variable::SquaredDistance => 2.0,
-            Variable::Coordinate => 1.0,
-            Variable::Parameter => 0.0,
-        }
+        let is_coordinate = |e: Expr| matches!(self.node(e), Node::Symbol(_)) && self.order(e) == 1.0;
+        self.order(e) == 1.0 && self.factors(e).1.iter().any(|&(f, n)| n == 1 && is_coordinate(f))
     }
 }

@@ -6,6 +6,7 @@ use dmech_symbolic::program::Program;
 
 use crate::common::laws::Law;
 use crate::common::notation::{E, choose, norm, squared};
+use crate::common::tree::PARAMETERS;
 
 fn gradient(law: &mut Law, q: &[f64]) -> Vec<f64> {
     law.kernels().gradient.run(law.at(q, q))
@@ -286,4 +287,52 @@ fn angles_reach_the_origin() {
         let hessian = kernels.hessian.run(law.at(&[0.0; 2], &[0.0; 2]));
         assert!(i == 0 || hessian.iter().all(|x| x.is_finite()), "{i}: {hessian:?}");
     }
+}
+
+/// A centre elsewhere is one too; where a square is only nearly 0, or what a power is of passes through it, none is.
+#[test]
+fn orders_are_those_of_the_place() {
+    let shifted: [fn(&[E], &[E]) -> E; 2] = [
+        |q, p| ((q[0] - p[1]).powi(2) + (2.0 * q[1] - p[2]).powi(2)).powf(0.75),
+        |q, p| ((q[0] - p[1]).powi(2) + (2.0 * q[1] - p[2]).powi(2)).powf(p[1].of(Unary::Round) * 0.375),
+    ];
+    for phi in shifted {
+        let mut law = Law::build(2, phi);
+        let centre = [PARAMETERS[1], 0.5 * PARAMETERS[2]];
+        assert_eq!(gradient(&mut law, &centre), [0.0; 2]);
+    }
+    for mut passing in [
+        Law::build(1, |q, _| (1.0 - q[0].powi(2)).powf(0.75)),
+        Law::build(1, |q, _| (1.0 - q[0].powi(2)).powf(0.7)),
+        Law::build(1, |q, _| (q[0].of(Unary::Sinh) - 1.0f64.sinh()).powf(0.7)),
+        Law::build(1, |q, _| (q[0].abs() - 1.0).powf(0.7)),
+    ] {
+        assert_eq!(gradient(&mut passing, &[1.0])[0].abs(), f64::INFINITY);
+    }
+    let mut higher = Law::build(2, |q, p| (q[0].powi(4) + q[1].powi(4)).powf(0.5 * p[1].of(Unary::Round) - 0.7));
+    assert_eq!(gradient(&mut higher, &[0.0; 2]), [0.0; 2]);
+}
+
+/// Where a law has no centre, nothing is paid for one: springs with a length, softened forces, molecules.
+#[test]
+fn what_has_no_centre_chooses_nothing() {
+    let laws: [fn(&[E], &[E]) -> E; 4] = [
+        |q, p| p[0] * (norm(q) - p[1]).powi(2) + (norm(&[q[0] - 3.0, q[1]]) - p[1]).powi(2),
+        |q, p| (squared(q) + p[0].powi(2)).sqrt(),
+        |q, _| (1.0 + q[0].powi(4)).sqrt() + q[1],
+        |q, p| p[0] * (1.0 - (p[1] - norm(q)).exp()).powi(2),
+    ];
+    for (i, phi) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, phi);
+        let kernels = law.kernels();
+        let choices = |program: &Program| program.cost().choices;
+        let [_, gradient, hessian, secant, matrix] = kernels.pointwise().map(choices);
+        assert_eq!([gradient, hessian, choices(&kernels.gradient_kick)], [0; 3], "{i}");
+        // The exponential has its own choice, and one for each of its slopes.
+        assert_eq!([secant, matrix], if i == 3 { [1, 5] } else { [0; 2] }, "{i}");
+    }
+    let mut round = Law::build(2, |q, _| norm(q) * norm(q).of(Unary::Tanh));
+    let kernels = round.kernels();
+    let choices = kernels.pointwise().map(|program| program.cost().choices);
+    assert_eq!(choices[1..4], [1, 6, 2], "√s·1/√s cancels");
 }

@@ -309,6 +309,8 @@ fn orders_are_those_of_the_place() {
     ] {
         assert_eq!(gradient(&mut passing, &[1.0])[0].abs(), f64::INFINITY);
     }
+    let mut below = Law::build(2, |q, _| squared(q).cbrt() * norm(q).sqrt().sqrt());
+    assert_ne!(gradient(&mut below, &[0.0; 2]), [0.0; 2]);
     let mut higher = Law::build(2, |q, p| (q[0].powi(4) + q[1].powi(4)).powf(0.5 * p[1].of(Unary::Round) - 0.7));
     assert_eq!(gradient(&mut higher, &[0.0; 2]), [0.0; 2]);
 }

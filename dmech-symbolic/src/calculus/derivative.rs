@@ -1,13 +1,13 @@
 //! Gradients by reverse accumulation.
 
 use crate::expression::{
-    Binary, Choice, Condition, EvenOfRoot, Expr, Graph, Node, Number, Root, Square, Symbol, Unary, Variable,
+    Binary, Choice, Condition, EvenOfRoot, Expr, Graph, Node, Number, Root, Square, Symbol, Unary,
 };
 use crate::hash::Map;
 
 /// ∂e/∂xᵢ for each symbol: one walk from the expression down to the symbols.
 pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
-    Walk::new(graph, symbols, false).gradient(graph, e, 0.0)
+    Walk::new(symbols, false).gradient(graph, e)
 }
 
 /// As [`gradient`], of an expression that is a slope itself: where a root in it vanishes and has no slope, 0 stands for that.
@@ -15,20 +15,15 @@ pub fn gradient(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
 /// Newton's method then makes a plain iteration there, where ∞·0 would end it; and where the product does have a limit, as
 /// r·x has at the origin, it is this one.
 pub fn tangent(graph: &mut Graph, e: Expr, symbols: &[Symbol]) -> Vec<Expr> {
-    Walk::new(graph, symbols, true).gradient(graph, e, 0.0)
+    Walk::new(symbols, true).gradient(graph, e)
 }
-
-/// The bits of an order.
-type Beside = u64;
 
 struct Walk<'a> {
     symbols: &'a [Symbol],
     /// The expression is a slope.
     of_slope: bool,
-    /// What is of a higher [order](Graph::order) has a slope of 0 where it vanishes.
-    order: f64,
-    /// The slopes of the branches of a choice, which may be wanted in many places, by what comes times it.
-    choices: Map<(Expr, Beside), [Vec<Expr>; 2]>,
+    /// The slopes of the branches of a choice, which may be wanted in many places.
+    choices: Map<Expr, [Vec<Expr>; 2]>,
     /// Which expressions contain a symbol, as far as they have been looked at.
     depends: Vec<bool>,
     /// Which are made with a choice: the place where a step crosses a seam is.
@@ -36,15 +31,11 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    fn new(graph: &Graph, symbols: &'a [Symbol], of_slope: bool) -> Self {
-        // A slope by a squared distance is itself one of a first order with the two coordinates that it comes times.
-        let squared = symbols.iter().all(|&s| graph.variable(s) == Variable::SquaredDistance);
-        let order = if of_slope && squared { 0.0 } else { 1.0 };
-        Self { symbols, of_slope, order, choices: Map::default(), depends: vec![], chosen: vec![] }
+    fn new(symbols: &'a [Symbol], of_slope: bool) -> Self {
+        Self { symbols, of_slope, choices: Map::default(), depends: vec![], chosen: vec![] }
     }
 
-    /// The same of an expression that comes times others of the order `beside`.
-    fn gradient(&mut self, graph: &mut Graph, e: Expr, beside: f64) -> Vec<Expr> {
+    fn gradient(&mut self, graph: &mut Graph, e: Expr) -> Vec<Expr> {
         let symbols = self.symbols;
         graph.extend_dependence(&mut self.depends, symbols);
         graph.extend_choosing(&mut self.chosen);
@@ -71,13 +62,11 @@ impl<'a> Walk<'a> {
             }
             if let Some(Choice { condition, yes, no }) = graph.choice(node) {
                 // Straight to the symbols, the adjoint within the branches: 0·∞ of the branch not taken must not arise.
-                let beside = beside + graph.order(adjoint);
-                let place = (node, beside.to_bits());
-                let slopes = match self.choices.get(&place) {
+                let slopes = match self.choices.get(&node) {
                     Some(slopes) => slopes.clone(),
                     None => {
-                        let slopes = [yes, no].map(|branch| self.gradient(graph, branch, beside));
-                        self.choices.insert(place, slopes.clone());
+                        let slopes = [yes, no].map(|branch| self.gradient(graph, branch));
+                        self.choices.insert(node, slopes.clone());
                         slopes
                     }
                 };
@@ -91,9 +80,9 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             }
-            let order = beside + graph.order(adjoint) + graph.order(node);
+            let order = graph.order(adjoint) + graph.order(node);
             // 1/√s with √s among the factors cancels.
-            let flat = order > self.order && !graph.has_factor(adjoint, node);
+            let flat = order > 1.0 && !graph.has_factor(adjoint, node);
             let alone = graph.as_number(adjoint).is_some();
             for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
@@ -261,8 +250,8 @@ pub fn derivative(graph: &mut Graph, e: Expr, symbol: Symbol) -> Expr {
 
 /// ∂eᵢ/∂xⱼ of components that are slopes: see [`tangent`].
 pub fn jacobian(graph: &mut Graph, components: &[Expr], symbols: &[Symbol]) -> Vec<Vec<Expr>> {
-    let mut walk = Walk::new(graph, symbols, true);
-    components.iter().map(|&e| walk.gradient(graph, e, 0.0)).collect()
+    let mut walk = Walk::new(symbols, true);
+    components.iter().map(|&e| walk.gradient(graph, e)).collect()
 }
 
 /// ∂²e/∂xᵢ∂xⱼ; both halves are the same expressions.

@@ -30,8 +30,7 @@ impl Graph {
             Node::Product { factors, .. } => factors.iter().map(|&(f, n)| f64::from(n) * self.order(f)).sum(),
             Node::Unary(Unary::Sqrt, u) => self.order(*u) / 2.0,
             Node::Unary(Unary::Cbrt, u) => self.order(*u) / 3.0,
-            Node::Unary(Unary::Abs, u) => self.order(*u),
-            Node::Unary(f, u) if f.exact_value(0.0) == Some(0.0) => self.order(*u).max(0.0),
+            Node::Unary(f, u) if f.exact_value(0.0) == Some(0.0) => self.order(*u),
             Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => 0.0,
             Node::Binary(Binary::Powf, u, w) => self.as_number(*w).map_or(0.0, |w| w * self.order(*u)),
             Node::Binary(Binary::Min | Binary::Max, one, two) | Node::Select(_, one, two) => {

@@ -2,7 +2,7 @@
 
 use dmech_symbolic::calculus;
 use dmech_symbolic::expression::Unary;
-use dmech_symbolic::program::Program;
+use dmech_symbolic::program::{Operation, Program};
 
 use crate::common::laws::Law;
 use crate::common::notation::{E, choose, norm, squared};
@@ -122,7 +122,9 @@ fn even_functions_of_a_distance_are_smooth_at_the_centre() {
 /// nothing acts.
 #[test]
 fn roots_of_a_higher_order_have_a_centre() {
-    let laws: [fn(&[E]) -> E; 11] = [
+    let laws: [fn(&[E]) -> E; 13] = [
+        |q| (q[0].abs().powi(3) + q[1].powi(4)).sqrt(),
+        |q| (q[0].abs().powf(2.8) + q[1].powi(4)).sqrt(),
         |q| norm(q) * norm(q).of(Unary::Tanh),
         |q| norm(q).sqrt().powi(3),
         |q| squared(q).cbrt().powi(2),
@@ -266,6 +268,9 @@ fn drags_of_hardly_any_velocity_are_finite() {
         }
         assert_eq!(last, 0.0, "{i}");
     }
+    let mut cube_root = Law::build(1, |v, _| v[0].cbrt());
+    let slope = calculus::tangent(&mut cube_root.graph, cube_root.phi, &cube_root.variables.q);
+    assert_eq!(Program::schedule(&mut cube_root.graph, &slope).run(cube_root.at(&[-1.0], &[0.0])), [1.0 / 3.0]);
 }
 
 /// The angle from the origin, where none is: the discrete gradient goes along the way and makes the work.
@@ -275,12 +280,17 @@ fn angles_reach_the_origin() {
     for (i, phi) in laws.into_iter().enumerate() {
         let mut law = Law::build(2, |q, _| phi(q));
         let kernels = law.kernels();
-        let places = [[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [-1.1, 0.4]];
+        let places =
+            [[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [-1.1, 0.4], [0.6, -0.4], [0.2, 0.3], [0.0, 0.2], [0.5, 0.0]];
         for (a, b) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
             let slope = kernels.discrete_gradient.run(law.at(a, b));
             let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
             let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(q, q))[0]);
             assert!((work - (end - start)).abs() < 1e-14, "{i} from {a:?} to {b:?}: {slope:?}");
+            // Elsewhere it goes around.
+            let around = i == 1 || [a, b].contains(&&places[0]);
+            let out: f64 = (0..2).map(|i| slope[i] * (a[i] + b[i])).sum();
+            assert!(around || out.abs() < 1e-14, "from {a:?} to {b:?}: {slope:?}");
             let matrix = kernels.discrete_gradient_jacobian.run(law.at(a, b));
             assert!(matrix.iter().all(|x| x.is_finite()), "{i} from {a:?} to {b:?}: {matrix:?}");
         }
@@ -309,6 +319,8 @@ fn orders_are_those_of_the_place() {
     ] {
         assert_eq!(gradient(&mut passing, &[1.0])[0].abs(), f64::INFINITY);
     }
+    let mut round = Law::build(2, |q, p| squared(q).powf(p[0]));
+    assert_eq!(round.kernels().discrete_gradient.run(round.at(&[0.0; 2], &[0.0; 2])), [0.0; 2]);
     let mut below = Law::build(2, |q, _| squared(q).cbrt() * norm(q).sqrt().sqrt());
     assert_ne!(gradient(&mut below, &[0.0; 2]), [0.0; 2]);
     let mut higher = Law::build(2, |q, p| (q[0].powi(4) + q[1].powi(4)).powf(0.5 * p[1].of(Unary::Round) - 0.7));
@@ -318,7 +330,8 @@ fn orders_are_those_of_the_place() {
 /// Where a law has no centre, nothing is paid for one: springs with a length, softened forces, molecules.
 #[test]
 fn what_has_no_centre_chooses_nothing() {
-    let laws: [fn(&[E], &[E]) -> E; 4] = [
+    let laws: [fn(&[E], &[E]) -> E; 5] = [
+        |q, _| squared(q) * (q[0] + (1.0 + squared(q)).sqrt()),
         |q, p| p[0] * (norm(q) - p[1]).powi(2) + (norm(&[q[0] - 3.0, q[1]]) - p[1]).powi(2),
         |q, p| (squared(q) + p[0].powi(2)).sqrt(),
         |q, _| (1.0 + q[0].powi(4)).sqrt() + q[1],
@@ -331,10 +344,18 @@ fn what_has_no_centre_chooses_nothing() {
         let [_, gradient, hessian, secant, matrix] = kernels.pointwise().map(choices);
         assert_eq!([gradient, hessian, choices(&kernels.gradient_kick)], [0; 3], "{i}");
         // The exponential has its own choice, and one for each of its slopes.
-        assert_eq!([secant, matrix], if i == 3 { [1, 5] } else { [0; 2] }, "{i}");
+        assert_eq!([secant, matrix], if i == 4 { [1, 5] } else { [0; 2] }, "{i}");
     }
     let mut round = Law::build(2, |q, _| norm(q) * norm(q).of(Unary::Tanh));
     let kernels = round.kernels();
     let choices = kernels.pointwise().map(|program| program.cost().choices);
-    assert_eq!(choices[1..4], [1, 6, 2], "√s·1/√s cancels");
+    assert_eq!(choices[1..4], [1, 6, 2]);
+    assert_eq!(kernels.gradient.cost().multiplications, 6, "√s·1/√s cancels");
+    let mut soft = Law::build(1, |q, p| (1.0 + q[0].powi(2)).powf(p[0]));
+    let kernels = soft.kernels();
+    assert_eq!(kernels.gradient.cost().choices, 0);
+    for program in kernels.pointwise() {
+        let finite = |operation: &Operation| !matches!(operation, Operation::Number(x) if !x.value().is_finite());
+        assert!(program.operations.iter().all(finite));
+    }
 }

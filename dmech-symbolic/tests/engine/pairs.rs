@@ -363,7 +363,9 @@ fn jacobians_of_forces() {
 /// Two bodies at one place, with a law that is least there: nothing acts, and the Newton matrices are finite.
 #[test]
 fn bodies_may_be_at_one_place() {
-    let laws: [Formula; 4] = [
+    let laws: [Formula; 6] = [
+        |p| p.r * p.r.sin(),
+        |p| p.r.of(Unary::Sinh) * p.r.of(Unary::Asinh),
         |p| p.r.powf(1.5),
         |p| p.k * p.r.powf(1.7),
         |p| p.r * p.r.of(Unary::Tanh),

@@ -80,9 +80,8 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             }
-            let order = graph.order(adjoint) + graph.order(node);
-            // 1/√s with √s among the factors cancels.
-            let flat = order > 1.0 && !graph.has_factor(adjoint, node);
+            // A root has a slope of 0 where all of it is of an order above the first; 1/√s times √s cancels anyhow.
+            let flat = graph.order(adjoint) + graph.order(node) > 1.0 && !graph.has_factor(adjoint, node);
             let alone = graph.as_number(adjoint).is_some();
             for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken

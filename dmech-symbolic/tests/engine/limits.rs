@@ -287,6 +287,10 @@ fn angles_reach_the_origin() {
             let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
             let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(q, q))[0]);
             assert!((work - (end - start)).abs() < 1e-14, "{i} from {a:?} to {b:?}: {slope:?}");
+            if a == b && *a != places[0] {
+                let tangent = kernels.gradient.run(law.at(a, a));
+                assert!((0..2).all(|i| (slope[i] - tangent[i]).abs() < 1e-14), "at {a:?}: {slope:?}, {tangent:?}");
+            }
             // Elsewhere it goes around.
             let around = i == 1 || [a, b].contains(&&places[0]);
             let out: f64 = (0..2).map(|i| slope[i] * (a[i] + b[i])).sum();
@@ -323,6 +327,8 @@ fn orders_are_those_of_the_place() {
     assert_eq!(round.kernels().discrete_gradient.run(round.at(&[0.0; 2], &[0.0; 2])), [0.0; 2]);
     let mut below = Law::build(2, |q, _| squared(q).cbrt() * norm(q).sqrt().sqrt());
     assert_ne!(gradient(&mut below, &[0.0; 2]), [0.0; 2]);
+    let mut steep = Law::build(2, |q, _| norm(q) * q[0].powi(2).max(1.0));
+    assert_ne!(gradient(&mut steep, &[0.0; 2]), [0.0; 2]);
     let mut higher = Law::build(2, |q, p| (q[0].powi(4) + q[1].powi(4)).powf(0.5 * p[1].of(Unary::Round) - 0.7));
     assert_eq!(gradient(&mut higher, &[0.0; 2]), [0.0; 2]);
 }
@@ -351,6 +357,8 @@ fn what_has_no_centre_chooses_nothing() {
     let choices = kernels.pointwise().map(|program| program.cost().choices);
     assert_eq!(choices[1..4], [1, 6, 2]);
     assert_eq!(kernels.gradient.cost().multiplications, 6, "√s·1/√s cancels");
+    let mut chain = Law::build(4, |q, p| (norm(&[q[0] - q[2], q[1] - q[3]]) - p[0]).powi(2));
+    assert_eq!(chain.kernels().gradient_kick.cost().choices, 0);
     let mut soft = Law::build(1, |q, p| (1.0 + q[0].powi(2)).powf(p[0]));
     let kernels = soft.kernels();
     assert_eq!(kernels.gradient.cost().choices, 0);

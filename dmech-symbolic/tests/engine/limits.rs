@@ -8,6 +8,9 @@ use crate::common::laws::Law;
 use crate::common::notation::{E, choose, norm, squared};
 use crate::common::tree::PARAMETERS;
 
+/// A law in coordinates and parameters.
+type Formula = fn(&[E], &[E]) -> E;
+
 fn gradient(law: &mut Law, q: &[f64]) -> Vec<f64> {
     law.kernels().gradient.run(law.at(q, q))
 }
@@ -226,7 +229,7 @@ fn an_infinite_slope_is_told() {
 /// The bounds below which an inverse is lost are those of the scalar: motions in |q|^p that have died away in binary32.
 #[test]
 fn bounds_follow_the_scalar() {
-    let laws: [fn(&[E], &[E]) -> E; 5] = [
+    let laws: [Formula; 5] = [
         |q, p| norm(q).powf(p[1].of(Unary::Round)),
         |q, _| norm(q).powf(2.7),
         |q, _| norm(q).powi(3),
@@ -234,7 +237,7 @@ fn bounds_follow_the_scalar() {
         |q, _| q[1].powi(2) + (q[0] - q[1]).abs(),
     ];
     for (i, phi) in laws.into_iter().enumerate() {
-        let mut law = Law::build(2, |q, p| phi(q, p));
+        let mut law = Law::build(2, phi);
         let matrix = law.kernels().discrete_gradient_jacobian;
         for k in 8..45_i32 {
             let a = [10f32.powi(-k), 0.0];
@@ -306,7 +309,7 @@ fn angles_reach_the_origin() {
 /// A centre elsewhere is one too; where a square is only nearly 0, or what a power is of passes through it, none is.
 #[test]
 fn orders_are_those_of_the_place() {
-    let shifted: [fn(&[E], &[E]) -> E; 2] = [
+    let shifted: [Formula; 2] = [
         |q, p| ((q[0] - p[1]).powi(2) + (2.0 * q[1] - p[2]).powi(2)).powf(0.75),
         |q, p| ((q[0] - p[1]).powi(2) + (2.0 * q[1] - p[2]).powi(2)).powf(p[1].of(Unary::Round) * 0.375),
     ];
@@ -336,7 +339,7 @@ fn orders_are_those_of_the_place() {
 /// Where a law has no centre, nothing is paid for one: springs with a length, softened forces, molecules.
 #[test]
 fn what_has_no_centre_chooses_nothing() {
-    let laws: [fn(&[E], &[E]) -> E; 5] = [
+    let laws: [Formula; 5] = [
         |q, _| squared(q) * (q[0] + (1.0 + squared(q)).sqrt()),
         |q, p| p[0] * (norm(q) - p[1]).powi(2) + (norm(&[q[0] - 3.0, q[1]]) - p[1]).powi(2),
         |q, p| (squared(q) + p[0].powi(2)).sqrt(),

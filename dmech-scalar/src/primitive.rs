@@ -142,6 +142,10 @@ primitive! {
     }
     f32 {
         #[inline(always)]
+        fn least() -> Self {
+            1e-37
+        }
+        #[inline(always)]
         fn product(self, b: Self) -> (Self, Self) {
             let product = self * b;
             (product, (f64::from(self) * f64::from(b) - f64::from(product)) as Self)

@@ -79,6 +79,11 @@ pub trait Real:
 
     /// The nearest number of this type.
     fn from_f64(x: f64) -> Self;
+    /// What is less than this has an inverse that is infinite or nearly so.
+    #[inline(always)]
+    fn least() -> Self {
+        Self::from_f64(1e-307)
+    }
     /// The nearest `f64` (for several lanes: the first).
     fn to_f64(self) -> f64;
 

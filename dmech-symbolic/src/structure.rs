@@ -71,7 +71,7 @@ pub(crate) fn squares(graph: &mut Graph, coordinates: &[Symbol]) -> Vec<Expr> {
 
 /// Replaces Σ qᵢ² by s wherever it stands in a sum; central if no coordinate is left.
 fn central(graph: &mut Graph, phi: Expr, coordinates: &[Symbol]) -> Option<Central> {
-    let s = graph.coordinate("s");
+    let s = graph.squared_distance("s");
     let squared_distance = graph.symbol(s);
     let squares = squares(graph, coordinates);
     // The distance may first appear after an inner sum has been replaced: repeat until nothing changes.

@@ -91,3 +91,51 @@ fn implicit_steps_of_scenes_come_to_rest() {
     rests!(still().chain(Link));
     rests!(still().pairs(Link));
 }
+
+/// Wells that are flat at their centre, made of roots.
+#[derive(Clone, Copy, Debug)]
+struct Well;
+
+#[dmech::law]
+impl Well {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let r = q[0].hypot(q[1]);
+        (q[0].powi(4) + q[1].powi(4)).sqrt() + r * r.tanh()
+    }
+}
+
+/// Two bodies that repel each other, and do so least where they meet.
+#[derive(Clone, Copy, Debug)]
+struct Repulsion;
+
+#[dmech::law]
+impl Repulsion {
+    #[pair]
+    fn energy(&self, r: f64) -> f64 {
+        -r.powf(1.5)
+    }
+
+    #[pair_force]
+    fn drag(&self, va: [f64; 2], vb: [f64; 2]) -> [f64; 2] {
+        let v = [va[0] - vb[0], va[1] - vb[1]];
+        v.map(|x| -x * v[0].hypot(v[1]).sqrt())
+    }
+}
+
+/// What rests at a centre stays there, and what is pushed off it is followed, its energy kept.
+#[test]
+fn implicit_steps_start_at_a_centre_made_of_roots() {
+    for v in [[0.0, 0.0], [0.3, -0.2], [1e-160, 0.0]] {
+        let of = || Simulation::new(Well, State::new([0.0, 0.0], v)).dt(0.1);
+        let runs = [of().scheme(DiscreteGradient).run(200), of().scheme(Implicit).run(200)];
+        let [exact, _] = runs.map(|run| run.unwrap_or_else(|e| panic!("{v:?}: {e}")));
+        assert!(exact.drift(Invariant::Energy).unwrap().max_abs() < 1e-14, "{v:?}");
+        assert!(v != [0.0, 0.0] || exact.last().q == [0.0, 0.0]);
+    }
+    let pair = || Scene::new().body(1.0, [0.2, 0.1], [0.0; 2]).body(2.0, [0.2, 0.1], [0.0; 2]).pairs(Repulsion);
+    let of = || Simulation::scene(pair()).dt(0.1);
+    for run in [of().scheme(DiscreteGradient).run(50), of().scheme(Implicit).run(50)] {
+        assert_eq!(run.unwrap().last().q[0], [0.2, 0.1]);
+    }
+}

@@ -1,6 +1,6 @@
 //! One operation as Rust, with no more parentheses than needed.
 
-use dmech_symbolic::expression::Relation;
+use dmech_symbolic::expression::{Number, Relation};
 use dmech_symbolic::program::{Operation, Test, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -41,6 +41,8 @@ pub(super) fn number(x: f64, scalar: &Ident) -> TokenStream {
         quote!(#scalar::ZERO)
     } else if x == 1.0 {
         quote!(#scalar::ONE)
+    } else if Number::new(x) == Number::LEAST {
+        quote!(#scalar::least())
     } else {
         // As it is debugged: with an exponent where it is far from 1.
         let magnitude: Literal =

@@ -80,7 +80,10 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             }
-            for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], node == e) {
+            // A root has a slope of 0 where all of it is of an order above the first; 1/√s times √s cancels anyhow.
+            let flat = graph.order(adjoint) + graph.order(node) > 1.0 && !graph.has_factor(adjoint, node);
+            let alone = graph.as_number(adjoint).is_some();
+            for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
                 // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
                 let summands = if is_cardinal_slope(graph, node) { &summands[..] } else { &[adjoint] };
@@ -97,7 +100,8 @@ impl<'a> Walk<'a> {
         graph: &mut Graph,
         node: Expr,
         depends: &dyn Fn(Expr) -> bool,
-        is_whole: bool,
+        flat: bool,
+        alone: bool,
     ) -> Vec<(Expr, Expr)> {
         match graph.node(node).clone() {
             Node::Number(_) | Node::Symbol(_) => Vec::new(),
@@ -112,27 +116,39 @@ impl<'a> Walk<'a> {
                 };
                 moving.map(partial).collect()
             }
-            Node::Product { coefficient, factors } => self.product_partials(graph, coefficient, &factors, depends),
+            Node::Product { coefficient, factors } => {
+                self.product_partials(graph, coefficient, &factors, depends, flat)
+            }
             Node::Unary(f, u) => match (graph.even_of_root(node), graph.root(node)) {
                 (Some(even), _) => {
                     let slope = graph.unary(even.cardinal, even.argument);
                     let slope = graph.scale(even.half, slope);
-                    self.square_partials(graph, slope, &even.square, depends)
+                    self.square_partials(graph, slope, &even.square, depends, flat)
                 }
-                // A root alone vanishes where the ends do; on a seam, where a step only passes.
-                (_, Some(root)) if self.of_slope && (is_whole || self.chosen[root.below.index()]) => {
+                // A root alone, or in a sum, vanishes where the ends do; on a seam, where a step only passes.
+                (_, Some(root))
+                    if flat && graph.order(node) > 0.0
+                        || self.of_slope && (alone || self.chosen[root.below.index()]) =>
+                {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
                 }
                 // A function of a root, as it would be of −√s or k √s.
                 _ if self.of_slope && graph.root(u).is_some() => {
                     let slope = slope(graph, f, u);
-                    let partials = self.product_partials(graph, Number::ONE, &[(u, 1)], depends);
+                    let partials = self.product_partials(graph, Number::ONE, &[(u, 1)], depends, flat);
                     partials.into_iter().map(|(child, partial)| (child, graph.mul(&[slope, partial]))).collect()
                 }
                 _ => vec![(u, slope(graph, f, u))],
             },
             Node::Binary(f, u, w) => {
                 let mut both = binary_slopes(graph, f, u, w);
+                if f == Binary::Atan2 && self.of_slope {
+                    // None at the origin, as of a root that vanishes.
+                    let squares = [graph.square(u), graph.square(w)];
+                    let (zero, r2) = (graph.zero(), graph.add(&squares));
+                    let origin = Condition::lost(graph, r2);
+                    both = (graph.select(origin.clone(), zero, both.0), graph.select(origin, zero, both.1));
+                }
                 let square = graph.square_without_root(u).filter(|_| f == Binary::Powf);
                 if f == Binary::Powf {
                     // By u² where u has a root: u^w may be smooth where the root is not.
@@ -141,7 +157,7 @@ impl<'a> Walk<'a> {
                     both.0 = self.unless_infinite(graph, slope, (u, w), degree);
                 }
                 let mut found = match square {
-                    Some(square) => self.square_partials(graph, both.0, &square, depends),
+                    Some(square) => self.square_partials(graph, both.0, &square, depends, flat),
                     None => vec![(u, both.0)],
                 };
                 found.push((w, both.1));
@@ -159,23 +175,22 @@ impl<'a> Walk<'a> {
         slope: Expr,
         square: &Square,
         depends: &dyn Fn(Expr) -> bool,
+        flat: bool,
     ) -> Vec<(Expr, Expr)> {
         let coefficient = graph.number(square.coefficient.value());
         let outside = graph.product_of(Number::ONE, vec![(slope, 1), (coefficient, 2)]);
-        let partials = self.product_partials(graph, Number::ONE, &square.factors, depends);
+        let partials = self.product_partials(graph, Number::ONE, &square.factors, depends, flat);
         partials.into_iter().map(|(child, partial)| (child, graph.mul(&[outside, partial]))).collect()
     }
 
-    /// The slope of u^w by uⁿ, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < n. Of a law only where w > n/2 and u
-    /// vanishes as a square does: then it is the limit.
+    /// The slope of u^w by uⁿ, 0 where it is infinite but u^w is not: at u = 0 for 0 < w < n. Of a law only where it is of an
+    /// order above 1: then it is the limit.
     fn unless_infinite(&self, graph: &mut Graph, slope: Expr, (u, w): (Expr, Expr), n: f64) -> Expr {
-        if !self.of_slope && graph.passes_zero(u) {
-            return slope;
-        }
         let (zero, most) = (graph.zero(), graph.number(n));
-        let least = if self.of_slope { 0.0 } else { 0.5 * n };
+        let least = if self.of_slope { 0.0 } else { graph.order(u).recip() };
         let vanishes = Condition::equal(u, zero);
         let condition = match graph.as_number(w) {
+            _ if least >= n => return slope,
             Some(w) if w <= least || w >= n => return slope,
             Some(_) => vanishes,
             None if self.of_slope => vanishes.and(Condition::less(w, most)),
@@ -194,6 +209,7 @@ impl<'a> Walk<'a> {
         coefficient: Number,
         factors: &[(Expr, i32)],
         depends: &dyn Fn(Expr) -> bool,
+        flat: bool,
     ) -> Vec<(Expr, Expr)> {
         let mut found = vec![];
         let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| depends(f));
@@ -204,12 +220,11 @@ impl<'a> Walk<'a> {
             if let Some(even) = graph.even_of_root(f).filter(|even| even.cardinal == Unary::Sinhc && n < 0) {
                 rest.extend([(inverse_cosh_slope(graph, &even, f, n), 1)]);
                 let outside = graph.product_of(coefficient, rest);
-                found.extend(self.square_partials(graph, outside, &even.square, depends));
+                found.extend(self.square_partials(graph, outside, &even.square, depends, flat));
                 continue;
             }
-            let vanishes = graph.vanishes_with(&moving, i);
             let (child, order, slope) = match graph.root(f) {
-                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || vanishes) => {
+                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || flat) => {
                     (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                 }
                 _ => power_slope(graph, f, n),
@@ -255,7 +270,10 @@ fn unless_vanishing(graph: &mut Graph, root: &Root, f: Expr, n: i32) -> Expr {
     let (_, order, factors) = root.power_slope(graph, f, n);
     let slope = graph.product_of(Number::ONE, factors);
     let (zero, slope) = (graph.zero(), graph.scale(order, slope));
-    graph.select(Condition::equal(root.below, zero), zero, slope)
+    // A square root is of nothing negative.
+    let vanishes =
+        if root.degree == 3 { Condition::equal(root.below, zero) } else { Condition::lost(graph, root.below) };
+    graph.select(vanishes, zero, slope)
 }
 
 impl Root {

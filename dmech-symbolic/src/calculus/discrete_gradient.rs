@@ -9,11 +9,12 @@
 
 use std::rc::Rc;
 
-use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Square, Substitution, Symbol, Unary};
+use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Square, Substitution, Symbol};
 use crate::hash::Map;
 
-use super::divided_difference::{divided_difference, of_exponential, of_logarithm, of_part_of_root, of_power, of_root};
+use super::divided_difference::{divided_difference, of_part_of_root, of_power, of_root};
 use super::piecewise::{self, Placed};
+use super::two_arguments::{of_angle, of_powf, one_sided, unless_vanishing};
 
 /// The two ends of a step: what the coordinates become at each.
 pub struct TwoPoints {
@@ -90,7 +91,13 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             }
             continue;
         }
-        for (child, secant) in secants(graph, node, ends, &|c: Expr| depends[c.index()]) {
+        let flat = graph.order(adjoint) + graph.order(node) > 1.0;
+        let of_root = if flat { of_flat_root(graph, node, adjoint, ends) } else { None };
+        let factors = match of_root {
+            Some(factor) => vec![factor],
+            None => secants(graph, node, ends, &|c: Expr| depends[c.index()], flat),
+        };
+        for (child, secant) in factors {
             let share = graph.mul(&[adjoint, secant]);
             arriving[child.index()].push(share);
         }
@@ -98,8 +105,23 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
     found
 }
 
+/// A root in what is of a higher order than the first; √a + √b may be among the factors that it comes times, and cancels.
+fn of_flat_root(graph: &mut Graph, node: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Option<(Expr, Expr)> {
+    let root = graph.root(node).filter(|_| graph.order(node) > 0.0)?;
+    let (a, b) = ends.values(graph, node);
+    let sum = graph.add(&[a, b]);
+    let (a, b) = ends.values(graph, root.below);
+    (!graph.has_factor(adjoint, sum)).then(|| (root.below, of_part_of_root(graph, root.degree, a, b, 1)))
+}
+
 /// The moving children of a node, each with its factor in Δnode = Σ factor·Δchild.
-fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(Expr) -> bool) -> Vec<(Expr, Expr)> {
+fn secants(
+    graph: &mut Graph,
+    node: Expr,
+    ends: &mut TwoPoints,
+    moves: &dyn Fn(Expr) -> bool,
+    flat: bool,
+) -> Vec<(Expr, Expr)> {
     match graph.node(node).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Select(..) => Vec::new(),
         Node::Sum { terms, .. } => {
@@ -109,7 +131,7 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
         Node::Product { coefficient, factors } => {
             let (moving, fixed): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(f, _)| moves(f));
             let fixed = graph.product_of(coefficient, fixed);
-            of_product(graph, fixed, &moving, ends)
+            of_product(graph, fixed, &moving, ends, flat)
         }
         Node::Unary(f, u) => {
             let (a, b) = ends.values(graph, u);
@@ -121,10 +143,10 @@ fn secants(graph: &mut Graph, node: Expr, ends: &mut TwoPoints, moves: &dyn Fn(E
             let factors = [graph.unary(even.cardinal, middle), graph.unary(even.cardinal, delta)];
             let secant = graph.mul(&factors);
             let secant = graph.scale(even.half, secant);
-            of_square(graph, secant, &even.square, ends, moves)
+            of_square(graph, secant, &even.square, ends, moves, flat)
         }
         Node::Binary(f, u, w) => {
-            let both = of_binary(graph, f, u, w, ends, moves);
+            let both = of_binary(graph, f, (u, w), ends, moves, flat);
             both.into_iter().filter(|(c, _)| moves(*c)).collect()
         }
     }
@@ -137,20 +159,26 @@ fn of_square(
     square: &Square,
     ends: &mut TwoPoints,
     moves: &dyn Fn(Expr) -> bool,
+    flat: bool,
 ) -> Vec<(Expr, Expr)> {
     let (moving, mut fixed): (Vec<_>, Vec<_>) = square.factors.iter().copied().partition(|&(f, _)| moves(f));
     fixed.extend([(secant, 1), (graph.number(square.coefficient.value()), 2)]);
     let outside = graph.product_of(Number::ONE, fixed);
-    of_product(graph, outside, &moving, ends)
+    of_product(graph, outside, &moving, ends, flat)
 }
 
 /// u·w: mean(w) toward u, mean(u) toward w; longer products factor by factor.
-fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut TwoPoints) -> Vec<(Expr, Expr)> {
+fn of_product(
+    graph: &mut Graph,
+    fixed: Expr,
+    moving: &[(Expr, i32)],
+    ends: &mut TwoPoints,
+    flat: bool,
+) -> Vec<(Expr, Expr)> {
     let mut found = vec![];
     let mut outside = fixed;
     for (i, &(f, n)) in moving.iter().enumerate() {
-        let (root, vanishes) = (graph.root(f), graph.vanishes_with(moving, i));
-        let root = root.filter(|root| n > root.degree || (0 < n && n < root.degree && vanishes));
+        let root = graph.root(f).filter(|root| n > root.degree || (0 < n && n < root.degree && flat));
         let target = root.map_or(f, |root| root.below);
         let (a, b) = ends.values(graph, target);
         let secant = match root {
@@ -172,10 +200,10 @@ fn of_product(graph: &mut Graph, fixed: Expr, moving: &[(Expr, i32)], ends: &mut
 fn of_binary(
     graph: &mut Graph,
     f: Binary,
-    u: Expr,
-    w: Expr,
+    (u, w): (Expr, Expr),
     ends: &mut TwoPoints,
     moves: &dyn Fn(Expr) -> bool,
+    flat: bool,
 ) -> Vec<(Expr, Expr)> {
     let ((ua, ub), (wa, wb)) = (ends.values(graph, u), ends.values(graph, w));
     let square = graph.square_without_root(u).filter(|_| f == Binary::Powf && !moves(w));
@@ -183,114 +211,11 @@ fn of_binary(
         let toward_u = of_powf(graph, (u, ua, ub), (w, wa, wb), false)[0].1;
         let rises = Condition::less(graph.one(), wa);
         let secant = unless_vanishing(graph, toward_u, [ua, ub], rises);
-        return of_square(graph, secant, &square, ends, moves);
+        return of_square(graph, secant, &square, ends, moves, flat);
     }
     match f {
         Binary::Powf => of_powf(graph, (u, ua, ub), (w, wa, wb), moves(w)),
-        Binary::Atan2 => {
-            // With the point (w, u): Δangle = K (mean(w) Δu − mean(u) Δw), K = Δangle/cross. Below 45° the angle between the
-            // two points serves; above it, and where the segment crosses the cut, the difference of their angles, which
-            // does not cancel there.
-            let products = [graph.mul(&[wa, ub]), graph.mul(&[ua, wb]), graph.mul(&[wa, wb]), graph.mul(&[ua, ub])];
-            let cross = graph.sub(products[0], products[1]);
-            let dot = graph.add(&products[2..]);
-            let t = graph.div(cross, dot);
-            let cardinal = graph.unary(Unary::Atanc, t);
-            let acute = graph.div(cardinal, dot);
-            let angles = [graph.binary(f, ua, wa), graph.binary(f, ub, wb)];
-            let turn = graph.sub(angles[1], angles[0]);
-            let other = graph.div(turn, cross);
-            let (width, swing) = (graph.unary(Unary::Abs, cross), graph.unary(Unary::Abs, turn));
-            let half_turn = graph.number(std::f64::consts::PI);
-            let near = Condition::less_or_equal(width, dot).and(Condition::less_or_equal(swing, half_turn));
-            let k = graph.select(near, acute, other);
-            let (mean_u, mean_w) = (graph.mean(ua, ub), graph.mean(wa, wb));
-            let toward_w = graph.mul(&[mean_u, k]);
-            vec![(u, graph.mul(&[mean_w, k])), (w, graph.neg(toward_w))]
-        }
+        Binary::Atan2 => of_angle(graph, (u, ua, ub), (w, wa, wb)),
         Binary::Min | Binary::Max => unreachable!("choices are taken as a whole"),
     }
-}
-
-/// Whether u, with a root in it, stays on one side of 0: what moves in it are roots.
-fn one_sided(graph: &Graph, u: Expr, moves: &dyn Fn(Expr) -> bool) -> bool {
-    let (_, factors) = graph.factors(u);
-    let is_root = |f: Expr| matches!(graph.node(f), Node::Unary(Unary::Sqrt, _));
-    factors.iter().all(|&(f, _)| !moves(f) || is_root(f))
-}
-
-/// A secant toward u as one toward u², with (u²)[a, b] = a + b; between 0 and 0 it is 0 where the whole
-/// rises faster than u.
-fn unless_vanishing(graph: &mut Graph, toward_u: Expr, [a, b]: [Expr; 2], rises: Condition) -> Expr {
-    // Halves, as in even functions of a root.
-    let halves = [a, b].map(|u| graph.scale(0.5, u));
-    let (zero, middle) = (graph.zero(), graph.add(&halves));
-    let secant = graph.div(toward_u, middle);
-    let secant = graph.scale(0.5, secant);
-    let vanishes = Condition::equal(middle, zero).and(rises);
-    graph.select(vanishes, zero, secant)
-}
-
-/// u^w = exp(w ln u): with δ = (w_b ln u_b − w_a ln u_a)/2 the factor of exp is √(u_a^w_a u_b^w_b) sinhc δ. The powers
-/// are taken as powers, because exp(w ln u) would be |w ln u| times less accurate.
-fn of_powf(
-    graph: &mut Graph,
-    (u, ua, ub): (Expr, Expr, Expr),
-    (w, wa, wb): (Expr, Expr, Expr),
-    exponent_moves: bool,
-) -> Vec<(Expr, Expr)> {
-    if exponent_moves {
-        let ln = of_logarithm(graph, ua, ub);
-        let (ln_a, ln_b) = (graph.unary(Unary::Ln, ua), graph.unary(Unary::Ln, ub));
-        let (half_a, half_b) = (graph.scale(0.5, wa), graph.scale(0.5, wb));
-        let (log_a, log_b) = (graph.mul(&[half_a, ln_a]), graph.mul(&[half_b, ln_b]));
-        let delta = graph.sub(log_b, log_a);
-        let roots = [graph.binary(Binary::Powf, ua, half_a), graph.binary(Binary::Powf, ub, half_b)];
-        let middle = graph.mul(&roots);
-        let values = [graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb)];
-        let exp = of_exponential(graph, middle, delta, values);
-        let (mean_w, mean_ln) = (graph.mean(wa, wb), graph.mean(ln_a, ln_b));
-        return vec![(u, graph.mul(&[exp, mean_w, ln])), (w, graph.mul(&[exp, mean_ln]))];
-    }
-    // An exponent that is not known may be an integer, and u on either side of 0: then by the sizes |u|.
-    let known = graph.as_number(wa).is_some();
-    let (one, sum) = (graph.one(), graph.add(&[ua, ub]));
-    let side = if known { one } else { graph.unary(Unary::Signum, sum) };
-    let sizes = [ua, ub].map(|u| if known { u } else { graph.unary(Unary::Abs, u) });
-    let ln = of_logarithm(graph, sizes[0], sizes[1]);
-    let growth = graph.sub(sizes[1], sizes[0]);
-    let log_ratio = graph.mul(&[wa, ln, growth]);
-    let delta = graph.scale(0.5, log_ratio);
-    let roots = sizes.map(|size| graph.unary(Unary::Sqrt, size));
-    let middle = graph.mul(&[side, roots[0], roots[1]]);
-    let (power, cardinal) = (graph.binary(Binary::Powf, middle, wa), graph.unary(Unary::Sinhc, delta));
-    let closed = graph.mul(&[side, power, wa, ln, cardinal]);
-    let gap = graph.sub(ub, ua);
-    // Far apart the powers do not cancel; and at u = 0 the logarithm is not finite but the power may be.
-    let (value_a, value_b) = (graph.binary(Binary::Powf, ua, wa), graph.binary(Binary::Powf, ub, wb));
-    let rise = graph.sub(value_b, value_a);
-    // Halves, as in even functions of a root.
-    let halves = [ua, ub].map(|u| graph.scale(0.5, u));
-    let half_gap = graph.sub(halves[1], halves[0]);
-    let quotient = graph.div(rise, half_gap);
-    let quotient = graph.scale(0.5, quotient);
-    let lowered = graph.sub(wa, one);
-    // At each end by itself: their mean may be rounded to below 0. With derivative 0 where that of the limit is infinite.
-    // For w > 1/2 it is 0 where u vanishes as a square does, as that of the [gradient](super::gradient) is.
-    let (zero, least) = (graph.zero(), graph.number(if graph.passes_zero(u) { 0.0 } else { -0.5 }));
-    let limits = [ua, ub].map(|u| {
-        let vanishes = Condition::equal(u, zero).and(Condition::less(least, lowered));
-        let power = graph.binary(Binary::Powf, u, lowered);
-        graph.select(vanishes, zero, power)
-    });
-    let limit = graph.mean(limits[0], limits[1]);
-    let limit = graph.mul(&[wa, limit]);
-    // The derivative of the quotient divides by the square of the gap.
-    let square = graph.square(gap);
-    let at_one = Condition::lost(graph, square);
-    let far = graph.select(at_one, limit, quotient);
-    // That of the closed form divides by the fourth power of the sum.
-    let (distance, product, least) = (graph.unary(Unary::Abs, delta), graph.mul(&[ua, ub]), graph.number(1e-153));
-    let near = Condition::less(least, product).and(Condition::less_or_equal(distance, one));
-    vec![(u, graph.select(near, closed, far))]
 }

@@ -274,8 +274,10 @@ pub(super) fn of_part_of_root(g: &mut Graph, degree: i32, a: Expr, b: Expr, n: i
     closed.push((power, 1));
     let closed = g.product_of(Number::ONE, closed);
     let secant = g.scale(2f64.powi(n - 1 - times as i32), closed);
-    let (zero, nothing) = (g.zero(), nothing.unwrap_or(a));
-    g.select(Condition::equal(nothing, zero), zero, secant)
+    // Its derivative divides by the square.
+    let square = g.square(nothing.unwrap_or(a));
+    let (zero, nothing) = (g.zero(), Condition::lost(g, square));
+    g.select(nothing, zero, secant)
 }
 
 /// (eᵝ − eᵅ)/(β − α) = e^m sinhc δ, given e^m, δ = (β − α)/2 and the values at the ends, which do not cancel where δ is

@@ -5,6 +5,7 @@ mod discrete_gradient;
 mod divided_difference;
 mod gateways;
 mod piecewise;
+mod two_arguments;
 
 pub use derivative::{derivative, gradient, hessian, jacobian, tangent};
 pub use discrete_gradient::{TwoPoints, discrete_gradient};

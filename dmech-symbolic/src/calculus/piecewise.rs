@@ -222,7 +222,7 @@ fn mixture(graph: &mut Graph, weights: [Expr; 2], x: Expr, y: Expr) -> Expr {
 }
 
 /// The quotient, 0 where the denominator is, or nearly: where rounding puts ends on two sides of a seam that are one point.
-fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
+pub(super) fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
     // Its derivative divides by the square.
     let (zero, square, quotient) = (graph.zero(), graph.square(below), graph.div(above, below));
     let nothing = Condition::lost(graph, square);

@@ -23,10 +23,9 @@ impl Choice {
 }
 
 impl Condition {
-    /// A square, or a higher power, is so small that its inverse is lost. (In binary64; the bound is 0 in binary32.)
+    /// What is not negative is so small that its inverse is lost.
     pub(crate) fn lost(graph: &mut Graph, power: Expr) -> Self {
-        let (zero, least) = (graph.zero(), graph.number(1e-307));
-        Self::equal(power, zero).or(Self::less(power, least))
+        Self::less(power, graph.number(Number::LEAST.value()))
     }
 
     /// Its truth where both sides are numbers.

@@ -15,7 +15,7 @@ pub fn evaluate_all<R: Real>(graph: &Graph, roots: &[Expr], symbol: impl Fn(Symb
     for e in graph.reachable(roots) {
         let value = |c: Expr| values[c.index()];
         values[e.index()] = match graph.node(e) {
-            Node::Number(n) => R::from_f64(n.value()),
+            Node::Number(n) => n.of(),
             Node::Symbol(s) => symbol(*s),
             Node::Sum { constant, terms } => {
                 terms.iter().fold(R::from_f64(constant.value()), |sum, &(c, t)| sum + R::from_f64(c.value()) * value(t))

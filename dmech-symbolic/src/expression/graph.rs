@@ -1,7 +1,5 @@
 //! The store of expressions.
 
-use std::collections::hash_map::Entry;
-
 use crate::hash::Map;
 
 use super::{Expr, Node, Number, Symbol, Variable};
@@ -10,6 +8,8 @@ use super::{Expr, Node, Number, Symbol, Variable};
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
+    /// To which [order](Graph::order) each of them vanishes.
+    pub(super) orders: Vec<f64>,
     index: Map<Node, Expr>,
     names: Vec<(String, Variable)>,
 }
@@ -23,6 +23,11 @@ impl Graph {
     /// A new variable that moves.
     pub fn coordinate(&mut self, name: &str) -> Symbol {
         self.new_symbol(name, Variable::Coordinate)
+    }
+
+    /// A new variable that is a squared distance.
+    pub fn squared_distance(&mut self, name: &str) -> Symbol {
+        self.new_symbol(name, Variable::SquaredDistance)
     }
 
     /// A new variable that is constant along a step.
@@ -61,14 +66,14 @@ impl Graph {
     }
 
     pub(super) fn intern(&mut self, node: Node) -> Expr {
-        match self.index.entry(node) {
-            Entry::Occupied(found) => *found.get(),
-            Entry::Vacant(place) => {
-                let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
-                self.nodes.push(place.key().clone());
-                *place.insert(e)
-            }
+        if let Some(&e) = self.index.get(&node) {
+            return e;
         }
+        let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
+        self.orders.push(self.order_of(&node));
+        self.nodes.push(node.clone());
+        self.index.insert(node, e);
+        e
     }
 
     /// The number x.

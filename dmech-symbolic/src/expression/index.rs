@@ -20,6 +20,8 @@ impl Expr {
 pub enum Variable {
     /// Something that moves: a component of a position, an increment.
     Coordinate,
+    /// The square of a distance, which vanishes as the coordinates do that it is made of.
+    SquaredDistance,
     /// Something that does not change along a step: a parameter of the law, a mass, a step size.
     Parameter,
 }

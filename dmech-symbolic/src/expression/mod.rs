@@ -17,6 +17,7 @@ mod graph;
 mod index;
 mod node;
 mod number;
+mod order;
 mod power;
 mod product;
 mod substitute;

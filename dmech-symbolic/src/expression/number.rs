@@ -1,5 +1,7 @@
 //! Numbers that can be compared and hashed, and arithmetic that knows when it is exact.
 
+use dmech_scalar::Real;
+
 /// A binary64 number; −0 is stored as 0, so that equal numbers have equal bits.
 /// The order is that of the bits: a fixed one, not that of the numbers.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -11,6 +13,9 @@ impl Number {
     /// 1.
     pub const ONE: Self = Self(1.0_f64.to_bits());
 
+    /// What stands for [`Real::least`] of whatever scalar there will be.
+    pub const LEAST: Self = Self(1e-307_f64.to_bits());
+
     /// The number x.
     pub fn new(x: f64) -> Self {
         Self((x + 0.0).to_bits())
@@ -19,6 +24,11 @@ impl Number {
     /// Its value.
     pub fn value(self) -> f64 {
         f64::from_bits(self.0)
+    }
+
+    /// Its value in a scalar type.
+    pub fn of<R: Real>(self) -> R {
+        if self == Self::LEAST { R::least() } else { R::from_f64(self.value()) }
     }
 
     /// Whether it is ±2ᵏ, so that products with it are exact.

@@ -52,23 +52,9 @@ impl Graph {
         Some(EvenOfRoot { cardinal, half, argument, square: self.square_without_root(argument)? })
     }
 
-    /// Whether a root among the factors that move has a slope of 0 in their product where it vanishes, as in x √(x² + y²) and
-    /// ∛(x² + y²)²: other factors vanish with it, or its own slope does, as what is below it vanishes like a square.
-    pub(crate) fn vanishes_with(&self, moving: &[(Expr, i32)], i: usize) -> bool {
-        let others = moving.iter().enumerate().any(|(j, &(_, m))| j != i && m > 0);
-        moving.get(i).is_some_and(|&(f, n)| {
-            others || self.root(f).is_some_and(|root| 2 * n > root.degree && !self.passes_zero(root.below))
-        })
-    }
-
-    /// Whether u passes through 0 with a slope, as it is written: a coordinate, or a sum in which one stands by itself.
-    pub(crate) fn passes_zero(&self, u: Expr) -> bool {
-        let is_symbol = |e: Expr| matches!(self.node(e), Node::Symbol(_));
-        match self.node(u) {
-            Node::Sum { terms, .. } => terms.iter().any(|&(_, term)| is_symbol(term)),
-            Node::Product { factors, .. } => matches!(factors[..], [(f, 1)] if is_symbol(f)),
-            _ => is_symbol(u),
-        }
+    /// Whether e is f times something.
+    pub(crate) fn has_factor(&self, e: Expr, f: Expr) -> bool {
+        e == f || matches!(self.node(e), Node::Product { factors, .. } if factors.iter().any(|&(g, n)| g == f && n > 0))
     }
 
     /// u², if there is a root among the factors of u that is none among its own.

@@ -145,7 +145,7 @@ fn kick(graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> Program 
 /// In few coordinates rows may still be shorter, as H is symmetric.
 fn gradient_kick(graph: &mut Graph, formulas: &Formulas, variables: &Variables) -> Program {
     let gradient = &formulas.gradient;
-    let along: Vec<_> = (0..gradient.len()).map(|i| graph.coordinate(&format!("u{i}"))).collect();
+    let along: Vec<_> = (0..gradient.len()).map(|i| graph.parameter(&format!("u{i}"))).collect();
     let directions: Vec<_> = along.iter().map(|&u| graph.symbol(u)).collect();
     let change = dot(graph, &directions, gradient);
     let turned = calculus::tangent(graph, change, &variables.q);

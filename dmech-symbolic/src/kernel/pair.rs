@@ -122,7 +122,7 @@ impl PairVariables {
             (0..dimension).map(|i| graph.coordinate(&name(i))).collect()
         };
         let (va, vb) = (velocity("a"), velocity("b"));
-        let [s, s_a, s_b] = ["r2", "ra2", "rb2"].map(|name| graph.coordinate(name));
+        let [s, s_a, s_b] = ["r2", "ra2", "rb2"].map(|name| graph.squared_distance(name));
         Self { va, vb, s, s_a, s_b }
     }
 

@@ -51,7 +51,7 @@ impl Variables {
         let (a, b) = (list(&|i| end_name("a", i)), list(&|i| end_name("b", i)));
         let (delta, rhs) = (list(&|i| format!("delta{i}")), list(&|i| format!("rhs{i}")));
         let drift = list(&|i| format!("drift{i}"));
-        let [s, s_a, s_b] = ["s", "sa", "sb"].map(|name| graph.coordinate(name));
+        let [s, s_a, s_b] = ["s", "sa", "sb"].map(|name| graph.squared_distance(name));
         let [c, e, g, rate, t_end] = ["c", "e", "g", "rate", "t_end"].map(|name| graph.parameter(name));
         Self { q, v, c, e, a, b, delta, rhs, g, drift, rate, t_end, s, s_a, s_b }
     }

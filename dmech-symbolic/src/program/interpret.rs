@@ -13,7 +13,7 @@ impl Program {
         for operation in &self.operations {
             let of = |v: &Value| values[v.index()];
             let value = match operation {
-                Operation::Number(n) => R::from_f64(n.value()),
+                Operation::Number(n) => n.of(),
                 Operation::Symbol(s) => symbol(*s),
                 Operation::Neg(u) => -of(u),
                 Operation::Add(u, w) => of(u) + of(w),

@@ -1,9 +1,15 @@
 //! Where something is 0 or infinite and the law is not: choices and products of roots have the limits that they should.
 
+use dmech_symbolic::calculus;
 use dmech_symbolic::expression::Unary;
+use dmech_symbolic::program::{Operation, Program};
 
 use crate::common::laws::Law;
 use crate::common::notation::{E, choose, norm, squared};
+use crate::common::tree::PARAMETERS;
+
+/// A law in coordinates and parameters.
+type Formula = fn(&[E], &[E]) -> E;
 
 fn gradient(law: &mut Law, q: &[f64]) -> Vec<f64> {
     law.kernels().gradient.run(law.at(q, q))
@@ -115,11 +121,25 @@ fn even_functions_of_a_distance_are_smooth_at_the_centre() {
     }
 }
 
-/// |q| tanh |q| and |q|^{3/2}, |q|^{4/3}: other factors vanish with the root, or its own slope does. At rest there nothing acts.
+/// What is of an order above the first where a root in it vanishes: by its factors, its function, or what is below it. At rest there
+/// nothing acts.
 #[test]
-fn products_with_a_root_have_a_centre() {
-    let laws: [fn(&[E]) -> E; 3] =
-        [|q| norm(q) * norm(q).of(Unary::Tanh), |q| norm(q).sqrt().powi(3), |q| squared(q).cbrt().powi(2)];
+fn roots_of_a_higher_order_have_a_centre() {
+    let laws: [fn(&[E]) -> E; 13] = [
+        |q| (q[0].abs().powi(3) + q[1].powi(4)).sqrt(),
+        |q| (q[0].abs().powf(2.8) + q[1].powi(4)).sqrt(),
+        |q| norm(q) * norm(q).of(Unary::Tanh),
+        |q| norm(q).sqrt().powi(3),
+        |q| squared(q).cbrt().powi(2),
+        |q| norm(q) * norm(q).sin(),
+        |q| norm(q).of(Unary::Tanh).powi(2),
+        |q| norm(q) * (q[0] - 2.0 * q[1]),
+        |q| (q[0].powi(4) + q[1].powi(4)).sqrt(),
+        |q| (q[0].powi(4) + 3.0 * q[1].powi(6)).cbrt(),
+        |q| 0.5 * (q[0].powi(4) + q[1].powi(4)).sqrt() + q[0].powi(2),
+        |q| (norm(q).powi(3) + q[1].powi(4)).sqrt(),
+        |q| norm(q).of(Unary::Sinh) * norm(q).of(Unary::Asinh),
+    ];
     for (k, formula) in laws.into_iter().enumerate() {
         let mut law = Law::build(2, |q, _| formula(q));
         let kernels = law.kernels();
@@ -135,8 +155,7 @@ fn products_with_a_root_have_a_centre() {
             let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
             assert!((work - (end - start)).abs() < 1e-15, "{k} from {a:?} to {b:?}");
             let matrix = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
-            // From rest at the centre the secant of tanh has none.
-            assert!(k == 0 || matrix.iter().all(|x| x.is_finite()), "{k} from {a:?} to {b:?}: {matrix:?}");
+            assert!(matrix.iter().all(|x| x.is_finite()), "{k} from {a:?} to {b:?}: {matrix:?}");
         }
     }
 }
@@ -204,5 +223,150 @@ fn an_infinite_slope_is_told() {
         }
         let mut round = Law::build(2, |q, p| squared(q).powf(exponent(p)));
         assert_eq!(gradient(&mut round, &[0.0, 0.0]), [0.0; 2]);
+    }
+}
+
+/// The bounds below which an inverse is lost are those of the scalar: motions in |q|^p that have died away in binary32.
+#[test]
+fn bounds_follow_the_scalar() {
+    let laws: [Formula; 5] = [
+        |q, p| norm(q).powf(p[1].of(Unary::Round)),
+        |q, _| norm(q).powf(2.7),
+        |q, _| norm(q).powi(3),
+        |q, _| q[0].abs().powf(1.3) + q[1].powi(2),
+        |q, _| q[1].powi(2) + (q[0] - q[1]).abs(),
+    ];
+    for (i, phi) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, phi);
+        let matrix = law.kernels().discrete_gradient_jacobian;
+        for k in 8..45_i32 {
+            let a = [10f32.powi(-k), 0.0];
+            for part in [1.0, 1.1, -0.7, 1e-10, 0.0] {
+                let found = matrix.run(law.values(|x| x as f32, &a, &a, &[part * a[0], 0.0]));
+                assert!(found.iter().all(|x| x.is_finite()), "{i} from {a:?}, {part}: {found:?}");
+            }
+        }
+    }
+}
+
+/// Forces |v|^p v of velocities whose squares are hardly numbers any more.
+#[test]
+fn drags_of_hardly_any_velocity_are_finite() {
+    let sizes: [fn(&[E]) -> E; 4] =
+        [norm, |v| norm(v).powf(0.7), |v| norm(v).sqrt(), |v| norm(v).powf(1.5) / (1.0 + norm(v))];
+    for (i, size) in sizes.into_iter().enumerate() {
+        let mut law = Law::build(2, |v, _| size(v));
+        let v = law.variables.q.clone();
+        let force: Vec<_> = v.iter().map(|&v| (law.phi, law.graph.symbol(v))).collect();
+        let force: Vec<_> = force.into_iter().map(|(size, v)| law.graph.mul(&[size, v])).collect();
+        let jacobian = calculus::jacobian(&mut law.graph, &force, &v).concat();
+        let program = Program::schedule(&mut law.graph, &jacobian);
+        let mut last = f64::INFINITY;
+        for k in 0..320 {
+            let small = [0.6 * 10f64.powi(-k), -0.8 * 10f64.powi(-k)];
+            let found = program.run(law.at(&small, &small));
+            let largest = found.iter().fold(0.0, |size: f64, x| if x.is_nan() { *x } else { size.max(x.abs()) });
+            assert!(largest <= last, "{i} at {small:?}: {found:?}");
+            last = largest;
+        }
+        assert_eq!(last, 0.0, "{i}");
+    }
+    let mut cube_root = Law::build(1, |v, _| v[0].cbrt());
+    let slope = calculus::tangent(&mut cube_root.graph, cube_root.phi, &cube_root.variables.q);
+    assert_eq!(Program::schedule(&mut cube_root.graph, &slope).run(cube_root.at(&[-1.0], &[0.0])), [1.0 / 3.0]);
+}
+
+/// The angle from the origin, where none is: the discrete gradient goes along the way and makes the work.
+#[test]
+fn angles_reach_the_origin() {
+    let laws: [fn(&[E]) -> E; 2] = [|q| q[1].atan2(q[0]), |q| squared(q) * (1.0 + q[1].atan2(q[0]))];
+    for (i, phi) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, |q, _| phi(q));
+        let kernels = law.kernels();
+        let places =
+            [[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [-1.1, 0.4], [0.6, -0.4], [0.2, 0.3], [0.0, 0.2], [0.5, 0.0]];
+        for (a, b) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
+            let slope = kernels.discrete_gradient.run(law.at(a, b));
+            let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
+            let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(q, q))[0]);
+            assert!((work - (end - start)).abs() < 1e-14, "{i} from {a:?} to {b:?}: {slope:?}");
+            if a == b && *a != places[0] {
+                let tangent = kernels.gradient.run(law.at(a, a));
+                assert!((0..2).all(|i| (slope[i] - tangent[i]).abs() < 1e-14), "at {a:?}: {slope:?}, {tangent:?}");
+            }
+            // Elsewhere it goes around.
+            let around = i == 1 || [a, b].contains(&&places[0]);
+            let out: f64 = (0..2).map(|i| slope[i] * (a[i] + b[i])).sum();
+            assert!(around || out.abs() < 1e-14, "from {a:?} to {b:?}: {slope:?}");
+            let matrix = kernels.discrete_gradient_jacobian.run(law.at(a, b));
+            assert!(matrix.iter().all(|x| x.is_finite()), "{i} from {a:?} to {b:?}: {matrix:?}");
+        }
+        let hessian = kernels.hessian.run(law.at(&[0.0; 2], &[0.0; 2]));
+        assert!(i == 0 || hessian.iter().all(|x| x.is_finite()), "{i}: {hessian:?}");
+    }
+}
+
+/// A centre elsewhere is one too; where a square is only nearly 0, or what a power is of passes through it, none is.
+#[test]
+fn orders_are_those_of_the_place() {
+    let shifted: [Formula; 2] = [
+        |q, p| ((q[0] - p[1]).powi(2) + (2.0 * q[1] - p[2]).powi(2)).powf(0.75),
+        |q, p| ((q[0] - p[1]).powi(2) + (2.0 * q[1] - p[2]).powi(2)).powf(p[1].of(Unary::Round) * 0.375),
+    ];
+    for phi in shifted {
+        let mut law = Law::build(2, phi);
+        let centre = [PARAMETERS[1], 0.5 * PARAMETERS[2]];
+        assert_eq!(gradient(&mut law, &centre), [0.0; 2]);
+    }
+    for mut passing in [
+        Law::build(1, |q, _| (1.0 - q[0].powi(2)).powf(0.75)),
+        Law::build(1, |q, _| (1.0 - q[0].powi(2)).powf(0.7)),
+        Law::build(1, |q, _| (q[0].of(Unary::Sinh) - 1.0f64.sinh()).powf(0.7)),
+        Law::build(1, |q, _| (q[0].abs() - 1.0).powf(0.7)),
+    ] {
+        assert_eq!(gradient(&mut passing, &[1.0])[0].abs(), f64::INFINITY);
+    }
+    let mut round = Law::build(2, |q, p| squared(q).powf(p[0]));
+    assert_eq!(round.kernels().discrete_gradient.run(round.at(&[0.0; 2], &[0.0; 2])), [0.0; 2]);
+    let mut below = Law::build(2, |q, _| squared(q).cbrt() * norm(q).sqrt().sqrt());
+    assert_ne!(gradient(&mut below, &[0.0; 2]), [0.0; 2]);
+    let mut steep = Law::build(2, |q, _| norm(q) * q[0].powi(2).max(1.0));
+    assert_ne!(gradient(&mut steep, &[0.0; 2]), [0.0; 2]);
+    let mut higher = Law::build(2, |q, p| (q[0].powi(4) + q[1].powi(4)).powf(0.5 * p[1].of(Unary::Round) - 0.7));
+    assert_eq!(gradient(&mut higher, &[0.0; 2]), [0.0; 2]);
+}
+
+/// Where a law has no centre, nothing is paid for one: springs with a length, softened forces, molecules.
+#[test]
+fn what_has_no_centre_chooses_nothing() {
+    let laws: [Formula; 5] = [
+        |q, _| squared(q) * (q[0] + (1.0 + squared(q)).sqrt()),
+        |q, p| p[0] * (norm(q) - p[1]).powi(2) + (norm(&[q[0] - 3.0, q[1]]) - p[1]).powi(2),
+        |q, p| (squared(q) + p[0].powi(2)).sqrt(),
+        |q, _| (1.0 + q[0].powi(4)).sqrt() + q[1],
+        |q, p| p[0] * (1.0 - (p[1] - norm(q)).exp()).powi(2),
+    ];
+    for (i, phi) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, phi);
+        let kernels = law.kernels();
+        let choices = |program: &Program| program.cost().choices;
+        let [_, gradient, hessian, secant, matrix] = kernels.pointwise().map(choices);
+        assert_eq!([gradient, hessian, choices(&kernels.gradient_kick)], [0; 3], "{i}");
+        // The exponential has its own choice, and one for each of its slopes.
+        assert_eq!([secant, matrix], if i == 4 { [1, 5] } else { [0; 2] }, "{i}");
+    }
+    let mut round = Law::build(2, |q, _| norm(q) * norm(q).of(Unary::Tanh));
+    let kernels = round.kernels();
+    let choices = kernels.pointwise().map(|program| program.cost().choices);
+    assert_eq!(choices[1..4], [1, 6, 2]);
+    assert_eq!(kernels.gradient.cost().multiplications, 6, "√s·1/√s cancels");
+    let mut chain = Law::build(4, |q, p| (norm(&[q[0] - q[2], q[1] - q[3]]) - p[0]).powi(2));
+    assert_eq!(chain.kernels().gradient_kick.cost().choices, 0);
+    let mut soft = Law::build(1, |q, p| (1.0 + q[0].powi(2)).powf(p[0]));
+    let kernels = soft.kernels();
+    assert_eq!(kernels.gradient.cost().choices, 0);
+    for program in kernels.pointwise() {
+        let finite = |operation: &Operation| !matches!(operation, Operation::Number(x) if !x.value().is_finite());
+        assert!(program.operations.iter().all(finite));
     }
 }

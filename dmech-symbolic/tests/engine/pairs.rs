@@ -6,7 +6,7 @@ use crate::common::evaluate::evaluate;
 use crate::common::notation::{E, choose, norm, squared, within};
 use crate::common::tracked::Tracked;
 use crate::common::{U, Worst, ratio};
-use dmech_symbolic::expression::{Expr, Graph, Symbol};
+use dmech_symbolic::expression::{Expr, Graph, Symbol, Unary};
 use dmech_symbolic::kernel::{
     PairForce, PairFormulas, PairKernels, PairLaw, PairPotential, PairVariables, Radial, Variables,
 };
@@ -370,4 +370,29 @@ fn jacobians_of_forces() {
         assert_eq!(kernels.depends_on_velocity, velocity > 0.0, "{name}");
     }
     worst.at_most(64.0, "Jacobians against dual numbers, roundings");
+}
+
+/// Two bodies at one place, with a law that is least there: nothing acts, and the Newton matrices are finite.
+#[test]
+fn bodies_may_be_at_one_place() {
+    let laws: [Formula; 6] = [
+        |p| p.r * p.r.sin(),
+        |p| p.r.of(Unary::Sinh) * p.r.of(Unary::Asinh),
+        |p| p.r.powf(1.5),
+        |p| p.k * p.r.powf(1.7),
+        |p| p.r * p.r.of(Unary::Tanh),
+        |p| (p.k * p.r).of(Unary::Tanh).powi(2),
+    ];
+    for (i, phi) in laws.into_iter().enumerate() {
+        let law = law(0, Some(&phi), None);
+        let (_, radial) = law.radial();
+        for (s_a, s_b) in [(0.0, 0.0), (0.3, 0.0), (0.0, 0.3), (1e-310, 0.0)] {
+            let programs =
+                [&radial.gradient, &radial.hessian, &radial.discrete_gradient, &radial.discrete_gradient_jacobian];
+            for (k, program) in programs.into_iter().enumerate() {
+                let found = program.run(law.at_squares(&s_b, &s_a, &s_b));
+                assert!(found.iter().all(|x| x.is_finite()), "{i}, {k} from {s_a:e} to {s_b:e}: {found:?}");
+            }
+        }
+    }
 }

@@ -81,7 +81,7 @@ impl<'a> Walk<'a> {
                 continue;
             }
             // A root has a slope of 0 where all of it is of an order above the first; 1/√s times √s cancels anyhow.
-            let flat = graph.order(adjoint) + graph.order(node) > 1.0 && !graph.has_factor(adjoint, node);
+            let flat = graph.is_flat(adjoint, node) && !graph.has_factor(adjoint, node);
             let alone = graph.as_number(adjoint).is_some();
             for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
@@ -127,7 +127,7 @@ impl<'a> Walk<'a> {
                 }
                 // A root alone, or in a sum, vanishes where the ends do; on a seam, where a step only passes.
                 (_, Some(root))
-                    if flat && graph.order(node) > 0.0
+                    if flat && graph.own_order(node) > 0.0
                         || self.of_slope && (alone || self.chosen[root.below.index()]) =>
                 {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
@@ -187,7 +187,7 @@ impl<'a> Walk<'a> {
     /// order above 1: then it is the limit.
     fn unless_infinite(&self, graph: &mut Graph, slope: Expr, (u, w): (Expr, Expr), n: f64) -> Expr {
         let (zero, most) = (graph.zero(), graph.number(n));
-        let least = if self.of_slope { 0.0 } else { graph.order(u).recip() };
+        let least = if self.of_slope { 0.0 } else { graph.own_order(u).recip() };
         let vanishes = Condition::equal(u, zero);
         let condition = match graph.as_number(w) {
             _ if least >= n => return slope,

@@ -91,7 +91,7 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             }
             continue;
         }
-        let flat = graph.order(adjoint) + graph.order(node) > 1.0;
+        let flat = graph.is_flat(adjoint, node);
         let of_root = if flat { of_flat_root(graph, node, adjoint, ends) } else { None };
         let factors = match of_root {
             Some(factor) => vec![factor],
@@ -107,7 +107,7 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
 
 /// A root in what is of a higher order than the first; √a + √b may be among the factors that it comes times, and cancels.
 fn of_flat_root(graph: &mut Graph, node: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Option<(Expr, Expr)> {
-    let root = graph.root(node).filter(|_| graph.order(node) > 0.0)?;
+    let root = graph.root(node).filter(|_| graph.own_order(node) > 0.0)?;
     let (a, b) = ends.values(graph, node);
     let sum = graph.add(&[a, b]);
     let (a, b) = ends.values(graph, root.below);

@@ -110,7 +110,7 @@ pub(super) fn of_powf(
     let lowered = graph.sub(wa, one);
     // At each end by itself: their mean may be rounded to below 0. With derivative 0 where that of the limit is infinite.
     // It is 0 where the whole is of an order above 1, as that of the [gradient](super::gradient) is.
-    let order = graph.order(u);
+    let order = graph.own_order(u);
     let (zero, least) = (graph.zero(), graph.number(if order > 0.0 { order.recip() - 1.0 } else { 0.0 }));
     let limits = [ua, ub].map(|u| {
         let vanishes = Condition::equal(u, zero).and(Condition::less(least, lowered));

@@ -336,6 +336,65 @@ fn orders_are_those_of_the_place() {
     assert_eq!(gradient(&mut higher, &[0.0; 2]), [0.0; 2]);
 }
 
+/// What touches 0 has no slope there, wherever that is: a power of it from the first order on has none either.
+#[test]
+fn what_touches_zero_is_flat_there() {
+    let ring = |q: &[E]| (norm(&q[..2]) - 1.0).powi(2) + q[2].powi(2);
+    let laws: [(&str, [f64; 3], Formula); 10] = [
+        ("a ring", [0.6, 0.8, 0.0], |q, p| p[0] * ((norm(&q[..2]) - 1.0).powi(2) + q[2].powi(2)).powf(0.75)),
+        ("a ring, p", [0.6, 0.8, 0.0], |q, p| {
+            ((norm(&q[..2]) - 1.0).powi(2) + q[2].powi(2)).powf(p[1].of(Unary::Round) * 0.375)
+        }),
+        ("a valley", [1.0, 0.0, 0.0], |q, _| {
+            let u = (q[0].powi(2) - 1.0).powi(2) + q[1].powi(2);
+            u * u.sqrt()
+        }),
+        ("1 − cos", [0.0; 3], |q, p| p[0] * (1.0 - q[0].of(Unary::Cos)).powi(2).cbrt()),
+        ("(1 − cos)^w", [0.0; 3], |q, _| (1.0 - q[0].of(Unary::Cos)).powf(0.7)),
+        ("(1 − cos)√(1 − cos)", [0.0; 3], |q, p| {
+            let u = 1.0 - q[0].of(Unary::Cos);
+            p[0] * u * u.sqrt()
+        }),
+        ("two of them", [0.0; 3], |q, _| (2.0 - q[0].of(Unary::Cos) - q[1].of(Unary::Cos)).powf(0.75)),
+        ("with a square", [0.0; 3], |q, _| (2.0 - 2.0 * q[0].of(Unary::Cos) + q[1].powi(2)).powf(0.75)),
+        ("cosh − 1", [0.0; 3], |q, _| (3.0 * q[0].of(Unary::Cosh) - 3.0).powf(0.75)),
+        ("1 − sin", [core::f64::consts::FRAC_PI_2, 0.3, 0.2], |q, _| (1.0 - q[0].of(Unary::Sin)).powf(0.75)),
+    ];
+    for (name, place, phi) in laws {
+        let mut law = Law::build(3, phi);
+        assert!(gradient(&mut law, &place).iter().all(|&x| x == 0.0), "{name}");
+        let beside = place.map(|x| x + 1e-3);
+        let kernels = law.kernels();
+        for (a, b) in [(place, place), (place, beside), (beside, place)] {
+            let secant = kernels.discrete_gradient.run(law.at(&a, &b));
+            assert!(secant.iter().all(|x| x.is_finite()), "{name}: {secant:?}");
+        }
+    }
+    // What passes through 0, and what is not known to touch it.
+    let infinite: [(&str, [f64; 3], Formula); 4] = [
+        ("2 − cos beside", [1.0, 0.0, 0.0], |q, _| (q[0].powi(2) - 2.0 + q[1].of(Unary::Cos)).powf(0.75)),
+        ("1 + 2 cos", [0.0, 1.0, 0.0], |q, _| (q[1] + 1.0 - 2.0 * q[0].of(Unary::Cos)).powf(0.7)),
+        ("another's root", [0.7, 0.0, 0.0], |q, _| (1.0 - q[0].of(Unary::Cos)) * (1.0 - q[1].of(Unary::Cos)).sqrt()),
+        ("two that differ", [0.6, 0.8, 0.0], |q, _| {
+            (norm(&q[..2]) - 1.0).powi(2).sqrt() * (norm(&q[..2]) + q[2] - 1.0).powf(0.5)
+        }),
+    ];
+    for (name, place, phi) in infinite {
+        let mut law = Law::build(3, phi);
+        let slopes = gradient(&mut law, &place);
+        assert!(slopes.iter().any(|x| !x.is_finite()), "{name}: {slopes:?}");
+    }
+    let passing: [Formula; 2] = [
+        |q, _| (3.0 - 3.0 * q[0].of(Unary::Cosh) + q[1].powi(2)).powf(0.75),
+        |q, _| (1.0 - q[0].of(Unary::Cos) - q[1].powi(2)).powf(0.75),
+    ];
+    for phi in passing {
+        assert_eq!(Law::build(2, phi).kernels().gradient.cost().choices, 0);
+    }
+    let mut torus = Law::build(3, |q, _| ring(q).sqrt());
+    assert!(gradient(&mut torus, &[0.6, 0.8, 0.0]).iter().any(|x| !x.is_finite()), "a distance has no slope at 0");
+}
+
 /// Where a law has no centre, nothing is paid for one: springs with a length, softened forces, molecules.
 #[test]
 fn what_has_no_centre_chooses_nothing() {
@@ -362,6 +421,8 @@ fn what_has_no_centre_chooses_nothing() {
     assert_eq!(kernels.gradient.cost().multiplications, 6, "√s·1/√s cancels");
     let mut chain = Law::build(4, |q, p| (norm(&[q[0] - q[2], q[1] - q[3]]) - p[0]).powi(2));
     assert_eq!(chain.kernels().gradient_kick.cost().choices, 0);
+    let mut soft = Law::build(2, |q, p| (p[1].powi(2) + squared(q)).powf(p[0]));
+    assert_eq!(soft.kernels().gradient.cost().choices, 0, "a parameter squared is not known to vanish");
     let mut soft = Law::build(1, |q, p| (1.0 + q[0].powi(2)).powf(p[0]));
     let kernels = soft.kernels();
     assert_eq!(kernels.gradient.cost().choices, 0);

@@ -60,6 +60,37 @@ fn the_same_time_scale_as_that_of_the_scene() {
     }
 }
 
+/// A test body moves as its mass did not matter under gravity, and its steps are as long: its own mass moves nothing.
+#[test]
+fn steps_do_not_ask_for_the_mass_of_a_test_body() {
+    let star = |mass: f64, first: bool| {
+        let scene = Scene::new().body(1.3, [0.0, 0.0], [0.0, 0.0]).body(0.4, [3.0, 0.2], [0.1, 0.6]);
+        let (q, v) = ([0.7, 0.1], [-0.2, 1.1]);
+        let scene = if first {
+            Scene::new().test_body(mass, q, v).body(1.3, [0.0; 2], [0.0; 2])
+        } else {
+            scene.test_body(mass, q, v)
+        };
+        scene.pairs(Gravity { g: 1.1 })
+    };
+    let (light, heavy) = (0.5_f64.powi(14), 2.0_f64.powi(14));
+    for first in [true, false] {
+        let run = |mass| {
+            let run =
+                Simulation::scene(star(mass, first)).scheme(Nystrom::order6()).adaptive(1e-8).run_until(5.0).unwrap();
+            (run.last().clone(), run.report().steps())
+        };
+        assert_eq!(run(light), run(heavy));
+        assert!(run(1.0).1 > 20);
+    }
+    let run = |mass| {
+        let law = star(mass, false).as_restricted_law::<3, 6>();
+        let run = Simulation::new(law, law.start()).scheme(Nystrom::order6()).adaptive(1e-8).run_until(5.0).unwrap();
+        (*run.last(), run.report().steps())
+    };
+    assert_eq!(run(light), run(heavy));
+}
+
 /// Rows of a Jacobian where the body of the row feels that of the column, and no others.
 #[test]
 fn derivatives_are_those_of_the_sums() {

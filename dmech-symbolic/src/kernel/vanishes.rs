@@ -1,6 +1,6 @@
 //! What is 0 once it is multiplied out.
 
-use crate::expression::{Expr, Graph, Node, Number, Substitution};
+use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Substitution};
 
 /// Whether an expression is seen to be 0, on either side of every choice in it.
 pub(super) fn vanishes(graph: &mut Graph, e: Expr) -> bool {
@@ -15,20 +15,46 @@ fn vanishes_within(graph: &mut Graph, e: Expr, conditions: u32) -> bool {
         return true;
     }
     let inside = graph.reachable(&[e]);
-    let first = inside.iter().find_map(|&e| match graph.node(e) {
-        Node::Select(condition, ..) => Some(condition.clone()),
-        _ => None,
-    });
-    let Some(condition) = first else { return false };
+    let Some(question) = inside.iter().find_map(|&e| Question::of(graph, e)) else { return false };
     conditions > 0
-        && [true, false].into_iter().all(|holds| {
-            let branches = inside.iter().filter_map(|&e| match graph.node(e) {
-                Node::Select(chosen, yes, no) if *chosen == condition => Some((e, if holds { *yes } else { *no })),
-                _ => None,
-            });
+        && [true, false].into_iter().all(|answer| {
+            let branches = inside.iter().filter_map(|&e| Some((e, question.branch(graph, e, answer)?)));
             let branch = Substitution::of_expressions(branches).apply(graph, e);
             vanishes_within(graph, branch, conditions - 1)
         })
+}
+
+/// What a choice asks.
+enum Question {
+    /// Whether this holds.
+    Holds(Condition),
+    /// Which of two is the smaller: `min` and `max` do not ask which comes first.
+    Smaller([Expr; 2]),
+}
+
+impl Question {
+    fn of(graph: &Graph, e: Expr) -> Option<Self> {
+        match graph.node(e) {
+            Node::Select(condition, ..) => Some(Self::Holds(condition.clone())),
+            &Node::Binary(Binary::Min | Binary::Max, u, w) => Some(Self::Smaller([u.min(w), u.max(w)])),
+            _ => None,
+        }
+    }
+
+    /// The side that a choice takes by the answer to this, if that is what it asks.
+    fn branch(&self, graph: &Graph, e: Expr, answer: bool) -> Option<Expr> {
+        match (self, graph.node(e)) {
+            (Self::Holds(condition), Node::Select(asked, yes, no)) if asked == condition => {
+                Some(if answer { *yes } else { *no })
+            }
+            (Self::Smaller(two), &Node::Binary(f @ (Binary::Min | Binary::Max), u, w))
+                if [u.min(w), u.max(w)] == *two =>
+            {
+                Some(two[usize::from(answer == (f == Binary::Min))])
+            }
+            _ => None,
+        }
+    }
 }
 
 /// a (b + c) = a b + a c, where a sum stands to the first power.

@@ -230,7 +230,7 @@ fn the_distance_is_found_in_the_separation() {
 /// Φ(d; a, b) = Φ(−d; b, a), decided on the expression.
 #[test]
 fn symmetric_or_not() {
-    let cases: [(&str, bool, Formula); 12] = [
+    let cases: [(&str, bool, Formula); 17] = [
         ("the product of charges", true, |p| p.a[0] * p.b[0] / p.r),
         ("one charge only", false, |p| p.a[0] / p.r),
         ("the first mass and the second charge", false, |p| p.a[1] * p.b[0] / p.r),
@@ -246,6 +246,11 @@ fn symmetric_or_not() {
                 - p.b[0] * (p.d[1].powi(2) - p.k)
                 - p.b[0] * p.k
         }),
+        ("the larger charge", true, |p| p.a[0].max(p.b[0]) * p.r),
+        ("the larger charge less the smaller one", true, |p| (p.a[0].max(p.b[0]) - p.b[0].min(p.a[0])) * p.r),
+        ("their gap times one mass", false, |p| (p.a[0].max(p.b[0]) - p.b[0].min(p.a[0])) * p.a[1] * p.r),
+        ("the larger of a charge and a mass", false, |p| p.a[0].max(p.b[1]) * p.r),
+        ("a charge up to the other mass", false, |p| p.a[0].min(p.b[0]) * p.a[1].max(p.b[0]) * p.r),
         ("the length of d", true, |p| p.k * (p.d[0].powi(2) + p.d[1].powi(2) + 0.1).sqrt()),
     ];
     let (mut accepted, mut rejected) = (0, 0);
@@ -279,7 +284,7 @@ fn relative(p: &Place) -> Vec<E> {
     p.va.iter().zip(&p.vb).map(|(&a, &b)| a - b).collect()
 }
 
-const FORCES: [(&str, bool, Force); 11] = [
+const FORCES: [(&str, bool, Force); 12] = [
     ("drag between two", true, |p| along(-p.k, relative(p))),
     ("drag with masses", true, |p| along(-p.k * p.a[1] * p.b[1] * (1.0 + squared(&p.d)), relative(p))),
     ("dissipative particles", true, |p| {
@@ -290,6 +295,10 @@ const FORCES: [(&str, bool, Force); 11] = [
     ("drag within a distance", true, |p| {
         let near = squared(&p.d).less(1.2);
         relative(p).into_iter().map(|u| choose(near.clone(), -p.k * u, 0.0)).collect()
+    }),
+    ("drag by the rougher of the two", true, |p| {
+        let rough = p.a[0].max(p.b[0]);
+        relative(p).into_iter().map(|u| -rough * u).collect()
     }),
     ("drag of one far away", false, |p| {
         let near = squared(&p.d).less(0.5);

@@ -182,7 +182,12 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, cons
     fn frequency(&self, from_now: &impl Fn(R) -> Option<Self>, t: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         let mut all = Frequency::none(bodies[0].least);
         self.visit(|a, b, [felt_by_a, felt_by_b]| {
-            let (on_a, on_b) = (&bodies[a], &bodies[b]);
+            // Who does not feel the other is not moved by it, as if it were pinned.
+            let moved = |i: usize, felt: W::Where<T::Presence<R>>| Course {
+                per_mass: felt.choose(bodies[i].per_mass, R::ZERO),
+                ..bodies[i]
+            };
+            let (on_a, on_b) = (&moved(a, felt_by_a), &moved(b, felt_by_b));
             let stiffness = |s, d, _| {
                 let Some(now) = from_now(s) else { return Stiffness::NONE };
                 let between = [now.between(a, b, t + s), now.between(b, a, t + s)];
@@ -192,11 +197,10 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, cons
             let link = Course { q: self.space.nearest(link.q), ..link };
             let both = moving(link.per_mass, all, || Frequency::between(link, stiffness));
             // Steps see what is within reach now, as in a scene.
-            let both = match self.between(a, b, t).reaches(link.q) {
+            all = match self.between(a, b, t).reaches(link.q) {
                 Some(near) => all.where_alone(near.not(), both),
                 None => both,
             };
-            all = felt_by_a.or(felt_by_b).frequency(both, all);
         });
         all
     }

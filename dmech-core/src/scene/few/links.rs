@@ -3,7 +3,6 @@
 use dmech_scalar::{Mask, Real};
 
 use crate::law::Numbers;
-use crate::look::Frequency;
 use crate::scene::terms::{Bonds, KnownLinks, Links};
 
 /// Links among N bodies as numbers, so that those of many members may stand side by side.
@@ -26,8 +25,6 @@ pub trait LinksOfFew: Links {
 pub trait Presence<R: Real>: Copy {
     /// The one where the link is there, the other elsewhere.
     fn choose(self, linked: R, not: R) -> R;
-    /// The same of time scales.
-    fn frequency(self, linked: Frequency<R>, not: Frequency<R>) -> Frequency<R>;
     /// In those lanes alone that the mask has.
     fn within(self, mask: R::Mask) -> Here<R>;
     /// Where both are.
@@ -45,10 +42,6 @@ pub struct Always;
 impl<R: Real> Presence<R> for Always {
     #[inline(always)]
     fn choose(self, linked: R, _: R) -> R {
-        linked
-    }
-    #[inline(always)]
-    fn frequency(self, linked: Frequency<R>, _: Frequency<R>) -> Frequency<R> {
         linked
     }
     #[inline(always)]
@@ -77,10 +70,6 @@ impl<R: Real> Presence<R> for Here<R> {
     #[inline(always)]
     fn choose(self, linked: R, not: R) -> R {
         R::either(self.0, linked, not)
-    }
-    #[inline(always)]
-    fn frequency(self, linked: Frequency<R>, not: Frequency<R>) -> Frequency<R> {
-        not.where_alone(self.0.not(), linked)
     }
     #[inline(always)]
     fn within(self, mask: R::Mask) -> Here<R> {

@@ -281,8 +281,11 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
         let mut all = at.nothing();
         self.each([at.q], |a, b| {
-            if at.per_mass[a] + at.per_mass[b] != 0.0 {
-                let (on_a, on_b) = (at.body(a), at.body(b));
+            // Nobody is moved by a test body: its own mass does not count in how fast the two move about each other.
+            let moved =
+                |i, by| Course { per_mass: if self.acting.acts(by) { at.per_mass[i] } else { 0.0 }, ..at.body(i) };
+            let (on_a, on_b) = (moved(a, b), moved(b, a));
+            if on_a.per_mass + on_b.per_mass != 0.0 {
                 let stiffness = |s, d, _| {
                     let between = |a, b| self.between(a, b, at.t + s);
                     link_stiffness([between(a, b), between(b, a)], s, [&on_a, &on_b], self.space.image(d))

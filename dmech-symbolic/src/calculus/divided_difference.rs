@@ -25,7 +25,7 @@
 
 use crate::expression::{Condition, Expr, Graph, Number, Unary};
 
-use super::derivative::{below_one, beyond_one, leg, logarithm, slope};
+use super::slopes::{below_one, beyond_one, leg, logarithm, slope};
 
 /// f[a, b], symmetric in a and b, equal to f′(a) at a = b.
 pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
@@ -358,4 +358,12 @@ fn unless_far(g: &mut Graph, a: Expr, b: Expr, bound: Expr, closed: Expr, quotie
     let gap = g.sub(b, a);
     let distance = g.unary(Unary::Abs, gap);
     g.select(Condition::less_or_equal(distance, bound), closed, quotient)
+}
+
+/// The quotient, 0 where the denominator is, or nearly: where rounding puts ends on two sides of a seam that are one point.
+pub(super) fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
+    // Its derivative divides by the square.
+    let (zero, square, quotient) = (graph.zero(), graph.square(below), graph.div(above, below));
+    let nothing = Condition::lost(graph, square);
+    graph.select(nothing, zero, quotient)
 }

@@ -5,6 +5,7 @@ mod discrete_gradient;
 mod divided_difference;
 mod gateways;
 mod piecewise;
+mod slopes;
 mod two_arguments;
 
 pub use derivative::{derivative, gradient, hessian, jacobian, tangent};

@@ -17,6 +17,7 @@ use std::rc::Rc;
 use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Relation, Substitution, Symbol, Unary};
 
 use super::discrete_gradient::{TwoPoints, discrete_gradient};
+use super::divided_difference::or_zero;
 use super::gateways::Gateways;
 
 /// A choice between two ends of the step: what its discrete gradient is made of, for each gateway.
@@ -219,14 +220,6 @@ fn mixture(graph: &mut Graph, weights: [Expr; 2], x: Expr, y: Expr) -> Expr {
         graph.select(Condition::equal(weight, zero), zero, part)
     });
     graph.add(&parts)
-}
-
-/// The quotient, 0 where the denominator is, or nearly: where rounding puts ends on two sides of a seam that are one point.
-pub(super) fn or_zero(graph: &mut Graph, above: Expr, below: Expr) -> Expr {
-    // Its derivative divides by the square.
-    let (zero, square, quotient) = (graph.zero(), graph.square(below), graph.div(above, below));
-    let nothing = Condition::lost(graph, square);
-    graph.select(nothing, zero, quotient)
 }
 
 /// A function that is negative where the condition holds, positive where it does not, and 0 on the seam between.

@@ -2,8 +2,7 @@
 
 use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Unary};
 
-use super::divided_difference::{of_exponential, of_logarithm};
-use super::piecewise::or_zero;
+use super::divided_difference::{of_exponential, of_logarithm, or_zero};
 
 /// The angle of the point (w, u), with its values at the ends.
 pub(super) fn of_angle(

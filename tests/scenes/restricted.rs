@@ -6,7 +6,7 @@ use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
 use dmech::scene::{AmongFew, FewBodies, Sides};
 
-use crate::few::{alike, derivatives, paced, verified};
+use crate::few::{alike, derivatives, in_double_double, paced, verified};
 use dmech_tests::restricted::{TESTS, clones, cords, herds, is_test, tethers, traps, vapours};
 
 #[test]
@@ -246,15 +246,7 @@ fn nobody_acts_or_one_alone() {
 #[test]
 fn restricted_laws_in_double_double() {
     for k in 0..7 {
-        let law = clones(k).as_restricted_law::<4, 8>();
-        let State { t, q, v } = law.start();
-        let start = State::of(q.map(DoubleDouble::from), v.map(DoubleDouble::from)).at_time(t);
-        let run = Simulation::new(law, start).scheme(Gauss::order16()).dt(0.005).record_every(10).run(60).unwrap();
-        let drift = run.drift(Invariant::Energy).unwrap();
-        assert!(drift.max_abs() < 1e-27, "{k}: {drift:?}");
-        let double = Simulation::new(law, law.start()).scheme(Gauss::order16()).dt(0.005).run(60).unwrap();
-        let apart = (0..8).map(|i| (run.last().q[i].to_f64() - double.last().q[i]).abs()).fold(0.0, f64::max);
-        assert!(apart < 1e-13, "{k}: {apart:e}");
+        in_double_double!(k, clones(k).as_restricted_law::<4, 8>(), 0.005, 60, every 10);
     }
 }
 

@@ -5,6 +5,7 @@ mod number;
 use core::fmt;
 use core::ops::{Index, IndexMut, Neg};
 
+use wide::bytemuck::cast;
 use wide::{f64x2, f64x4, f64x8};
 
 use crate::functions;
@@ -181,6 +182,43 @@ impl Lanes {
         let [x0, x1, x2, x3] = f64x4::new([x0, x1, x2, x3]).fast_max(f64x4::new([x4, x5, x6, x7])).to_array();
         let [x0, x1] = f64x2::new([x0, x1]).fast_max(f64x2::new([x2, x3])).to_array();
         if x1 > x0 { x1 } else { x0 }
+    }
+
+    /// In lane k the [sum](Lanes::sum) of register k, to the bit.
+    ///
+    /// ```
+    /// use dmech_scalar::Lanes;
+    /// let x: [Lanes; 8] = core::array::from_fn(|k| Lanes::from_fn(|i| 0.1 + (i * k) as f64));
+    /// assert_eq!(Lanes::sums(x), Lanes::from_fn(|k| x[k].sum()));
+    /// ```
+    #[inline(always)]
+    pub fn sums(registers: [Self; 8]) -> Self {
+        Self::folded(registers, |x, y| x + y)
+    }
+
+    /// In lane k the [largest](Lanes::largest_number) of register k.
+    #[inline(always)]
+    pub fn largest_numbers(registers: [Self; 8]) -> Self {
+        Self::folded(registers, f64x4::fast_max)
+    }
+
+    /// Each register folded onto itself, four of them together.
+    #[inline(always)]
+    fn folded(registers: [Self; 8], onto: impl Fn(f64x4, f64x4) -> f64x4) -> Self {
+        let half = |x: Self| -> [f64x2; 2] {
+            let [low, high]: [f64x4; 2] = cast(x.0);
+            cast(onto(low, high))
+        };
+        let quarters = |x: Self, y: Self| -> [f64; 4] {
+            let ([x, x_high], [y, y_high]) = (half(x), half(y));
+            onto(cast([x, y]), cast([x_high, y_high])).to_array()
+        };
+        let four = |a, b, c, d| {
+            let (x, y) = (quarters(a, c), quarters(b, d));
+            onto(f64x4::new([x[0], y[0], x[2], y[2]]), f64x4::new([x[1], y[1], x[3], y[3]]))
+        };
+        let [a, b, c, d, e, f, g, h] = registers;
+        Self(cast([four(a, b, c, d), four(e, f, g, h)]))
     }
 }
 

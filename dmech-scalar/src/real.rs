@@ -126,12 +126,12 @@ pub trait Real:
     fn product(self, b: Self) -> (Self, Self) {
         functions::two_product(self, b)
     }
-    /// self/b, rounded, and what the rounding left out, rounded in its turn.
+    /// self/b and what that leaves out, rounded in its turn, by 1/b: without a division, for many quotients by one number.
     #[inline(always)]
-    fn quotient(self, b: Self) -> (Self, Self) {
-        let quotient = self / b;
+    fn quotient(self, b: Self, per_b: Self) -> (Self, Self) {
+        let quotient = self * per_b;
         let (product, rest) = quotient.product(b);
-        (quotient, ((self - product) - rest) / b)
+        (quotient, ((self - product) - rest) * per_b)
     }
     /// 1/self.
     fn recip(self) -> Self;

@@ -8,7 +8,7 @@ use crate::scene::eights::Eights;
 use crate::scene::terms::{Acts, ActsAtStages, Moments};
 use crate::scene::vectors::Vectors;
 use crate::scheme::tableau::{GAUSS, STAGES, Tableau};
-use crate::system::stages::{Eight, Nearing, Staged, of_path, path, settled, weighed};
+use crate::system::stages::{self, Eight, Nearing, Staged, weighed};
 
 /// Places of a chain are computed as what acts is asked for. Where the coefficients leave no registers for that, they are stored before.
 pub(super) const PLACED_IN_PASSING: bool = cfg!(target_feature = "avx512f");
@@ -34,6 +34,8 @@ pub struct SceneAim<const D: usize> {
     pub(super) per_unit: Vec<f64>,
     /// The larger of |q| and |h v|, of each body; then what the rounding of a position may make of a push.
     reach: Vec<f64>,
+    /// How coordinates move in the step.
+    moves: [Vectors<D>; 3],
     /// How near the sweeps are.
     pub(super) nearing: Nearing<f64>,
 }
@@ -61,7 +63,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         let apart = vec![Vectors::zeros(bodies); if A::OF_DISTANCE { STAGES } else { 1 }];
         let (t, nearing, shares) = (Lanes::ZERO, Nearing::none(), Eights::zeros(bodies));
         let [per_unit, reach] = [(); 2].map(|()| vec![0.0; bodies]);
-        SceneAim { t, base, speed, q, v, slopes, apart, shares, per_unit, reach, nearing }
+        let moves = [(); 3].map(|()| Vectors::zeros(bodies));
+        SceneAim { t, base, speed, q, v, slopes, apart, shares, per_unit, reach, moves, nearing }
     }
 
     fn eights(pushes: &Eights<D>) -> &[Lanes] {
@@ -83,40 +86,28 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         aim: &mut SceneAim<D>,
     ) {
         let (nodes, weights) = (Lanes::row(&tableau.nodes, 0), Lanes::row(&tableau.weights, 0));
-        let (places, kicks) = (q.hi.columns(), stride.kick.columns());
-        let (speeds, speeds_low) = (v.hi.columns(), v.lo.columns());
         aim.t = nodes.mul_add(Lanes::splat(stride.dt), Lanes::splat(t));
-        aim.per_unit.fill(0.0);
-        aim.reach.fill(0.0);
-        let columns = aim.base.columns_mut().into_iter().zip(aim.shares.columns_mut()).zip(pushes.columns());
-        for (k, ((base, share), push)) in columns.enumerate() {
-            let n = base.len();
-            let (share, push) = (&mut share[..n], &push[..n]);
-            let (q, kick) = (&places[k][..n], &kicks[k][..n]);
-            let (v, v_low) = (&speeds[k][..n], &speeds_low[k][..n]);
-            let (unit, reach) = (&mut aim.per_unit[..n], &mut aim.reach[..n]);
-            for i in 0..n {
-                let (drift, rest) = path(stride.dt, (v[i], v_low[i]));
-                base[i] = nodes.mul_add(Lanes::splat(drift + rest), Lanes::splat(q[i]));
-                share[i] = weights * Lanes::splat(-stride.dt * kick[i]);
-                unit[i] = unit[i].max(Lanes::larger(Lanes::ZERO, push[i]).largest());
-            }
-            // In registers of bodies.
-            for i in 0..n {
-                let drift = stride.dt * v[i];
-                unit[i] = unit[i].max(of_path(drift));
-                reach[i] = reach[i].max(q[i].abs()).max(drift.abs());
+        let [drifts, counts, reach] = &mut aim.moves;
+        let start = [q.hi.flat(), v.hi.flat(), v.lo.flat()];
+        stages::moves(stride.dt, start, pushes.flat(), [drifts.flat_mut(), counts.flat_mut(), reach.flat_mut()]);
+        let places = drifts.flat().iter().zip(q.hi.flat());
+        for (base, (&drift, &q)) in aim.base.flat_mut().iter_mut().zip(places) {
+            *base = nodes.mul_add(Lanes::splat(drift), Lanes::splat(q));
+        }
+        for (share, &kick) in aim.shares.flat_mut().iter_mut().zip(stride.kick.flat()) {
+            *share = weights * Lanes::splat(-stride.dt * kick);
+        }
+        for (of_each, of_body) in [(counts, &mut aim.per_unit), (reach, &mut aim.reach)] {
+            of_body.fill(0.0);
+            for column in of_each.columns() {
+                of_body.iter_mut().zip(column).for_each(|(most, x)| *most = most.max(*x));
             }
         }
         if A::FORCED {
             aim.speed.flat_mut().iter_mut().zip(v.hi.flat()).for_each(|(speed, &v)| *speed = Lanes::splat(v));
         }
         self.place_driven(aim);
-        aim.nearing = Nearing::begin(largest(&aim.per_unit));
-        for (unit, reach) in aim.per_unit.iter_mut().zip(&mut aim.reach) {
-            [*unit, *reach] = aim.nearing.per_unit(*unit, *reach);
-        }
-        aim.nearing.allow(largest(&aim.reach));
+        aim.nearing = Nearing::begin(&mut aim.per_unit, &mut aim.reach);
     }
 
     fn sweep(&self, tableau: &Tableau, stride: &SceneStride<D>, aim: &mut SceneAim<D>, pushes: &mut Eights<D>) -> bool {
@@ -153,13 +144,8 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         pushes: &Eights<D>,
         [q, v]: [&mut CompensatedVectors<D>; 2],
     ) {
-        let (rests, dt) = (Lanes::row(&tableau.rests, 0), stride.dt);
-        let places = q.hi.flat_mut().iter_mut().zip(q.lo.flat_mut());
-        let speeds = v.hi.flat_mut().iter_mut().zip(v.lo.flat_mut());
-        for (((q, q_low), (v, v_low)), push) in places.zip(speeds).zip(pushes.flat()) {
-            let sums = [(rests * *push).sum(), push.sum()];
-            [(*q, *q_low), (*v, *v_low)] = settled(dt, [(*q, *q_low), (*v, *v_low)], sums);
-        }
+        let moved = [q.hi.flat_mut(), q.lo.flat_mut(), v.hi.flat_mut(), v.lo.flat_mut()];
+        stages::settle(tableau, stride.dt, pushes.flat(), moved);
     }
 
     fn work_of_pushes(&self, tableau: &Tableau, dt: f64, v: &Vectors<D>, pushes: &Eights<D>) -> f64 {
@@ -206,11 +192,4 @@ impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
             }
         }
     }
-}
-
-/// The largest of numbers, in lanes that do not wait for each other.
-fn largest(x: &[f64]) -> f64 {
-    let (lines, rest) = x.as_chunks();
-    let lanes = lines.iter().fold(Lanes::ZERO, |all, &line| Lanes::larger(all, Lanes::from_array(line)));
-    rest.iter().fold(lanes.largest(), |all, x| all.max(x.abs()))
 }

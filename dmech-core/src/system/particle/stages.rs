@@ -6,9 +6,7 @@ use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Mask, Real, Rows};
 
 use super::{Particle, Stride};
 use crate::law::{Field, Law, Potential};
-use crate::system::stages::{
-    Eight, Nearing, Part, Staged, Staging, Tableau, nowhere, of_path, path, settled, times, weighed,
-};
+use crate::system::stages::{self, Eight, Nearing, Part, Staged, Staging, Tableau, moves, nowhere, times, weighed};
 use crate::vector::{by_component, weighted};
 
 /// A law that can be asked for eight slopes at once: every law over `f64` that is one over eight lanes too, as those are that a
@@ -107,30 +105,15 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     ) {
         let nodes = |part| R::Eight::row(&tableau.nodes, part);
         let alike = R::Eight::alike;
-        // Each for all coordinates before the next, so that these stand side by side.
-        let drifts: [R; D] = from_fn(|k| {
-            let (drift, rest) = path(stride.dt, (v.hi[k], v.lo[k]));
-            drift + rest
-        });
-        let reach: [R; D] = from_fn(|k| q.hi[k].abs().larger_number(drifts[k].abs()));
-        let paths: [R; D] = from_fn(|k| of_path(drifts[k]));
-        let counts: [R; D] = from_fn(|k| {
-            let path = alike(paths[k]);
-            R::Eight::by_part(|part| R::Eight::larger(path, pushes[k].part(part))).largest()
-        });
+        let [mut drifts, mut reach] = [[R::ZERO; D]; 2];
+        moves::<R>(stride.dt, [&q.hi, &v.hi, &v.lo], pushes, [&mut drifts, &mut aim.per_unit, &mut reach]);
         for k in 0..D {
             aim.base[k] = R::Eight::by_part(|part| nodes(part).mul_add(alike(drifts[k]), alike(q.hi[k])));
         }
-        let largest = counts.into_iter().fold(R::ZERO, R::larger_number);
         aim.speed = v.hi;
         aim.t = R::Eight::by_part(|part| nodes(part).mul_add(alike(stride.dt), alike(t)));
         aim.push = times(&tableau.weights, &R::Eight::splat(-stride.fall));
-        aim.nearing = Nearing::begin(largest);
-        for k in 0..D {
-            let [per_unit, rounding] = aim.nearing.per_unit(counts[k], reach[k]);
-            aim.per_unit[k] = per_unit;
-            aim.nearing.allow(rounding);
-        }
+        aim.nearing = Nearing::begin(&mut aim.per_unit, &mut reach);
     }
 
     #[inline(always)]
@@ -178,14 +161,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         pushes: &[R::Eight; D],
         [q, v]: [&mut CompensatedVector<D, R>; 2],
     ) {
-        // Likewise. What has moved is put back at the end: a loop over the coordinates would be made of masked registers.
-        let places: [R; D] = from_fn(|k| times(&tableau.rests, &pushes[k]).sum());
-        let speeds: [R; D] = from_fn(|k| pushes[k].sum());
-        let moved: [_; D] =
-            from_fn(|k| settled(stride.dt, [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])], [places[k], speeds[k]]));
-        for k in 0..D {
-            [(q.hi[k], q.lo[k]), (v.hi[k], v.lo[k])] = moved[k];
-        }
+        stages::settle(tableau, stride.dt, pushes, [&mut q.hi, &mut q.lo, &mut v.hi, &mut v.lo]);
     }
 
     fn work_of_pushes(&self, tableau: &Tableau, dt: R, v: &[R; D], pushes: &[R::Eight; D]) -> R {

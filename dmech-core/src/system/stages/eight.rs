@@ -5,12 +5,15 @@ use core::ops::Add;
 
 use dmech_scalar::{DoubleDouble, Lanes, LanesMask, Mask, Real, Rows};
 
+use super::abreast::{Abreast, Alone, Together};
 use super::{Columns, Row, STAGES};
 
 /// A scalar of which eight can stand side by side: `f64` in the lanes of a register, others one by one.
 pub trait Staging: Real {
     /// Eight of them.
     type Eight: Eight<Self>;
+    /// Coordinates that are computed at a time where there are several.
+    type Together: Abreast<Self>;
 
     /// A coefficient of two parts.
     fn coefficient(hi: f64, lo: f64) -> Self;
@@ -92,6 +95,7 @@ pub(crate) fn weighed<R: Real, E: Eight<R>>(columns: &Columns, x: &E, part: usiz
 
 impl Staging for f64 {
     type Eight = Lanes;
+    type Together = Together;
 
     #[inline(always)]
     fn coefficient(hi: f64, _: f64) -> f64 {
@@ -130,7 +134,7 @@ impl Eight<f64> for Lanes {
     }
     #[inline(always)]
     fn each(&self, j: usize) -> Self {
-        Lanes::splat(self.to_array()[j])
+        Lanes::splat(self[j])
     }
     #[inline(always)]
     fn larger(x: Self, y: Self) -> Self {
@@ -227,6 +231,7 @@ macro_rules! one_by_one {
     ($($real:ty $(, $n:ident)?: |$hi:ident, $lo:ident| $coefficient:expr $(, $larger:ident)?;)*) => {$(
         impl$(<const $n: usize>)? Staging for $real {
             type Eight = [Self; STAGES];
+            type Together = Alone;
 
             #[inline(always)]
             fn coefficient($hi: f64, $lo: f64) -> Self {

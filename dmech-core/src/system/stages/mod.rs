@@ -1,15 +1,19 @@
 //! Stages side by side: the instructions of schemes that know the force at eight moments of a step together.
 
+mod abreast;
 mod eight;
 mod nearing;
+mod settle;
 
+pub(crate) use abreast::Abreast;
 pub(crate) use eight::Part;
 pub(crate) use eight::weighed;
 pub use eight::{Eight, Staging};
 pub use nearing::Nearing;
-pub(crate) use nearing::of_path;
+pub(crate) use nearing::moves;
+pub(crate) use settle::{path, settle};
 
-use dmech_scalar::{Mask, Real, two_sum};
+use dmech_scalar::{Mask, Real};
 
 use super::System;
 pub(crate) use super::{Columns, Row, STAGES, Tableau};
@@ -73,33 +77,6 @@ pub trait Staged: System<Scalar: Staging> {
         v: &Self::Vector,
         pushes: &Self::Pushes,
     ) -> Self::Scalar;
-}
-
-/// The path h v of a velocity that carries its rounding, rounded, and what that leaves out.
-///
-/// A path of the rounded velocity alone would be off by what that velocity decides, and for many h (0.2, 0.15, close to short
-/// fractions) in the mean to one side; as do quotients by h. Energy then grows like the number of steps and not like its root.
-#[inline(always)]
-pub(crate) fn path<R: Real>(dt: R, (v, v_low): (R, R)) -> (R, R) {
-    let (path, rest) = dt.product(v);
-    (path, dt.mul_add(v_low, rest))
-}
-
-/// q + h v + Σ (1 − cⱼ) Lⱼ and v + Σ Lⱼ/h from both sums, for numbers that carry their rounding.
-#[inline(always)]
-pub(crate) fn settled<R: Real>(dt: R, [q, v]: [(R, R); 2], [place, speed]: [R; 2]) -> [(R, R); 2] {
-    let (path, rest) = path(dt, v);
-    // A true quotient, with what it leaves out: a rounded 1/h would be wrong by the same relative amount in each step.
-    let (gain, left) = speed.quotient(dt);
-    [moved(q, path, rest + place), moved(v, gain, left)]
-}
-
-/// x + Δ + δ for a small δ, in two parts. The second has digits of its own: of a Δ + δ that is rounded first nothing would be left
-/// of δ.
-#[inline(always)]
-fn moved<R: Real>((x, low): (R, R), by: R, rest: R) -> (R, R) {
-    let (sum, lost) = two_sum(x, by);
-    two_sum(sum, lost + (low + rest))
 }
 
 /// The polynomial through the pushes of the last step, continued into the next, `ratio` times as long; where that is 0 they are a guess
@@ -211,3 +188,6 @@ pub(crate) fn are_finite<R: Staging>(pushes: &[R::Eight]) -> R::Mask {
     };
     R::Eight::by_part(zeros).sum().equal(R::ZERO)
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,7 +2,8 @@
 
 use dmech_scalar::{Mask, Real};
 
-use super::{Eight, Part, Staging, largest_of};
+use super::abreast::{Abreast, abreast, largest_number};
+use super::{Eight, Part, Staging, largest_of, path};
 
 /// A change of a push counts from this part of an ulp of it on: what sweeps leave has one sign, and adds up from step to step.
 const COUNTS: f64 = 1.0 / 32.0;
@@ -13,10 +14,26 @@ const LEAST: f64 = 1e-18;
 /// The rounding of a position changes a push by a few parts of it.
 const BY_PLACE: f64 = 4.0;
 
-/// The part of a path h v that counts as a push.
+/// How coordinates move in a step: the path h v, the largest push or path that counts as one, and the larger of |q| and |h v|.
 #[inline(always)]
-pub(crate) fn of_path<R: Real>(drift: R) -> R {
-    R::from_f64(PATH) * drift.abs()
+pub(crate) fn moves<R: Staging>(dt: R, start: [&[R]; 3], pushes: &[R::Eight], mut moves: [&mut [R]; 3]) {
+    abreast!(R, pushes.len(), moves_at(dt, start, pushes, &mut moves));
+}
+
+/// The same of the coordinates from `at` on.
+#[inline(always)]
+fn moves_at<R: Staging, A: Abreast<R>>(
+    at: usize,
+    dt: R,
+    [q, v, v_low]: [&[R]; 3],
+    pushes: &[R::Eight],
+    [drifts, counts, reach]: &mut [&mut [R]; 3],
+) {
+    let (drift, rest) = path(A::alike(dt), (A::gather(v, at), A::gather(v_low, at)));
+    let drift = drift + rest;
+    A::scatter(drift, drifts, at);
+    A::scatter(A::larger(A::largest(pushes, at), A::alike(R::from_f64(PATH)) * drift), counts, at);
+    A::scatter(A::larger(A::gather(q, at).abs(), drift), reach, at);
 }
 
 /// How near the sweeps of a step are: changes of pushes in units of what counts for their coordinate or body.
@@ -28,44 +45,40 @@ pub struct Nearing<R: Staging> {
     before: R::Eight,
     /// What the rounding of a position may make of a push.
     rounding: R,
-    /// What a push is taken for at least.
-    floor: R,
     /// 1, or 0 where nothing moves yet and nothing tells what counts.
     unit: R,
+}
+
+/// A push is taken for `floor` at least.
+#[inline(always)]
+fn measure_at<R: Staging, A: Abreast<R>>(at: usize, floor: R, counts: &mut [R], reach: &mut [R]) {
+    let number = |x: f64| A::alike(R::from_f64(x) * R::EPSILON);
+    let per_unit = (number(COUNTS) * A::larger(A::alike(floor), A::gather(counts, at))).recip();
+    A::scatter(per_unit, counts, at);
+    A::scatter(number(BY_PLACE) * A::gather(reach, at) * per_unit, reach, at);
 }
 
 impl<R: Staging> Nearing<R> {
     /// Before any step.
     pub(crate) fn none() -> Self {
         let none = R::Eight::splat(R::ZERO);
-        Nearing { change: none, before: none, rounding: R::ZERO, floor: R::ZERO, unit: R::ZERO }
+        Nearing { change: none, before: none, rounding: R::ZERO, unit: R::ZERO }
     }
 
-    /// Before the sweeps of a step; `largest` is the largest push, or [path](of_path).
+    /// Before the sweeps of a step. `counts` are the largest push of each coordinate or body, or [what counts as one](moves), and
+    /// become 1 over the change that counts; `reach` is at least |q| and |h v|, and becomes what the rounding of a position may make
+    /// of a push.
     #[inline(always)]
-    pub(crate) fn begin(largest: R) -> Self {
+    pub(crate) fn begin(counts: &mut [R], reach: &mut [R]) -> Self {
+        let largest = largest_number(counts);
         let at_rest = largest.equal(R::ZERO);
         let unit = R::either(at_rest, R::ZERO, R::ONE);
         // What counts of a push has a finite reciprocal.
         let least = R::smallest() / (R::from_f64(COUNTS) * R::EPSILON);
         let floor = R::either(at_rest, R::ONE, R::from_f64(LEAST) * largest + least);
+        abreast!(R, counts.len(), measure_at(floor, counts, reach));
         let [change, before] = [1.0, f64::INFINITY].map(|x| R::Eight::splat(R::from_f64(x)));
-        Nearing { change, before, rounding: R::ZERO, floor, unit }
-    }
-
-    /// 1 over the change that counts of a push, which is, or has a path that counts as, `push`; and what the rounding of a position
-    /// may make of it, as |q| and |h v| are at most `reach`.
-    #[inline(always)]
-    pub(crate) fn per_unit(&self, push: R, reach: R) -> [R; 2] {
-        let per_unit = (R::from_f64(COUNTS) * R::EPSILON * push.larger_number(self.floor)).recip();
-        let by_place = R::from_f64(BY_PLACE) * R::EPSILON * reach;
-        [per_unit, by_place * per_unit]
-    }
-
-    /// A rounding may be so large.
-    #[inline(always)]
-    pub(crate) fn allow(&mut self, rounding: R) {
-        self.rounding = self.rounding.larger_number(rounding);
+        Nearing { change, before, rounding: largest_number(reach), unit }
     }
 
     /// After a sweep with these changes in a part of the stages: whether some push has come nearer, and is not yet so near that by the
@@ -74,10 +87,12 @@ impl<R: Staging> Nearing<R> {
     pub(crate) fn comes_nearer(&mut self, part: usize, change: Part<R>) -> R::Mask {
         let before = self.before.part(part);
         let least = self.change.part(part) * R::Eight::alike(self.unit);
-        let nearer = least.less_or_equal(change * change).and(change.less(before));
+        let shrinks = change.less(before);
+        let nearer = least.less_or_equal(change * change).and(shrinks);
         // Roundings go to and fro: of eight stages one would come nearer to what it was before again and again.
-        let by_rounding = change.less_or_equal(R::Eight::alike(self.rounding)).and(before.less(change));
-        self.before.set(part, Part::<R>::either(by_rounding, before, change));
+        let smaller = Part::<R>::either(shrinks, change, before);
+        let no_rounding = R::Eight::alike(self.rounding).less(change);
+        self.before.set(part, Part::<R>::either(no_rounding, change, smaller));
         self.change.set(part, change);
         R::Eight::any(nearer)
     }

@@ -22,8 +22,9 @@ impl Cost {
 /// logarithms.
 ///
 /// Of several pairs of neighbours that enclose the error the one with the smallest steps is taken, as a single small
-/// error among large ones is chance. Where the error is reached with the largest step already, the cost of that is an
-/// upper bound, and is returned; where it is not reached, there is no cost.
+/// error among large ones is chance; or a run with smaller steps, if that costs less, as where larger steps have to be tried
+/// in parts. Where the error is reached with every step, the least cost is an upper bound, and is returned; where it is not
+/// reached, there is no cost.
 ///
 /// A [`Study`](crate::Study) measures with it; it serves as well for runs of other programs beside one.
 ///
@@ -36,14 +37,16 @@ impl Cost {
 /// assert_eq!(cost_at(1e-12, &runs), None);
 /// ```
 pub fn cost_at(error: f64, points: &[(f64, f64)]) -> Option<Cost> {
-    let encloses = |pair: &&[(f64, f64)]| pair[0].0 > error && pair[1].0 <= error;
-    match points.windows(2).rev().find(encloses) {
-        Some(pair) => {
-            let [(e0, c0), (e1, c1)] = [pair[0], pair[1]].map(|(e, c)| (e.ln(), c.ln()));
-            Some(Cost::About((c0 + (c1 - c0) * (error.ln() - e0) / (e1 - e0)).exp()))
-        }
-        None => points.first().filter(|first| first.0 <= error).map(|first| Cost::AtMost(first.1)),
-    }
+    let cheapest = |runs: &[(f64, f64)]| runs.iter().map(|run| run.1).reduce(f64::min);
+    let encloses = |pair: &[(f64, f64)]| pair[0].0 > error && pair[1].0 <= error;
+    let Some(first) = points.windows(2).rposition(encloses) else {
+        return cheapest(points).filter(|_| points[0].0 <= error).map(Cost::AtMost);
+    };
+    let [(e0, c0), (e1, c1)] = [points[first], points[first + 1]].map(|(e, c)| (e.ln(), c.ln()));
+    let between = (c0 + (c1 - c0) * (error.ln() - e0) / (e1 - e0)).exp();
+    let reached = &points[first + 1..];
+    let reached = &reached[..reached.iter().position(|run| run.0 > error).unwrap_or(reached.len())];
+    cheapest(reached).map(|cost| Cost::About(cost.min(between)))
 }
 
 #[cfg(test)]
@@ -69,6 +72,11 @@ mod tests {
     fn chance_and_rounding_do_not_count() {
         let points = [(1e-7, 1.0), (1e-2, 2.0), (1e-4, 4.0), (1e-6, 8.0), (3e-6, 16.0)];
         assert!((cost_at(1e-5, &points).unwrap().value() - 32_f64.sqrt()).abs() < 1e-13);
+        // All steps reach it, the third for the least.
+        assert_eq!(cost_at(0.1, &points), Some(Cost::AtMost(1.0)));
+        let tried = [(5e-12, 7.8), (2e-13, 6.9), (6e-12, 3.4), (1e-13, 3.0), (7e-14, 3.6)];
+        assert_eq!(cost_at(1e-11, &tried), Some(Cost::AtMost(3.0)));
+        assert_eq!(cost_at(1e-13, &tried), Some(Cost::About(3.0)));
         // exp ∘ ln costs a few ulps.
         assert!((cost_at(1e-6, &points).unwrap().value() / 8.0 - 1.0).abs() < 8.0 * f64::EPSILON);
     }

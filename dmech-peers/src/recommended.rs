@@ -17,8 +17,9 @@ const EVEN: [(f64, &str); 2] = [(1e-3, "FG 4"), (0.0, "Gauss 16")];
 /// For close encounters: steps that follow the motion.
 const FOLLOWING: [(f64, &str); 2] = [(1e-3, "RKN 6 ad."), (0.0, "Gauss 16 ad.")];
 
-/// For many bodies: a sweep of eight stages is as long as eight forces there, which explicit steps do not wait for.
-const MANY: [(f64, &str); 3] = [(1e-3, "FG 4"), (1e-9, "RKN 6"), (0.0, "RKN 8")];
+/// For many bodies: a sweep of eight stages is as long as eight forces there, which explicit steps do not wait for, down to errors
+/// where these are very short.
+const MANY: [(f64, &str); 4] = [(1e-3, "FG 4"), (1e-9, "RKN 6"), (1e-11, "RKN 8"), (0.0, "Gauss 16")];
 
 /// The name in pictures of the scheme that is advised for an error.
 pub fn recommended(error: f64, kind: Kind) -> &'static str {
@@ -39,6 +40,7 @@ mod tests {
     fn every_error_has_its_scheme() {
         assert_eq!(recommended(1e-3, Kind::Even), "FG 4");
         assert_eq!(recommended(1e-12, Kind::Even), EVEN[EVEN.len() - 1].1);
+        assert_eq!([1e-6, 1e-11, 1e-12].map(|error| recommended(error, Kind::Many)), ["RKN 6", "RKN 8", "Gauss 16"]);
         assert_eq!(recommended(1e-3, Kind::Encounters), "RKN 6 ad.");
         assert_eq!(recommended(1e-12, Kind::Encounters), FOLLOWING[FOLLOWING.len() - 1].1);
     }

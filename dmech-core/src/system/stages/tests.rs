@@ -92,10 +92,52 @@ fn a_step_ends_with_what_rounding_leaves_out() {
         let speed = two(-0.3, 2e-17) + DoubleDouble::from(push.sum()) / DoubleDouble::from(dt);
         let size = speed.to_f64().abs().max(push.sum().abs() / dt).max(0.3);
         assert!((two(moved[2], moved[3]) - speed).to_f64().abs() < 4e-32 * size, "{dt}");
+        // A sum of eight is rounded, a path is not.
+        let rests = Lanes::from_array(GAUSS.rests.hi) * push;
+        let path = DoubleDouble::from(dt) * two(-0.3, 2e-17);
+        let place = two(0.7, 1e-17) + path + DoubleDouble::from(rests.sum());
+        let least = 2.0 * f64::EPSILON * f64::EPSILON * (path.to_f64().abs() + 1.0) + f64::EPSILON * rests.sum().abs();
+        assert!((two(moved[0], moved[1]) - place).to_f64().abs() < least, "{dt}");
         inexact += u32::from(moved[3] != 0.0);
         assert_eq!(two_sum(moved[2], moved[3]), (moved[2], moved[3]));
     }
     assert!(inexact > 6);
+}
+
+/// What a push is measured by: itself, or the 256th part of a long path; and what |q| and |h v| reach.
+#[test]
+fn a_path_counts_as_a_push() {
+    let (v, low) = (1.0 + f64::EPSILON, 0.3 * f64::EPSILON);
+    for (q, dt, push) in [(0.3, 3.0, 1e-9), (-7.0, 0.1, 0.25), (0.0, 1.0, -8.0)] {
+        let pushes = [Lanes::splat(0.5 * push).after(push)];
+        let [mut drift, mut count, mut reach] = [[0.0]; 3];
+        moves(dt, [&[q], &[v], &[low]], &pushes, [&mut drift, &mut count, &mut reach]);
+        let exact = DoubleDouble::from(dt) * (DoubleDouble::from(v) + DoubleDouble::from(low));
+        assert!((DoubleDouble::from(drift[0]) - exact).to_f64().abs() <= 0.5001 * f64::EPSILON * drift[0].abs());
+        assert_eq!(count, [push.abs().max(drift[0] / 256.0)], "{dt}");
+        assert_eq!(reach, [q.abs().max(drift[0])], "{dt}");
+    }
+}
+
+/// Sweeps go on while they come nearer by more than rounding, and changes that rounding makes to and fro do not count as nearer again.
+#[test]
+fn sweeps_end_at_rounding() {
+    let begin = |reach: f64| Nearing::<f64>::begin(&mut [1.0], &mut [reach]);
+    let goes_on = |nearing: &mut Nearing<f64>, changes: &[f64]| -> Vec<bool> {
+        changes.iter().map(|&change| nearing.comes_nearer(0, Lanes::splat(change))).collect()
+    };
+    // Squares: 1 ulp after 1e6 foretells less than one.
+    assert_eq!(goes_on(&mut begin(0.0), &[1e9, 1e6, 1.0]), [true, true, false]);
+    assert_eq!(goes_on(&mut begin(0.0), &[1e9, 1e6, 2e6, 1e5]), [true, true, false, true]);
+    // A position of 1 lets a push of 1 vary by 128 units.
+    assert_eq!(goes_on(&mut begin(1.0), &[1e9, 50.0, 100.0, 60.0]), [true, false, false, false]);
+    assert_eq!(goes_on(&mut begin(1e-9), &[1e9, 50.0, 100.0, 60.0])[3..], [true]);
+    let near = |reach: f64| {
+        let mut nearing = begin(reach);
+        nearing.comes_nearer(0, Lanes::splat(100.0));
+        nearing.is_near(&[Lanes::ONE], 1.0)
+    };
+    assert!(near(1.0) && !near(1e-9));
 }
 
 /// A step without a reciprocal moves nothing.

@@ -104,11 +104,26 @@ fn a_step_ends_with_what_rounding_leaves_out() {
     assert!(inexact > 6);
 }
 
+/// The low part of the velocity, of which all steps together make more than rounding.
+#[test]
+fn a_path_goes_on_with_what_the_velocity_left_out() {
+    for dt in [0.1, 0.15, 0.7, 3.0] {
+        let mut moved = [0.7, 1e-17, -0.3, 2e-17];
+        let [q, q_low, v, v_low] = moved.each_mut().map(core::slice::from_mut);
+        settle(&GAUSS, dt, &[Lanes::ZERO], [q, q_low, v, v_low]);
+        let two = |hi: f64, lo: f64| DoubleDouble::from(hi) + DoubleDouble::from(lo);
+        let place = two(0.7, 1e-17) + DoubleDouble::from(dt) * two(-0.3, 2e-17);
+        assert!((two(moved[0], moved[1]) - place).to_f64().abs() < 1e-31, "{dt}");
+    }
+}
+
 /// What a push is measured by: itself, or the 256th part of a long path; and what |q| and |h v| reach.
 #[test]
 fn a_path_counts_as_a_push() {
     let (v, low) = (1.0 + f64::EPSILON, 0.3 * f64::EPSILON);
-    for (q, dt, push) in [(0.3, 3.0, 1e-9), (-7.0, 0.1, 0.25), (0.0, 1.0, -8.0)] {
+    for (q, dt, push) in
+        [(0.3, 3.0, 1e-9), (-7.0, 0.1, 0.25), (0.0, 1.0, -8.0), (0.0, 1.3, 0.0), (1.0, 0.7, 1e-3), (2.0, 1.9, 1.0)]
+    {
         let pushes = [Lanes::splat(0.5 * push).after(push)];
         let [mut drift, mut count, mut reach] = [[0.0]; 3];
         moves(dt, [&[q], &[v], &[low]], &pushes, [&mut drift, &mut count, &mut reach]);

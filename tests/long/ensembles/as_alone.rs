@@ -158,7 +158,6 @@ fn adaptive() {
     as_alone::<Molecules, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "molecules", driven);
     as_alone::<Packs, _, 6>(Adaptive::new(DiscreteGradient, 1e-3), "packs", driven);
     as_alone::<Tied, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "tied", driven);
-    as_alone::<Molecules, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "molecules", driven);
     as_alone::<Tides, _, 6>(Adaptive::new(Implicit, 1e-3), "tides", driven);
     as_alone::<Hung, _, 8>(Adaptive::new(Gauss::order16(), 1e-8), "hung", driven);
     as_alone::<Loops, _, 6>(Adaptive::new(Nystrom::order6(), 1e-6), "loops", driven);

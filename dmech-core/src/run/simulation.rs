@@ -121,6 +121,12 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         Simulation { law, start, scheme, settings, attend }
     }
 
+    /// The same accompanied by one thing more.
+    pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
+        let Simulation { law, start, scheme, settings, attend } = self;
+        Simulation { law, start, scheme, settings, attend: (attend, also) }
+    }
+
     pub(crate) fn due(&self) -> &Due {
         &self.settings.due
     }
@@ -226,8 +232,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     where
         S: Adaptable,
     {
-        let Simulation { law, start, scheme, settings, attend } = self;
-        Simulation { law, start, scheme: Adaptive::new(scheme, tolerance), settings, attend }
+        let scheme = Adaptive::new(self.scheme, tolerance);
+        self.scheme(scheme)
     }
 }
 
@@ -372,10 +378,3 @@ pub(crate) type Preparation<L, X, S, O> =
 
 /// A simulation that is accompanied by one thing more.
 pub type Attended<L, X, S, O, A> = Simulation<L, X, S, (O, A)>;
-
-impl<L, X, S, O> Simulation<L, X, S, O> {
-    pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
-        let Simulation { law, start, scheme, settings, attend } = self;
-        Simulation { law, start, scheme, settings, attend: (attend, also) }
-    }
-}

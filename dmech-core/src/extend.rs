@@ -121,8 +121,6 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
-#[cfg(any(feature = "ranks", feature = "store"))]
-pub use crate::ensemble::Flat;
 #[cfg(feature = "store")]
 pub use crate::ensemble::InFile;
 pub use crate::ensemble::{
@@ -136,6 +134,8 @@ pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};
 #[cfg(feature = "store")]
 pub use crate::error::{Reach, StoreError};
+#[cfg(any(feature = "ranks", feature = "store"))]
+pub use crate::flat::Flat;
 pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;

@@ -7,11 +7,11 @@ use core::ops::Range;
 use dmech_scalar::{Compensated, Mask, Real, Rows};
 
 use super::member::Member;
+use super::rows::LANES;
 use super::steps::InLanes;
 use super::together::{Together, together};
 use crate::invariant::{Drift, Invariant};
 use crate::law::Fields;
-use crate::ride::LANES;
 use crate::run::Attend;
 use crate::scheme::ByLane;
 use crate::state::State;

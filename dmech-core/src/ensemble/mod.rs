@@ -13,6 +13,7 @@ mod plan;
 #[cfg(feature = "ranks")]
 mod ranks;
 mod rides;
+mod rows;
 mod run;
 mod share;
 #[cfg(feature = "progress")]
@@ -29,9 +30,6 @@ mod told;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-#[cfg(any(feature = "ranks", feature = "store"))]
-pub use crate::flat::Flat;
-pub use crate::ride::LANES;
 pub use block::{Block, Outcome};
 pub use company::{Companies, Company, Joined, NoCompany, With};
 pub use each::{Each, Keeps};
@@ -41,6 +39,7 @@ pub use plan::Nowhere;
 #[cfg(feature = "ranks")]
 pub use ranks::{Ranked, Ranks, Travels};
 pub use rides::Rides;
+pub use rows::LANES;
 pub use run::{Checksum, EnsembleRun};
 pub use steps::InLanes;
 #[cfg(feature = "store")]

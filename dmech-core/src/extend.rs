@@ -70,18 +70,7 @@
 //!         system.total(&work)
 //!     }
 //! }
-//! # #[derive(Clone, Copy)]
-//! # struct Quartic { k: f64 }
-//! # impl Conservative for Quartic {}
-//! # impl Potential<1> for Quartic {
-//! #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
-//! #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
-//! #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
-//! #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.25 * self.k * (a + b) * (a * a + b * b)] }
-//! #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
-//! #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
-//! #     }
-//! # }
+#![doc = include_str!("examples/quartic.md")]
 //!
 //! // It runs and is watched like any other.
 //! let (law, start) = (Quartic { k: 1.7 }, State::new([1.0], [0.3]));
@@ -121,8 +110,6 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
-#[cfg(any(feature = "ranks", feature = "store"))]
-pub use crate::ensemble::Flat;
 #[cfg(feature = "store")]
 pub use crate::ensemble::InFile;
 pub use crate::ensemble::{
@@ -136,6 +123,8 @@ pub use crate::error::Difference;
 pub use crate::error::{Disagreement, Place};
 #[cfg(feature = "store")]
 pub use crate::error::{Reach, StoreError};
+#[cfg(any(feature = "ranks", feature = "store"))]
+pub use crate::flat::Flat;
 pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;

@@ -26,7 +26,6 @@ mod method;
 mod name;
 #[cfg(feature = "serde")]
 mod resume;
-mod ride;
 mod run;
 mod setup;
 mod span;

@@ -39,15 +39,7 @@ use crate::name::Name;
 ///
 /// ```
 /// use dmech_core::prelude::*;
-/// # struct Spring { k: f64 }
-/// # impl Conservative for Spring {}
-/// # impl Potential<1> for Spring {
-/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
-/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
-/// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
-/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
-/// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
-/// # }
+#[doc = include_str!("../examples/spring.md")]
 /// let spring = |k| Simulation::new(Spring { k }, State::new([1.0], [0.0])).scheme(DiscreteGradient).dt(0.01);
 /// let mut whole = spring(4.0).stepper()?;
 /// whole.advance(1000)?;

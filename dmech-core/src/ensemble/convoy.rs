@@ -7,11 +7,11 @@ use core::ops::Range;
 use dmech_scalar::{Compensated, Mask, Real, Rows};
 
 use super::member::Member;
+use super::rows::LANES;
 use super::steps::InLanes;
 use super::together::{Together, together};
 use crate::invariant::{Drift, Invariant};
 use crate::law::Fields;
-use crate::ride::LANES;
 use crate::run::Attend;
 use crate::scheme::ByLane;
 use crate::state::State;
@@ -174,14 +174,11 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
     /// So many steps, or fewer if one arrives; false, and perhaps some of them, where they cannot be made together.
     pub(super) fn advance(&mut self, steps: u64) -> bool {
         let Convoy { scheme, system, all, cost, work, .. } = self;
-        let Some(work) = work else {
-            let made = scheme.advance(system, all, steps, cost);
-            return made.is_some_and(|made| self.have_made(made));
-        };
         // Work is that of each step by itself: rows have nothing of it where nobody asks.
-        let (mut made, mut last) = (0, Some(1));
-        while made < steps && last == Some(1) {
-            last = scheme.advance_and_work(system, all, cost, work);
+        let row = if work.is_some() { 1 } else { steps };
+        let (mut made, mut last) = (0, Some(row));
+        while made < steps && last == Some(row) {
+            last = scheme.advance(system, all, row, cost, work.as_mut());
             made += last.unwrap_or(0);
         }
         self.have_made(made) && last.is_some()
@@ -296,20 +293,17 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         for invariant in Invariant::ALL {
             let Some(drift) = &mut self.drifts[invariant as usize] else { continue };
             let start = drift.fields()[0];
+            let moved = |energy| (energy, energy - start);
             let seen = match invariant {
-                Invariant::Energy => Some(system.potential(t, &q) + system.kinetic_energy(&v)),
-                Invariant::DiscreteEnergy => self.scheme.own_energy(system, &self.all),
+                Invariant::Energy => Some(moved(system.potential(t, &q) + system.kinetic_energy(&v))),
+                Invariant::DiscreteEnergy => self.scheme.own_energy(system, &self.all).map(moved),
                 Invariant::WorkEnergy => {
                     let kinetic = || self.scheme.own_kinetic_energy(system, &self.all);
-                    self.work.map(|work| (kinetic() - work.hi) - work.lo)
+                    self.work.map(|work| moved((kinetic() - work.hi) - work.lo))
                 }
-                _ => None,
-            };
-            let seen = match invariant {
                 Invariant::LinearMomentum | Invariant::AngularMomentum => {
                     Some(system.momentum(invariant, &state, &self.first))
                 }
-                _ => seen.map(|energy| (energy, energy - start)),
             };
             if let Some((value, deviation)) = seen {
                 let last = *drift;

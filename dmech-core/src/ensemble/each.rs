@@ -6,21 +6,11 @@ use super::EnsembleRun;
 use super::block::Outcome;
 use super::in_order::{Blocks, Hands, Nobody};
 use super::plan::{Nowhere, Opened, Plan, sweep};
-#[cfg(any(feature = "ranks", feature = "store"))]
-use super::told::{Named, Said, SetUp, Told, acts, whole};
 use crate::error::Error;
-#[cfg(any(feature = "ranks", feature = "store"))]
-use crate::flat::Flat;
 use crate::run::{Attend, Shown, Simulation};
 use crate::scheme::Scheme;
 use crate::setup::Setup;
 use crate::span::Span;
-#[cfg(any(feature = "ranks", feature = "store"))]
-use crate::{
-    checkpoint::Saved,
-    run::{Restored, Run},
-    system::System,
-};
 
 /// Simulations of any kind, made by [`Ensemble::each`](crate::Ensemble::each).
 #[derive(Clone, Debug)]
@@ -149,51 +139,6 @@ impl<L, X: Setup<L>, S: Scheme<X::System>, O: Attend<X::State>> Plan<X::State> f
 
     fn go(&self, members: Range<usize>) -> Vec<Outcome<X::State>> {
         members.map(|k| (self.member)(k).record(self.span)).collect()
-    }
-}
-
-#[cfg(any(feature = "ranks", feature = "store"))]
-impl<L, X, S, O> Told<X::State> for OneByOne<'_, L, X, S, O>
-where
-    X: Setup<L, State: Flat, System: Saved>,
-    S: Scheme<X::System>,
-    O: Attend<X::State>,
-{
-    fn whole(&self) -> Vec<(&'static str, Said)> {
-        let bodies = if X::State::LISTED { ", of as many bodies as it has" } else { "" };
-        whole::<X::State, S, O>(self.members, self.span, format!("each its own{bodies}"))
-    }
-
-    fn columns(&self) -> Named {
-        let numbers = ["dt", "tolerance", "mass"].map(str::to_owned).into();
-        Named { words: &["options", "looks", "invariants"], numbers }
-    }
-
-    /// As far as it can be set up: what is refused is moved, and refused, again.
-    fn set_up(&self, k: usize) -> SetUp {
-        let simulation = (self.member)(k);
-        let length = simulation.step_length::<f64>();
-        let Simulation { law, start, scheme, settings, .. } = simulation;
-        let numbers = [settings.dt, scheme.tolerance(), Some(start.mass(settings.mass))];
-        let numbers = numbers.map(|x| x.unwrap_or(f64::NAN)).into();
-        let first = start.start();
-        let (mut invariants, mut list, mut acting) = (String::new(), Vec::new(), 0);
-        if let Ok(system) = length.and_then(|length| start.system(law, settings.mass, length)) {
-            invariants = system.own_invariants().join(", ");
-            if X::State::LISTED {
-                let (masses, pins) = system.bodies();
-                list.extend(masses.into_iter().map(|mass| ("masses of the bodies", mass)));
-                list.extend(pins.into_iter().map(|body| ("pinned bodies", body as f64)));
-            }
-            system.fields(&mut |name, x| list.push((name, x)));
-            acting = acts(&system, &first);
-        }
-        let words = vec![format!("{scheme:?}"), settings.due.to_string(), invariants];
-        SetUp { words, numbers, start: first.flat(), list, acts: acting }
-    }
-
-    fn restore(&self, k: usize, run: Restored<X::State>) -> Result<Run<X::State>, Error> {
-        (self.member)(k).accompanied(()).restore(run)
     }
 }
 

@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use dmech_scalar::Lanes;
 
+use super::rows::{LANES, rows};
 use super::share::{Board, with_hands};
 use crate::error::Error;
-use crate::ride::{LANES, rows};
 
 /// The most members in a block.
 pub(super) const BLOCK: usize = 512;

@@ -13,6 +13,7 @@ mod plan;
 #[cfg(feature = "ranks")]
 mod ranks;
 mod rides;
+mod rows;
 mod run;
 mod share;
 #[cfg(feature = "progress")]
@@ -29,9 +30,6 @@ mod told;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-#[cfg(any(feature = "ranks", feature = "store"))]
-pub use crate::flat::Flat;
-pub use crate::ride::LANES;
 pub use block::{Block, Outcome};
 pub use company::{Companies, Company, Joined, NoCompany, With};
 pub use each::{Each, Keeps};
@@ -41,6 +39,7 @@ pub use plan::Nowhere;
 #[cfg(feature = "ranks")]
 pub use ranks::{Ranked, Ranks, Travels};
 pub use rides::Rides;
+pub use rows::LANES;
 pub use run::{Checksum, EnsembleRun};
 pub use steps::InLanes;
 #[cfg(feature = "store")]
@@ -68,18 +67,7 @@ use crate::state::State;
 ///
 /// ```
 /// use dmech_core::prelude::*;
-/// # #[derive(Clone, Copy)]
-/// # struct Quartic { k: f64 }
-/// # impl Conservative for Quartic {}
-/// # impl Potential<1> for Quartic {
-/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
-/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
-/// #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
-/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.25 * self.k * (a + b) * (a * a + b * b)] }
-/// #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
-/// #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
-/// #     }
-/// # }
+#[doc = include_str!("../examples/quartic.md")]
 /// let run = Ensemble::each(100, |k| {
 ///     let law = Quartic { k: 1.0 + 0.01 * k as f64 };
 ///     Simulation::new(law, State::new([1.0], [0.3])).scheme(DiscreteGradient).dt(0.01).record_every(100)

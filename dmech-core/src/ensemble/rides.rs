@@ -5,9 +5,9 @@ use dmech_scalar::Rows;
 use super::block::{Block, Outcome};
 use super::lanes::in_lanes;
 use super::member::Member;
+use super::rows::{WIDE, rows};
 use super::steps::InLanes;
 use crate::law::{Fields, LinearInVelocity, VelocityIndependent};
-use crate::ride::{WIDE, rows};
 use crate::run::Attend;
 use crate::scheme::coefficients::{ForceGradientCoefficients, NystromCoefficients};
 use crate::scheme::{

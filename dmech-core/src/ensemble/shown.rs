@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use indicatif::ProgressBar;
 
-use super::{Each, Ensemble};
+use super::{Beside, Each, Ensemble};
 use crate::run::{Shown, bar};
 
 impl<L, X, S, M> Ensemble<L, X, S, M> {
@@ -18,10 +18,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     /// The same with a bar of one's own: [`Simulation::with_progress_bar`](crate::Simulation::with_progress_bar). Its length becomes the
     /// number of members.
     pub fn with_progress_bar(self, bar: ProgressBar) -> Self {
-        let shown = Shown { bar: Some(bar) };
-        let mut beside = self.beside;
-        beside.shown = shown;
-        Ensemble { beside, ..self }
+        Ensemble { beside: Beside { shown: Shown { bar: Some(bar) }, ..self.beside }, ..self }
     }
 }
 

@@ -26,22 +26,15 @@ pub trait InLanes<L: Fields<D>, const D: usize, const W: usize>: Scheme<Particle
     /// Takes the lengths of the steps of those who have been seated.
     fn set_strides(&self, system: &Together<L, D, W>, all: &mut Self::All);
 
-    /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together.
+    /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together. Who sums the
+    /// work asks for one step at a time.
     fn advance(
         &self,
         system: &Together<L, D, W>,
         all: &mut Self::All,
         steps: u64,
         cost: &mut Effort<Rows<W>>,
-    ) -> Option<u64>;
-
-    /// The same of one step, whose work is added.
-    fn advance_and_work(
-        &self,
-        system: &Together<L, D, W>,
-        all: &mut Self::All,
-        cost: &mut Effort<Rows<W>>,
-        work: &mut Compensated<Rows<W>>,
+        work: Option<&mut Compensated<Rows<W>>>,
     ) -> Option<u64>;
 
     /// What one carries.
@@ -134,6 +127,7 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
         all: &mut Even<L, S, D, W>,
         steps: u64,
         cost: &mut Effort<Rows<W>>,
+        work: Option<&mut Compensated<Rows<W>>>,
     ) -> Option<u64> {
         let alike = const { <S as Scheme<Together<L, D, W>>>::ALIKE };
         let Even { stride, workspace, start, dt, made, .. } = all;
@@ -152,22 +146,12 @@ impl<L: Fields<D>, S: BySide<L, D, W>, const D: usize, const W: usize> InLanes<L
         if !<S as Scheme<Together<L, D, W>>>::finite(self, &memory) {
             return None;
         }
+        if let Some(work) = work {
+            work.add(self.work(system, stride, &all.memory, &memory));
+        }
         *made += Rows::from_f64(steps as f64);
         (all.memory, *cost) = (memory, spent);
         Some(steps)
-    }
-
-    fn advance_and_work(
-        &self,
-        system: &Together<L, D, W>,
-        all: &mut Even<L, S, D, W>,
-        cost: &mut Effort<Rows<W>>,
-        work: &mut Compensated<Rows<W>>,
-    ) -> Option<u64> {
-        let before = all.memory.clone();
-        let made = self.advance(system, all, 1, cost)?;
-        work.add(self.work(system, &all.stride, &before, &all.memory));
-        Some(made)
     }
 
     fn lane(&self, all: &Even<L, S, D, W>, lane: usize) -> <S as Scheme<Particle<L, D>>>::Memory {
@@ -226,6 +210,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         all: &mut Paced<L, S, D, W>,
         steps: u64,
         cost: &mut Effort<Rows<W>>,
+        work: Option<&mut Compensated<Rows<W>>>,
     ) -> Option<u64> {
         let (scheme, mut spent) = (self.inner(), *cost);
         let (mut memory, mut pacing) = (all.memory.clone(), all.pacing);
@@ -266,22 +251,10 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         if !<S as Scheme<Together<L, D, W>>>::finite(&scheme, &memory) {
             return None;
         }
-        (all.memory, all.pacing, *cost) = (memory, pacing, spent);
-        Some(made)
-    }
-
-    fn advance_and_work(
-        &self,
-        system: &Together<L, D, W>,
-        all: &mut Paced<L, S, D, W>,
-        cost: &mut Effort<Rows<W>>,
-        work: &mut Compensated<Rows<W>>,
-    ) -> Option<u64> {
-        let before = all.memory.clone();
-        let made = self.advance(system, all, 1, cost)?;
-        if made > 0 {
-            work.add(self.inner().work(system, &all.stride, &before, &all.memory));
+        if let Some(work) = work.filter(|_| made > 0) {
+            work.add(scheme.work(system, stride, &all.memory, &memory));
         }
+        (all.memory, all.pacing, *cost) = (memory, pacing, spent);
         Some(made)
     }
 

@@ -79,16 +79,7 @@ impl<X: Blend + Clone> Run<X> {
     ///
     /// ```
     /// use dmech_core::prelude::*;
-    /// # #[derive(Clone, Copy)]
-    /// # struct Spring { k: f64 }
-    /// # impl Conservative for Spring {}
-    /// # impl Potential<1> for Spring {
-    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
-    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
-    /// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
-    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
-    /// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
-    /// # }
+    #[doc = include_str!("../examples/spring.md")]
     /// let spring = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0])).scheme(Nystrom::order8()).dt(0.1);
     /// let run = spring.run_until(3.0)?;
     /// let state = run.at(1.234).unwrap();

@@ -22,15 +22,7 @@ use crate::system::System;
 ///
 /// ```
 /// use dmech_core::prelude::*;
-/// # struct Spring { k: f64 }
-/// # impl Conservative for Spring {}
-/// # impl Potential<1> for Spring {
-/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
-/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
-/// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
-/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
-/// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
-/// # }
+#[doc = include_str!("../examples/spring.md")]
 /// let run = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0]))
 ///     .mass(2.0)
 ///     .scheme(DiscreteGradient)
@@ -121,6 +113,12 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         Simulation { law, start, scheme, settings, attend }
     }
 
+    /// The same accompanied by one thing more.
+    pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
+        let Simulation { law, start, scheme, settings, attend } = self;
+        Simulation { law, start, scheme, settings, attend: (attend, also) }
+    }
+
     pub(crate) fn due(&self) -> &Due {
         &self.settings.due
     }
@@ -197,20 +195,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     ///
     /// ```
     /// use dmech_core::prelude::*;
-    /// # #[derive(Clone, Copy)]
-    /// # struct Quartic { k: f64 }
-    /// # impl Conservative for Quartic {}
-    /// # impl Potential<1> for Quartic {
-    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
-    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
-    /// #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
-    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
-    /// #         [0.25 * self.k * (a + b) * (a * a + b * b)]
-    /// #     }
-    /// #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
-    /// #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
-    /// #     }
-    /// # }
+    #[doc = include_str!("../examples/quartic.md")]
     /// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
     /// let run = quartic.scheme(Composed::order6(DiscreteGradient)).adaptive(1e-6).run_until(100.0)?;
     /// assert_eq!(run.last().t, 100.0);
@@ -226,8 +211,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     where
         S: Adaptable,
     {
-        let Simulation { law, start, scheme, settings, attend } = self;
-        Simulation { law, start, scheme: Adaptive::new(scheme, tolerance), settings, attend }
+        let scheme = Adaptive::new(self.scheme, tolerance);
+        self.scheme(scheme)
     }
 }
 
@@ -372,10 +357,3 @@ pub(crate) type Preparation<L, X, S, O> =
 
 /// A simulation that is accompanied by one thing more.
 pub type Attended<L, X, S, O, A> = Simulation<L, X, S, (O, A)>;
-
-impl<L, X, S, O> Simulation<L, X, S, O> {
-    pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
-        let Simulation { law, start, scheme, settings, attend } = self;
-        Simulation { law, start, scheme, settings, attend: (attend, also) }
-    }
-}

@@ -4,7 +4,7 @@ use dmech_scalar::{Compensated, Real};
 
 #[cfg(feature = "plot")]
 use super::course::Courses;
-use super::motion::{Look, Motion};
+use super::motion::{Motion, Seen};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
 use crate::scheme::Scheme;
@@ -16,17 +16,7 @@ use crate::system::System;
 /// ```
 /// use dmech_core::extend::Watch;
 /// use dmech_core::prelude::*;
-/// # struct Quartic { k: f64 }
-/// # impl Conservative for Quartic {}
-/// # impl Potential<1> for Quartic {
-/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.25 * self.k * x.powi(4) }
-/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x.powi(3)] }
-/// #     fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] { [[3.0 * self.k * x * x]] }
-/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.25 * self.k * (a + b) * (a * a + b * b)] }
-/// #     fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
-/// #         [[0.25 * self.k * (a * a + 2.0 * a * b + 3.0 * b * b)]]
-/// #     }
-/// # }
+#[doc = include_str!("../examples/quartic.md")]
 /// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
 /// let mut stepper = quartic.scheme(DiscreteGradient).dt(0.01).stepper()?;
 /// let mut watch = Watch::begin(&stepper);
@@ -74,11 +64,16 @@ impl<R: Real> Watch<R> {
             watch.own_start[k] = motion.own(k, &state);
             watch.own.add(name, Drift::new(t, watch.own_start[k].to_f64()));
         }
-        for invariant in Invariant::ALL {
-            let energy = watch.energy(invariant, &look);
-            watch.energies[invariant as usize] = energy.unwrap_or(R::ZERO);
-            let value = energy.map(R::to_f64).or(look.momentum(invariant).map(|[momentum, _]| momentum));
-            watch.drifts[invariant as usize] = value.map(|value| Drift::new(t, value));
+        for (invariant, seen) in Invariant::ALL.into_iter().zip(look) {
+            let value = match seen {
+                Some(Seen::Energy(energy)) => {
+                    watch.energies[invariant as usize] = energy;
+                    energy.to_f64()
+                }
+                Some(Seen::Momentum([momentum, _])) => momentum,
+                None => continue,
+            };
+            watch.drifts[invariant as usize] = Some(Drift::new(t, value));
         }
         watch
     }
@@ -98,11 +93,15 @@ impl<R: Real> Watch<R> {
 
     pub(super) fn see<X>(&mut self, motion: &dyn Motion<X, R>, state: &X) {
         let (t, look) = (motion.clock()(state), motion.look(state));
-        for invariant in Invariant::ALL {
-            // Before it is rounded to `f64`, which may have fewer digits.
-            let energy = self.energy(invariant, &look);
-            let seen = energy.map(|energy| [energy, energy - self.energies[invariant as usize]].map(R::to_f64));
-            let seen = seen.or(look.momentum(invariant));
+        for (invariant, seen) in Invariant::ALL.into_iter().zip(look) {
+            let seen = seen.map(|seen| match seen {
+                // Before it is rounded to `f64`, which may have fewer digits.
+                Seen::Energy(energy) => {
+                    let energy = self.less_work(invariant, energy);
+                    [energy, energy - self.energies[invariant as usize]].map(R::to_f64)
+                }
+                Seen::Momentum(momentum) => momentum,
+            });
             if let (Some([value, deviation]), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
                 drift.observe(t, value, deviation);
                 #[cfg(feature = "plot")]
@@ -174,22 +173,8 @@ impl<R: Real> Watch<R> {
         self.own.clone()
     }
 
-    fn energy(&self, invariant: Invariant, look: &Look<R>) -> Option<R> {
-        match invariant {
-            Invariant::Energy => look.energy,
-            Invariant::DiscreteEnergy => look.discrete_energy,
-            Invariant::WorkEnergy => look.kinetic.map(|kinetic| (kinetic - self.work.hi) - self.work.lo),
-            Invariant::LinearMomentum | Invariant::AngularMomentum => None,
-        }
-    }
-}
-
-impl<R> Look<R> {
-    fn momentum(&self, invariant: Invariant) -> Option<[f64; 2]> {
-        match invariant {
-            Invariant::LinearMomentum => self.momenta[0],
-            Invariant::AngularMomentum => self.momenta[1],
-            _ => None,
-        }
+    /// An energy; of the balance of work less that.
+    fn less_work(&self, invariant: Invariant, energy: R) -> R {
+        if invariant == Invariant::WorkEnergy { (energy - self.work.hi) - self.work.lo } else { energy }
     }
 }

@@ -3,6 +3,7 @@
 use core::ops::Deref;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::state::SceneState;
 use super::vectors::Vectors;
 
 type Path<const D: usize> = Arc<dyn Fn(f64) -> [[f64; D]; 2] + Send + Sync>;
@@ -42,6 +43,15 @@ impl<const D: usize> Drives<D> {
     /// Bodies, places and velocities at t. Of two paths of a body it is the later.
     pub(super) fn at(&self, t: f64) -> impl Iterator<Item = (usize, [[f64; D]; 2])> {
         self.paths.iter().map(move |(body, path)| (*body, path(t)))
+    }
+
+    /// Puts them where they are.
+    pub(super) fn place(&self, state: &mut SceneState<D>) {
+        for (body, [q, v]) in self.at(state.t) {
+            if let (Some(place), Some(velocity)) = (state.q.get_mut(body), state.v.get_mut(body)) {
+                (*place, *velocity) = (q, v);
+            }
+        }
     }
 
     /// Positions as laws see them at t.

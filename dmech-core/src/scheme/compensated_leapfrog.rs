@@ -26,16 +26,7 @@ use crate::system::{Beginning, System};
 ///
 /// ```
 /// use dmech_core::prelude::*;
-/// # #[derive(Clone, Copy)]
-/// # struct Spring { k: f64 }
-/// # impl Conservative for Spring {}
-/// # impl Potential<1> for Spring {
-/// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * x * x }
-/// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * x] }
-/// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
-/// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [0.5 * self.k * (a + b)] }
-/// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
-/// # }
+#[doc = include_str!("../examples/spring.md")]
 /// // There and back in a hundred thousand short steps each.
 /// let there = Simulation::new(Spring { k: 1.7 }, State::new([1.0], [0.3])).dt(1e-3);
 /// let off = |run: Run<State<1>>| (run.last().q[0] - 1.0).abs();

@@ -1,30 +1,32 @@
 //! The bodies of a scene: the instructions over columns.
 
+mod fault;
 mod passes;
 mod passing;
+mod room;
 #[cfg(feature = "serde")]
 mod saved;
+mod setup;
 mod solve;
 mod stages;
+mod stride;
 
+pub use room::SceneRoom;
 pub use solve::SceneSolver;
+pub use stride::SceneStride;
 
-use super::bodies::{Bodies, check_state};
-use super::builder::Scene;
+use super::bodies::check_state;
 use super::compensated::CompensatedVectors;
-use super::drives::{Drives, Seen};
-use super::space::Space;
+use super::drives::Seen;
 use super::state::SceneState;
-use super::terms::{Acts, Driven, Fault, Kicked, Moving, Term};
+use super::terms::{Acts, Driven, Kicked, Moving};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::rotation;
 use crate::newton::NotConverged;
-use crate::setup::Setup;
-use crate::span::moves_on;
 use crate::system::{
-    Beginning, Effort, Kick, LinearVelocities, Look, PARTS, Step, System, TimeScale, WithoutVelocities, not_converged,
+    Beginning, Effort, Kick, LinearVelocities, Look, Step, System, TimeScale, WithoutVelocities, not_converged,
 };
 
 /// The bodies of a scene and the terms `A` that act on them.
@@ -39,97 +41,6 @@ pub struct SceneSystem<const D: usize, A> {
     pub(super) tests: Vec<usize>,
     /// What counts in energies and momenta: masses, and 0 for test bodies.
     weights: Vec<f64>,
-}
-
-/// The length of a step, and what follows from it for each coordinate.
-#[derive(Clone, Debug)]
-pub struct SceneStride<const D: usize> {
-    /// h.
-    pub dt: f64,
-    /// h/m, and 0 for pinned bodies.
-    pub kick: Vectors<D>,
-    /// The coefficient of the unknown force, a share of h²/m; of no bodies where there is none.
-    pub g: Vectors<D>,
-}
-
-impl<const D: usize> SceneStride<D> {
-    fn new(dt: f64, kick: Vectors<D>, share: f64) -> Self {
-        let g = Vectors::zeros(if share == 0.0 { 0 } else { kick.bodies() });
-        let mut stride = SceneStride { dt, kick, g };
-        stride.couple(share);
-        stride
-    }
-
-    /// g = share h²/m, where there is one.
-    fn couple(&mut self, share: f64) {
-        for (g, kick) in self.g.flat_mut().iter_mut().zip(self.kick.flat()) {
-            *g = kick * (share * self.dt);
-        }
-    }
-}
-
-/// Where explicit steps work.
-#[derive(Clone, Debug)]
-pub struct SceneRoom<const D: usize> {
-    slope: Vectors<D>,
-    watched: bool,
-    /// (h/m) ∇Φ and H (h/m) ∇Φ, where a scheme asks for them.
-    fall: Vectors<D>,
-    turned: Vectors<D>,
-    /// Bodies at rest and ∂F/∂v of each, likewise.
-    still: Vectors<D>,
-    by_velocity: Vec<[[f64; D]; D]>,
-}
-
-impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P, L, B> {
-    type State = SceneState<D>;
-    type System = SceneSystem<D, L::Ready>;
-
-    fn start(&self) -> SceneState<D> {
-        let Bodies { t, q, v, drives, .. } = &self.bodies;
-        let mut start = SceneState { t: *t, q: q.clone(), v: v.clone() };
-        place(drives, &mut start);
-        start
-    }
-
-    fn starting_from(self, state: &SceneState<D>) -> Self {
-        self.starting_from(state)
-    }
-
-    fn mass(&self, _: f64) -> f64 {
-        self.bodies.weights().iter().sum()
-    }
-
-    fn system(self, (): (), _: f64, dt: f64) -> Result<Self::System, Error> {
-        let Scene { bodies, laws, space } = self;
-        bodies.check()?;
-        space.check()?;
-        moves_on(bodies.t, dt)?;
-        let acts = laws.prepare(&bodies, space)?;
-        let mut per_mass: Vec<_> = bodies.masses.iter().map(|mass| mass.recip()).collect();
-        bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);
-        let weights = bodies.weights();
-        let Bodies { masses, pins, tests, drives, .. } = bodies;
-        Ok(SceneSystem { acts: Driven { acts, drives }, masses, pins, per_mass, tests, weights })
-    }
-}
-
-/// Puts driven bodies where they are.
-fn place<const D: usize>(drives: &Drives<D>, state: &mut SceneState<D>) {
-    for (body, [q, v]) in drives.at(state.t) {
-        if let (Some(place), Some(velocity)) = (state.q.get_mut(body), state.v.get_mut(body)) {
-            (*place, *velocity) = (q, v);
-        }
-    }
-}
-
-/// A fault in words.
-fn told(fault: Fault, step: u64, time: f64) -> Error {
-    match fault {
-        Fault::Link { a, b, distance } => Error::Link { a, b, distance, step, time },
-        Fault::Body { body, value, place } => Error::Body { body, value, place, step, time },
-        Fault::Path { body, at } => Error::Path { body, at, step, time },
-    }
 }
 
 impl<const D: usize, A: WithoutVelocities> WithoutVelocities for SceneSystem<D, A> {}
@@ -188,7 +99,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     fn state(&self, t: f64, q: &Vectors<D>, v: &Vectors<D>) -> SceneState<D> {
         let mut state = SceneState { t, q: q.to_list(), v: v.to_list() };
-        place(&self.acts.drives, &mut state);
+        self.acts.drives.place(&mut state);
         state
     }
 
@@ -507,45 +418,24 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     fn prepare(&self, start: &SceneState<D>, slope: &mut Vectors<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
         System::slope(self, start.t, &q, &v, slope);
-        let fault = if slope.is_finite() { None } else { self.acts.fault(None, &q, &v, start.t) };
-        fault.map_or(Ok(()), |fault| Err(told(fault, 0, start.t)))
+        if slope.is_finite() { Ok(()) } else { self.refuse([&q, &v], start.t) }
     }
 
     fn check_potential(&self, start: &SceneState<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
-        if self.acts.potential(&q, start.t).is_finite() {
-            return Ok(());
-        }
-        self.acts.fault(None, &q, &v, start.t).map_or(Ok(()), |fault| Err(told(fault, 0, start.t)))
-    }
-
-    /// The first link or body, on the way of freely falling bodies, on which what acts is not finite.
-    #[cold]
-    fn unsolved(&self, step: u64, [q, v]: [&Vectors<D>; 2], t: f64, dt: f64, cause: NotConverged) -> Error {
-        let mut slope = self.zero();
-        System::slope(self, t, q, v, &mut slope);
-        let kick = self.stride(dt.abs(), 0.0).kick;
-        let fault = |part: &f64| {
-            let passed = part * dt;
-            let mut b = q.clone();
-            for (i, b) in b.flat_mut().iter_mut().enumerate() {
-                let fall = 0.5 * part * passed * dt.signum() * kick.flat()[i] * slope.flat()[i];
-                *b += passed * v.flat()[i] - fall;
-            }
-            if b.is_finite() { self.acts.fault(Some(q), &b, v, t + passed) } else { None }
-        };
-        let lost = self.acts.lost(PARTS.map(|part| t + part * dt));
-        match lost.or_else(|| PARTS.iter().find_map(fault)) {
-            Some(fault) => told(fault, step, t),
-            None => not_converged(step, t, dt, cause),
-        }
+        if self.acts.potential(&q, start.t).is_finite() { Ok(()) } else { self.refuse([&q, &v], start.t) }
     }
 
     #[cold]
-    fn not_finite(&self, step: u64, [q, v]: [&Vectors<D>; 2], t: f64, dt: f64) -> Error {
-        let fault = || if q.is_finite() { self.acts.fault(None, q, v, t + dt) } else { None };
-        let lost = self.acts.lost(PARTS.map(|part| t + part * dt));
-        lost.or_else(fault).map_or(Error::NotFinite { step, time: t, dt }, |fault| told(fault, step, t))
+    fn unsolved(&self, step: u64, from: [&Vectors<D>; 2], t: f64, dt: f64, cause: NotConverged) -> Error {
+        let fault = self.fault_on_the_way(from, t, dt);
+        fault.map_or_else(|| not_converged(step, t, dt, cause), |fault| fault.told(step, t))
+    }
+
+    #[cold]
+    fn not_finite(&self, step: u64, to: [&Vectors<D>; 2], t: f64, dt: f64) -> Error {
+        let fault = self.fault_at_the_end(to, t, dt);
+        fault.map_or(Error::NotFinite { step, time: t, dt }, |fault| fault.told(step, t))
     }
 
     fn conserves(&self, invariant: Invariant) -> bool {
@@ -590,30 +480,6 @@ impl<const D: usize, A: Acts<D>> SceneSystem<D, A> {
             return -all.map(|(i, s)| s * moved(i)).sum::<f64>();
         }
         -all.filter(|&(i, _)| self.counts(i)).map(|(i, s)| s * moved(i)).sum::<f64>()
-    }
-
-    /// The length of a kick by the slope in the room.
-    #[inline(always)]
-    fn length(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
-        if kick.e == 0.0 { kick.b } else { self.turned(room, stride, kick, q) }
-    }
-
-    /// With a force gradient the slope becomes b ∇Φ − e h H (h/m) ∇Φ, and the
-    /// length 1.
-    fn turned(&self, room: &mut SceneRoom<D>, stride: &SceneStride<D>, kick: Kick<f64>, q: &Vectors<D>) -> f64 {
-        let SceneRoom { slope, fall, turned, .. } = room;
-        fall.clone_from(slope);
-        for (fall, kick) in fall.flat_mut().iter_mut().zip(stride.kick.flat()) {
-            *fall *= kick;
-        }
-        turned.clone_from(slope);
-        turned.clear();
-        self.acts.add_turned(1.0, q, fall, kick.t, turned);
-        let c = kick.e * stride.dt;
-        for (slope, turned) in slope.flat_mut().iter_mut().zip(turned.flat()) {
-            *slope = kick.b * *slope - c * turned;
-        }
-        1.0
     }
 }
 

@@ -63,12 +63,69 @@ pub(in crate::scheme) fn drift<S: Splitting<N>, const N: usize, R: Real>(k: usiz
     digits::<R>(S::DRIFTS[k], S::DRIFTS_LOW[k]) * h
 }
 
+/// Where a step is made, and how long it is.
+type With<'a, Y> = (&'a Y, &'a mut <Y as System>::Room, &'a <Y as System>::Stride);
+
 impl<Y: System> SplittingMemory<Y> {
+    /// A step begins from a state, with half a kick to either side where two steps share one.
+    fn begin<S: Splitting<N>, const N: usize>((system, room, stride): With<'_, Y>, start: &Beginning<'_, Y>) -> Self {
+        let (q, work, begun) = (start.q.clone(), system.no_work(), Begun::No);
+        if matches!(S::FIRST, First::Drift) {
+            return SplittingMemory { q, v_before: start.v.clone(), v_after: start.v.clone(), work, begun };
+        }
+        let half = half_kick::<S, N, Y::Scalar>(start.t);
+        let [v_before, v_after] = system.kick_both_ways(room, stride, half, start);
+        SplittingMemory { q, v_before, v_after, work, begun }
+    }
+
+    /// A drift, then kicks with a drift after each, from t on; of two that share a kick the first makes it.
+    #[inline(always)]
+    fn step<S: Splitting<N>, const N: usize>(&mut self, (system, room, stride): With<'_, Y>, t: Y::Scalar) {
+        let h = Y::dt(stride);
+        let (work, begun) = (&mut self.work, self.begun);
+        self.begun = if begun == Begun::ToCome && !Y::IN_REGISTERS { Begun::Made } else { Begun::No };
+        // Leap-frog has no kick within a step: many bodies are spared the clearing of nothing.
+        let any = N > 1 || matches!(S::FIRST, First::Drift) || Y::IN_REGISTERS;
+        if begun != Begun::ToCome && (any || begun == Begun::Made) {
+            Y::clear(work);
+        }
+        Y::drift(&mut self.q, drift::<S, N, _>(0, h), &self.v_after);
+        for k in 1..N {
+            self.kick_and_drift::<S, N>((system, room, stride), kick::<S, N, _>(k - 1, h, t), drift::<S, N, _>(k, h));
+        }
+        let last = kick::<S, N, _>(N - 1, h, t);
+        if matches!(S::FIRST, First::Drift) {
+            self.kick_and_drift::<S, N>((system, room, stride), last, drift::<S, N, _>(0, h));
+            self.v_before.clone_from(&self.v_after);
+        } else {
+            // Its work belongs to the step to come.
+            let SplittingMemory { q, v_before, v_after, .. } = self;
+            core::mem::swap(v_before, v_after);
+            system.kick(room, stride, last, q, v_before, v_after);
+        }
+    }
+
+    /// Of the kick that two steps share, the second half is that of the longer or shorter step to come: how many kicks that takes.
+    #[inline(always)]
+    fn stretch<S: Splitting<N>, const N: usize>(&mut self, (system, room, stride): With<'_, Y>, t: Y::Scalar) -> u32 {
+        if matches!(S::FIRST, First::Drift) {
+            return 0;
+        }
+        let v = self.velocity();
+        let SplittingMemory { q, v_before, v_after, work, begun } = self;
+        Y::clear(work);
+        system.add_work(work, v_after, v_before);
+        system.kick(room, stride, half_kick::<S, N, _>(t), q, &v, v_after);
+        system.add_work(work, v_before, v_after);
+        *begun = Begun::ToCome;
+        1
+    }
+
     /// The kick, then a drift in the time a, and the work of the kick.
     #[inline(always)]
     fn kick_and_drift<S: Splitting<N>, const N: usize>(
         &mut self,
-        (system, room, stride): (&Y, &mut Y::Room, &Y::Stride),
+        (system, room, stride): With<'_, Y>,
         kick: Kick<Y::Scalar>,
         a: Y::Scalar,
     ) {
@@ -88,6 +145,7 @@ impl<Y: System> SplittingMemory<Y> {
     }
 }
 
+/// The schemes that step so: what the forces must be like, and the parameters of the scheme.
 macro_rules! stepped_by_drifts_and_kicks {
     ($($scheme:ty, $n:tt, $forces:ident, <$($coefficients:ident: $bound:path, const $m:ident: usize)?>;)*) => {$(
         impl<$($coefficients: $bound, const $m: usize,)? Y: System + $forces> Scheme<Y> for $scheme {
@@ -113,13 +171,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                 start: &Beginning<'_, Y>,
                 room: &mut Y::Room,
             ) -> Result<Self::Memory, NotConverged> {
-                let (q, work, begun) = (start.q.clone(), system.no_work(), Begun::No);
-                if matches!(Self::FIRST, First::Drift) {
-                    return Ok(SplittingMemory { q, v_before: start.v.clone(), v_after: start.v.clone(), work, begun });
-                }
-                let half = half_kick::<Self, { $n }, Y::Scalar>(start.t);
-                let [v_before, v_after] = system.kick_both_ways(room, stride, half, start);
-                Ok(SplittingMemory { q, v_before, v_after, work, begun })
+                Ok(SplittingMemory::begin::<Self, { $n }>((system, room, stride), start))
             }
 
             #[inline(always)]
@@ -131,33 +183,10 @@ macro_rules! stepped_by_drifts_and_kicks {
                 memory: &mut Self::Memory,
                 room: &mut Y::Room,
             ) -> Result<Effort<Y::Scalar>, NotConverged> {
-                let h = Y::dt(stride);
-                let (work, begun) = (&mut memory.work, memory.begun);
-                memory.begun = if begun == Begun::ToCome && !Y::IN_REGISTERS { Begun::Made } else { Begun::No };
-                // Leap-frog has no kick within a step: many bodies are spared the clearing of nothing.
-                let any = $n > 1 || matches!(Self::FIRST, First::Drift) || Y::IN_REGISTERS;
-                if begun != Begun::ToCome && (any || begun == Begun::Made) {
-                    Y::clear(work);
-                }
-                Y::drift(&mut memory.q, drift::<Self, { $n }, _>(0, h), &memory.v_after);
-                for k in 1..<Self as Splitting<{ $n }>>::DRIFTS.len() {
-                    let a = drift::<Self, { $n }, _>(k, h);
-                    memory.kick_and_drift::<Self, { $n }>((system, room, stride), kick::<Self, { $n }, _>(k - 1, h, t), a);
-                }
-                let last = kick::<Self, { $n }, _>($n - 1, h, t);
-                if matches!(Self::FIRST, First::Drift) {
-                    memory.kick_and_drift::<Self, { $n }>((system, room, stride), last, drift::<Self, { $n }, _>(0, h));
-                    memory.v_before.clone_from(&memory.v_after);
-                } else {
-                    // Its work belongs to the step to come.
-                    let SplittingMemory { q, v_before, v_after, .. } = memory;
-                    core::mem::swap(v_before, v_after);
-                    system.kick(room, stride, last, q, v_before, v_after);
-                }
+                memory.step::<Self, { $n }>((system, room, stride), t);
                 Ok(Effort::of($n as u32))
             }
 
-            /// Of the kick that two steps share, the second half is that of the longer or shorter step to come.
             #[inline(always)]
             fn stretch(
                 &self,
@@ -168,17 +197,7 @@ macro_rules! stepped_by_drifts_and_kicks {
                 memory: &mut Self::Memory,
                 room: &mut Y::Room,
             ) -> u32 {
-                if matches!(Self::FIRST, First::Drift) {
-                    return 0;
-                }
-                let v = memory.velocity();
-                let SplittingMemory { q, v_before, v_after, work, begun } = memory;
-                Y::clear(work);
-                system.add_work(work, v_after, v_before);
-                system.kick(room, stride, half_kick::<Self, { $n }, _>(t), q, &v, v_after);
-                system.add_work(work, v_before, v_after);
-                *begun = Begun::ToCome;
-                1
+                memory.stretch::<Self, { $n }>((system, room, stride), t)
             }
 
             #[inline]

@@ -2,9 +2,11 @@
 
 mod equation;
 mod fault;
+mod momentum;
 mod range;
 mod solve;
 mod stages;
+mod start;
 mod stride;
 mod workless;
 
@@ -15,17 +17,15 @@ pub(crate) use fault::{PARTS, not_converged};
 pub use stages::AtStages;
 pub use stride::Stride;
 
-use dmech_scalar::{CompensatedVector, Mask, Real};
+use dmech_scalar::{CompensatedVector, Real};
 
-use self::range::lost_force;
 use super::{Beginning, Course, Effort, Kick, LinearVelocities, Look, Step, System, TimeScale, WithoutVelocities};
 use crate::error::Error;
 use crate::invariant::Invariant;
-use crate::law::written::{Probe, agree};
 use crate::law::{Field, Law, LinearInVelocity, Potential, VelocityIndependent};
 use crate::newton::NotConverged;
 use crate::state::State;
-use crate::vector::{add_scaled, difference, dot, finite, scaled, sum, weighted};
+use crate::vector::{add_scaled, difference, finite, scaled, sum, weighted};
 
 /// A particle of one mass, or of a mass for each coordinate, under a law in D coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -64,45 +64,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
     /// The law, to be changed.
     pub(crate) fn law_mut(&mut self) -> &mut L {
         &mut self.law
-    }
-
-    /// Refuses masses that are not numbers.
-    pub(crate) fn check_masses(&self, mass: f64) -> Result<(), Error> {
-        let positive = |x: f64| x > 0.0 && x.is_finite();
-        if !positive(mass) || !positive(self.mass.to_f64()) {
-            return Err(Error::Mass { mass });
-        }
-        for ratio in self.law.mass_ratios() {
-            if !positive(ratio)
-                || !positive(R::from_f64(ratio).to_f64())
-                || !positive(R::from_f64(ratio * mass).to_f64())
-            {
-                return Err(Error::Mass { mass: ratio });
-            }
-        }
-        Ok(())
-    }
-
-    /// No body is pinned.
-    fn moves_freely(&self) -> bool {
-        !(0..D).any(|i| self.law.pinned(i))
-    }
-
-    /// Σ m vᵢ over the bodies.
-    fn linear_momentum(&self, state: &State<D, R>, i: usize) -> R {
-        let weights = self.law.weights();
-        let bodies = (0..D).step_by(L::BODY);
-        self.mass * bodies.fold(R::ZERO, |sum, body| weights[body + i].mul_add(state.v[body + i], sum))
-    }
-
-    /// Σ m (qᵢ vⱼ − qⱼ vᵢ) over the bodies.
-    fn angular_momentum(&self, state: &State<D, R>, [i, j]: [usize; 2]) -> R {
-        let weights = self.law.weights();
-        let of = |body: usize| {
-            let (i, j) = (body + i, body + j);
-            weights[body] * dot([state.q[i], -state.q[j]], [state.v[j], state.v[i]])
-        };
-        self.mass * (L::BODY..D).step_by(L::BODY).fold(of(0), |sum, body| sum + of(body))
     }
 }
 
@@ -372,42 +333,11 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
 
     fn check(&self, state: &State<D, R>) -> Result<(), Error> {
-        if !state.t.is_finite() {
-            return Err(Error::State { quantity: "t", value: state.t });
-        }
-        for (quantity, components) in [("q", &state.q), ("v", &state.v)] {
-            if let Some(value) = components.iter().find(|x| !x.finite().all()) {
-                return Err(Error::State { quantity, value: value.to_f64() });
-            }
-        }
-        #[cfg(feature = "scene")]
-        for (i, v) in state.v.iter().enumerate() {
-            if self.law.pinned(i) && !v.equal(R::ZERO).all() {
-                return Err(crate::error::SceneError::PinnedMoves { body: i / L::BODY, speed: v.to_f64() }.into());
-            }
-        }
-        Ok(())
+        self.check_state(state)
     }
 
     fn prepare(&self, start: &State<D, R>, slope: &mut [R; D]) -> Result<(), Error> {
-        self.law.refused().map_or(Ok(()), Err)?;
-        let field = self.field(R::from_f64(start.t));
-        let potential = field.potential(start.q);
-        if !potential.finite().all() {
-            return Err(Error::Law { quantity: "potential", value: potential.to_f64(), time: start.t });
-        }
-        *slope = field.slope(start.q, start.v);
-        if let Some(value) = slope.iter().find(|x| !x.finite().all()) {
-            return Err(Error::Law { quantity: "force", value: value.to_f64(), time: start.t });
-        }
-        if let Some((coordinate, slope)) = lost_force(&field, start.q, |i| self.law.pinned(i)) {
-            return Err(Error::Underflow { coordinate, slope, time: start.t });
-        }
-        if let Some(written) = self.law.written() {
-            let [q, v] = [start.q, start.v].map(|x| x.map(R::to_f64));
-            let place = Probe { q, v: [v; 2], m: [self.mass.to_f64(); 2], t: start.t };
-            agree(written, &place, true).map_err(Error::NotAsWritten)?;
-        }
+        *slope = self.slope_at_the_start(start)?;
         Ok(())
     }
 
@@ -436,25 +366,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     }
 
     fn momentum(&self, invariant: Invariant, state: &State<D, R>, start: &State<D, R>) -> (R, R) {
-        let is_linear = invariant == Invariant::LinearMomentum;
-        let component = |[i, j]: [usize; 2]| {
-            let of =
-                |state| if is_linear { self.linear_momentum(state, i) } else { self.angular_momentum(state, [i, j]) };
-            [of(state), of(start)]
-        };
-        // Axes, or planes; where there is one alone, it has a sign.
-        let first = [0, usize::from(!is_linear)];
-        if L::BODY == first[1] + 1 {
-            let [now, before] = component(first);
-            return (now, now - before);
-        }
-        let (mut squares, mut changes) = (R::ZERO, R::ZERO);
-        let all = (0..L::BODY).flat_map(|i| (i..L::BODY).map(move |j| [i, j])).filter(|[i, j]| (i == j) == is_linear);
-        for [now, before] in all.map(component) {
-            squares += now * now;
-            changes += (now - before) * (now - before);
-        }
-        (squares.sqrt(), changes.sqrt())
+        self.momentum_since(invariant, state, start)
     }
 }
 

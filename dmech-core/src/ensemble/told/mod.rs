@@ -1,5 +1,8 @@
 //! What tells an ensemble from another.
 
+mod one_by_one;
+mod one_law;
+
 use super::Checksum;
 use super::plan::Plan;
 use crate::checkpoint::{Fingerprint, Saved};
@@ -83,16 +86,12 @@ impl SetUp {
 }
 
 /// What acts on a system in a state, and beside it.
-pub(super) fn acts<Y: Saved>(system: &Y, state: &Y::State) -> u64 {
+fn acts<Y: Saved>(system: &Y, state: &Y::State) -> u64 {
     Fingerprint::of(system, Y::time(state), system.vectors(state)).bits()
 }
 
 /// What is said of all members of a kind that a scheme moves: they have these numbers by name, and are accompanied by something.
-pub(super) fn whole<X: Flat, S: Method, O: Attend<X>>(
-    members: usize,
-    span: Span,
-    fields: String,
-) -> Vec<(&'static str, Said)> {
+fn whole<X: Flat, S: Method, O: Attend<X>>(members: usize, span: Span, fields: String) -> Vec<(&'static str, Said)> {
     let [steps, end] = match span {
         Span::Steps(steps) => [Said::Count(steps), Said::Nothing],
         Span::Until(end) => [Said::Nothing, Said::Number(end)],

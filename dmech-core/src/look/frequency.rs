@@ -1,74 +1,8 @@
-//! The local time scale of a motion, from what acts.
+//! How fast a motion is, by how its accelerations change along it.
 
-use dmech_scalar::{FUSED, Mask, Real, two_sum};
+use dmech_scalar::{Mask, Real};
 
-use crate::law::Field;
-use crate::vector::{add_scaled, by_component, by_entry, difference, dot};
-
-/// What the motion is like where it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look<R = f64> {
-    /// (ω s)¹²: roots take longer than all the rest, and are hardly ever needed.
-    pub(crate) power: R,
-    /// The part of it that is of bodies that pass.
-    pub(crate) passing: R,
-    /// A length of time.
-    pub(crate) s: R,
-    /// d ln ω/dt along the motion, of what does not pass.
-    pub growth: R,
-}
-
-impl<R: Real> Look<R> {
-    /// ω, the angular frequency of the linearised motion.
-    #[cold]
-    pub fn rate(&self) -> R {
-        twelfth_root(self.power) / self.s
-    }
-
-    /// ρ, or the end of the range `band` of ρ/ω where it lies outside; what passes now is not taken to be gone soon.
-    #[inline(always)]
-    pub fn within(&self, [least, most]: [f64; 2], density: R) -> R {
-        let bound = |end: f64, power: R| R::from_f64(end.powi(12)) * power;
-        let (least, most) = (bound(least, self.power).max(bound(STAYS, self.passing)), bound(most, self.power));
-        // No density is negative.
-        let ratio = (density * self.s).max(R::ZERO).powi(12);
-        let (below, above) = (ratio.less(least), most.less(ratio));
-        if !below.or(above).any() {
-            return density;
-        }
-        let end = twelfth_root(R::either(below, least, most)) / self.s;
-        R::either(below.or(above), end, density)
-    }
-}
-
-#[cold]
-fn twelfth_root<R: Real>(power: R) -> R {
-    power.sqrt().sqrt().cbrt()
-}
-
-/// A particle, or two as one of reduced mass, where the motion has brought it.
-#[derive(Clone, Copy, Debug)]
-pub struct Course<const D: usize, R = f64> {
-    /// Where it is.
-    pub q: [R; D],
-    /// How fast.
-    pub v: [R; D],
-    /// Its acceleration, by all that acts.
-    pub fall: [R; D],
-    /// 1/m.
-    pub per_mass: R,
-    /// The smallest ω that counts.
-    pub least: R,
-}
-
-/// How fast accelerations change, times the mass: m ∂a/∂q and m ‖∂a/∂v‖².
-#[derive(Clone, Copy, Debug)]
-pub struct Stiffness<const D: usize, R = f64> {
-    /// m ∂a/∂q, or its negative.
-    pub by_position: [[R; D]; D],
-    /// m ‖∂a/∂v‖².
-    pub damping: R,
-}
+use super::{Course, Look, Stiffness};
 
 /// The angle ω s between the places where the law is looked at: differences are off by its square.
 const ANGLE: f64 = 0.05;
@@ -88,14 +22,8 @@ pub const EVALUATIONS: u32 = 5;
 /// Shares of K̇ and K̈ in ω.
 const SHARES: [f64; 2] = [0.25, 0.01];
 
-/// The share of what passes, and that of ‖K‖ by which two bodies that turn around each other do not.
-const PASSING: [f64; 2] = [1e12, 45.0];
-
 /// What passes is of no account below this share of ω¹²: it makes steps shorter by a hundredth at most.
 const COUNTS: f64 = 0.1;
-
-/// ρ/ω, of what passes, at least.
-const STAYS: f64 = 2.0 / 3.0;
 
 /// ω¹² of one motion, or of several together, and how it grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -262,134 +190,5 @@ impl<R: Real> Frequency<R> {
         // Factor by factor: the twelfth power would leave the range of numbers where the product does not.
         let scaled = |x: R| x * fourth * fourth * fourth;
         Frequency { power: scaled(self.power), rise: ratio * scaled(self.rise), passing: scaled(self.passing), s }
-    }
-}
-
-/// x y + z as a fused instruction rounds it, on targets without one too: differences of what lies beside tell how steps change.
-#[inline(always)]
-fn rounded_once<R: Real>(x: R, y: R, z: R) -> R {
-    if FUSED {
-        return x.mul_add(y, z);
-    }
-    let (product, rest) = x.product(y);
-    let (sum, left) = two_sum(product, z);
-    let exact = sum + (left + rest);
-    R::either(exact.finite(), exact, x * y + z)
-}
-
-impl<const D: usize, R: Real> Course<D, R> {
-    /// Two bodies as one of reduced mass, at q_a − q_b; 1/μ = 1/m_a + 1/m_b.
-    #[inline(always)]
-    pub fn relative_to(&self, other: &Self) -> Self {
-        Course {
-            q: difference(self.q, other.q),
-            v: difference(self.v, other.v),
-            fall: difference(self.fall, other.fall),
-            per_mass: self.per_mass + other.per_mass,
-            least: self.least,
-        }
-    }
-
-    /// Where the mask does not hold, that of the first lane where it does.
-    pub(crate) fn lent(&self, by: R::Mask) -> Self {
-        let lent = |x: R| x.lent(by);
-        Course {
-            q: self.q.map(lent),
-            v: self.v.map(lent),
-            fall: self.fall.map(lent),
-            per_mass: lent(self.per_mass),
-            least: lent(self.least),
-        }
-    }
-
-    /// v²/q², in units of s.
-    #[inline(always)]
-    fn nearing(&self, s: R) -> R {
-        let reach = self.q.iter().fold(R::ZERO, |most, x| most.max(x.abs()));
-        let (q, v): ([R; D], [R; D]) = (by_component!(|i| self.q[i] / reach), by_component!(|i| s * self.v[i] / reach));
-        dot(v, v) / dot(q, q)
-    }
-
-    /// (‖K̇‖²/‖K‖² + ‖K̈‖/‖K‖)/2 in the units of u = v²/q²: where K is a power of the distance, 1.5 u or more.
-    #[cold]
-    fn change(&self, stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>, u: R) -> R {
-        let part = R::from_f64(0.25);
-        let here = stiffness(R::from_f64(-0.0), self.q, self.v);
-        let [before, after] = &self.sides(stiffness, part / self.nearing(R::ONE).sqrt());
-        let (size, half) = (here.norm(), R::from_f64(0.5));
-        let first = after.map2(before, |x, y| half * (x - y)).norm() / (part * size);
-        let second = after.map2(before, |x, y| x + y).map2(&here, |x, y| x - (y + y)).norm() / (part * part * size);
-        half * (first * first + second) * u
-    }
-
-    /// 10¹² ‖K‖ w⁵, in units of s.
-    #[inline(always)]
-    fn passing(&self, u: R, size: R) -> R {
-        let (share, slower) = (R::from_f64(PASSING[0]), R::from_f64(PASSING[1]));
-        let turning = slower * size;
-        let w = u * u * u / (u * u + turning * turning);
-        share * w * w * w * w * w * size
-    }
-
-    /// m K before and after.
-    #[inline(always)]
-    fn sides(&self, stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>, s: R) -> [Stiffness<D, R>; 2] {
-        let at = |s: R| {
-            let v = add_scaled(self.v, s, self.fall);
-            // q + s v + s² a/2
-            let q = by_component!(|i| rounded_once(R::from_f64(0.5) * s, self.v[i] + v[i], self.q[i]));
-            stiffness(s, q, v)
-        };
-        [at(-s), at(s)]
-    }
-}
-
-impl<const D: usize, R: Real> Stiffness<D, R> {
-    /// Nothing acts.
-    pub const NONE: Self = Stiffness { by_position: [[R::ZERO; D]; D], damping: R::ZERO };
-
-    /// Of what acts on one body at a time.
-    #[inline(always)]
-    pub fn of<F: Field<D, R>>(field: &F, mass: R, t: R, q: [R; D], v: [R; D]) -> Self {
-        let mut by_position = field.hessian(q);
-        let mut damping = R::ZERO;
-        if F::FORCED {
-            let (by_q, by_v) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
-            by_position = by_entry!(|i, j| by_position[i][j] - by_q[i][j]);
-            damping = by_v.iter().fold(R::ZERO, |sum, row| sum + dot(*row, *row)) / mass;
-        }
-        Stiffness { by_position, damping }
-    }
-
-    #[inline(always)]
-    pub(crate) fn map(&self, f: impl Fn(R) -> R) -> Self {
-        Stiffness { by_position: by_entry!(|i, j| f(self.by_position[i][j])), damping: f(self.damping) }
-    }
-
-    #[inline(always)]
-    fn map2(&self, other: &Self, f: impl Fn(R, R) -> R) -> Self {
-        let by_position = by_entry!(|i, j| f(self.by_position[i][j], other.by_position[i][j]));
-        Stiffness { by_position, damping: f(self.damping, other.damping) }
-    }
-
-    #[inline(always)]
-    fn norm(&self) -> R {
-        let square = self.dot(self);
-        let in_range = R::from_f64(1e-200).less_or_equal(square).and(square.less(R::from_f64(1e200)));
-        if in_range.all() {
-            return square.sqrt();
-        }
-        // Squares may have left the range of numbers.
-        let largest = self.by_position.iter().flatten().fold(self.damping, |most, x| most.max(x.abs()));
-        let lost = largest.equal(R::ZERO).or(square.finite().or(largest.finite()).not());
-        let unit = self.map(|x| x / largest);
-        let careful = R::either(lost, square, largest * unit.dot(&unit).sqrt());
-        R::either(in_range, square.sqrt(), careful)
-    }
-
-    #[inline(always)]
-    fn dot(&self, other: &Self) -> R {
-        let rows = self.by_position.iter().zip(&other.by_position);
-        rows.fold(R::ZERO, |sum, (x, y)| sum + dot(*x, *y)) + self.damping * other.damping
     }
 }

@@ -156,7 +156,7 @@ pub enum Error {
     /// scalar, as 1/r³ is for r = 10¹⁵⁰ where 1/r is not.
     #[error(
         "the force along coordinate {coordinate} is 0 at the start, t = {}, where the potential rises by {} per length: \
-         a power of the position is too small for the scalar, take a larger unit of length",
+         what it is computed from is too small or too large for the scalar, take another unit of length",
         Number(*time),
         Number(*slope)
     )]

@@ -98,7 +98,9 @@ pub enum SceneError {
         bodies: usize,
     },
     /// A scene that is to be a law of another number of bodies.
-    #[error("the scene has {bodies} bodies, and the law was said to be of {declared}: `as_law::<{bodies}, _>()`")]
+    #[error(
+        "the scene has {bodies} bodies, and the law was said to be of {declared}: the first number of `::<{bodies}, _>()`"
+    )]
     NotSoMany {
         /// Those of the scene.
         bodies: usize,

@@ -113,11 +113,11 @@ impl<const D: usize, P, X: PairLaw<D, P, f64> + PairLaw<D, P, dmech_scalar::Lane
 /// Found by the engine from the expression. A law without this property has a meaning where the bodies are ordered, as
 /// on a chain; on all pairs it has none.
 #[diagnostic::on_unimplemented(
-    message = "the energy of `{Self}` depends on which of the two bodies comes first",
+    message = "`{Self}` is no law that acts alike on both bodies of every pair",
     label = "not symmetric in a and b",
+    note = "a law of one body acts on each: `.field(law)`",
     note = "on all pairs there is no first body: E(a, b) must be E(b, a), and an energy of the separation must be even in `d`",
-    note = "on a chain or on bonds the order is known: use `.chain(law)` or `.bonds(law, list)`",
-    note = "a law of one body acts on each: `.field(law)`"
+    note = "on a chain or on bonds the order is known: use `.chain(law)` or `.bonds(law, list)`"
 )]
 pub trait Symmetric {}
 

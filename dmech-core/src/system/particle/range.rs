@@ -13,10 +13,12 @@ use crate::law::Potential;
 /// The slope is that of a difference over a thousandth of the coordinate, told from rounding, from extrema, kinks and
 /// points of inflection, where a gradient may be 0, by being the same on both sides and over half the distance.
 ///
-/// Of a coordinate that is pinned the gradient is 0 for another reason.
+/// A slope is missed by nobody that on the whole way to the origin would change less of the kinetic energy than rounding does, as in
+/// the far tail of a well. Of a coordinate that is pinned the gradient is 0 for another reason.
 pub(crate) fn lost_force<P: Potential<D, R>, const D: usize, R: Real>(
     law: &P,
     q: [R; D],
+    kinetic: f64,
     pinned: impl Fn(usize) -> bool,
 ) -> Option<(usize, f64)> {
     let gradient = law.gradient(q);
@@ -38,7 +40,8 @@ pub(crate) fn lost_force<P: Potential<D, R>, const D: usize, R: Real>(
         let [down, up, half] = [-rise(-far), rise(far), rise(0.5 * far)];
         let told = up.abs() > 1024.0 * R::EPSILON.to_f64() * here.abs();
         let alike = |a: f64, b: f64| (a - b).abs() < 0.125 * up.abs();
-        (told && alike(down, up) && alike(2.0 * half, up)).then_some((i, up / far))
+        let felt = 1024.0 * up.abs() > R::EPSILON.to_f64() * kinetic;
+        (told && felt && alike(down, up) && alike(2.0 * half, up)).then_some((i, up / far))
     })
 }
 
@@ -72,11 +75,22 @@ mod tests {
     fn a_slope_without_a_force_is_found() {
         for scale in [1.0, 1e-150, 1e150] {
             let (coordinate, slope) =
-                lost_force(&Flat(|[x, y]| -1.0 / x.hypot(y)), [0.0, 3.0 * scale], |_| false).unwrap();
+                lost_force(&Flat(|[x, y]| -1.0 / x.hypot(y)), [0.0, 3.0 * scale], 0.0, |_| false).unwrap();
             let expected = 1.0 / (9.0 * scale * scale);
             assert!(coordinate == 1 && (slope / expected - 1.0).abs() < 0.01, "{slope:e}, {expected:e}");
         }
-        assert!(lost_force(&Flat(|[x, y]| 4.0 * (x.powi(-12) - x.powi(-6)) + y), [0.9, 0.0], |_| false).is_some());
+        assert!(lost_force(&Flat(|[x, y]| 4.0 * (x.powi(-12) - x.powi(-6)) + y), [0.9, 0.0], 1.0, |_| false).is_some());
+    }
+
+    /// Far from a well of depth 1 whoever moves does not feel it; whoever rests would.
+    #[test]
+    fn a_slope_that_nobody_feels_is_not_missed() {
+        let well = Flat(|[x, _]| -1.0 / (1.0 + x.exp()));
+        assert_eq!(lost_force(&well, [360.0, 1.0], 1e-3, |_| false), None);
+        assert!(lost_force(&well, [360.0, 1.0], 0.0, |_| false).is_none_or(|(coordinate, _)| coordinate == 0));
+        let pull = Flat(|[x, y]| -1.0 / x.hypot(y));
+        assert!(lost_force(&pull, [0.0, 3e150], 1e-150, |_| false).is_some());
+        assert_eq!(lost_force(&pull, [0.0, 3e150], 1e-130, |_| false), None);
     }
 
     /// Where the gradient is 0 by right: a constant, a minimum, a maximum, a saddle, an inflection, the edges of a contact.
@@ -92,7 +106,7 @@ mod tests {
             |[x, y]| (x - 1.0).abs() - (y - 2.0).abs(),
         ];
         for (k, law) in laws.into_iter().enumerate() {
-            assert_eq!(lost_force(&Flat(law), [1.0, 2.0], |_| false), None, "law {k}");
+            assert_eq!(lost_force(&Flat(law), [1.0, 2.0], 0.0, |_| false), None, "law {k}");
         }
     }
 }

@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::law::written::{Probe, agree};
 use crate::law::{Field, Law, Potential};
 use crate::state::State;
+use crate::system::System;
 
 impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
     /// Refuses masses that are not numbers.
@@ -58,7 +59,8 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         if let Some(value) = slope.iter().find(|x| !x.finite().all()) {
             return Err(Error::Law { quantity: "force", value: value.to_f64(), time: start.t });
         }
-        if let Some((coordinate, slope)) = lost_force(&field, start.q, |i| self.law.pinned(i)) {
+        let kinetic = self.kinetic_energy(&start.v).to_f64();
+        if let Some((coordinate, slope)) = lost_force(&field, start.q, kinetic, |i| self.law.pinned(i)) {
             return Err(Error::Underflow { coordinate, slope, time: start.t });
         }
         if let Some(written) = self.law.written() {

@@ -42,8 +42,8 @@ pub(crate) trait Motion<X, R: Real> {
     /// The state at a time by a shortened step from a state in the last step, and the evaluations and corrections that it takes.
     fn between(&self, from: &X, t: f64) -> Result<(X, [u64; 2]), Error>;
 
-    /// What there is of the invariants in the state now, by `Invariant as usize`.
-    fn look(&self, state: &X) -> [Option<Seen<R>>; Invariant::ALL.len()];
+    /// What there is of the invariants in the state now.
+    fn look(&self, state: &X) -> Look<R>;
 
     /// How well they are kept.
     fn kept(&self) -> [Kept; Invariant::ALL.len()];
@@ -58,12 +58,14 @@ pub(crate) trait Motion<X, R: Real> {
     fn work(&self) -> Work;
 }
 
-/// An invariant in one state.
-pub(crate) enum Seen<R> {
-    /// An energy; of the balance of work the scheme's own kinetic energy, from which the work is still to be taken.
-    Energy(R),
-    /// A momentum: how much, and how far from that of the start.
-    Momentum([f64; 2]),
+/// The invariants in one state.
+pub(crate) struct Look<R> {
+    pub(crate) energy: Option<R>,
+    pub(crate) discrete_energy: Option<R>,
+    /// The scheme's own kinetic energy, from which the work is still to be taken.
+    pub(crate) kinetic: Option<R>,
+    /// Linear and angular: how much, and how far from that of the start.
+    pub(crate) momenta: [Option<[f64; 2]>; 2],
 }
 
 impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
@@ -111,15 +113,15 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
         Ok((state, [effort.evaluations.to_u64(), effort.iterations.to_u64()]))
     }
 
-    fn look(&self, state: &Y::State) -> [Option<Seen<Y::Scalar>>; Invariant::ALL.len()] {
+    fn look(&self, state: &Y::State) -> Look<Y::Scalar> {
         let Stepper { system, scheme, memory, .. } = self;
         let t = Y::Scalar::from_f64(Y::time(state));
-        Invariant::each(&mut |invariant| match invariant {
-            _ if !system.conserves(invariant) => None,
-            Invariant::DiscreteEnergy => scheme.discrete_energy(system, t, memory).map(Seen::Energy),
-            Invariant::WorkEnergy => Some(Seen::Energy(scheme.kinetic_energy(system, memory))),
-            _ => Some(of_the_system(system, invariant, state, &self.start)),
-        })
+        let (own, works) = (system.conserves(Invariant::DiscreteEnergy), system.conserves(Invariant::WorkEnergy));
+        Look {
+            discrete_energy: if own { scheme.discrete_energy(system, t, memory) } else { None },
+            kinetic: works.then(|| scheme.kinetic_energy(system, memory)),
+            ..of_the_system(system, state, &self.start)
+        }
     }
 
     fn kept(&self) -> [Kept; Invariant::ALL.len()] {
@@ -142,10 +144,15 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
 }
 
 /// What no scheme has a part in.
-fn of_the_system<Y: System>(system: &Y, of: Invariant, state: &Y::State, start: &Y::State) -> Seen<Y::Scalar> {
-    if of == Invariant::Energy {
-        return Seen::Energy(system.energy(state));
+fn of_the_system<Y: System>(system: &Y, state: &Y::State, start: &Y::State) -> Look<Y::Scalar> {
+    let momentum = |of| {
+        let (now, deviation) = system.conserves(of).then(|| system.momentum(of, state, start))?;
+        Some([now.to_f64(), deviation.to_f64()])
+    };
+    Look {
+        energy: system.conserves(Invariant::Energy).then(|| system.energy(state)),
+        discrete_energy: None,
+        kinetic: None,
+        momenta: [momentum(Invariant::LinearMomentum), momentum(Invariant::AngularMomentum)],
     }
-    let (now, deviation) = system.momentum(of, state, start);
-    Seen::Momentum([now.to_f64(), deviation.to_f64()])
 }

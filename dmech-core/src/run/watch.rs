@@ -4,7 +4,7 @@ use dmech_scalar::{Compensated, Real};
 
 #[cfg(feature = "plot")]
 use super::course::Courses;
-use super::motion::{Motion, Seen};
+use super::motion::{Look, Motion};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
 use crate::scheme::Scheme;
@@ -64,16 +64,11 @@ impl<R: Real> Watch<R> {
             watch.own_start[k] = motion.own(k, &state);
             watch.own.add(name, Drift::new(t, watch.own_start[k].to_f64()));
         }
-        for (invariant, seen) in Invariant::ALL.into_iter().zip(look) {
-            let value = match seen {
-                Some(Seen::Energy(energy)) => {
-                    watch.energies[invariant as usize] = energy;
-                    energy.to_f64()
-                }
-                Some(Seen::Momentum([momentum, _])) => momentum,
-                None => continue,
-            };
-            watch.drifts[invariant as usize] = Some(Drift::new(t, value));
+        for invariant in Invariant::ALL {
+            let energy = watch.energy(invariant, &look);
+            watch.energies[invariant as usize] = energy.unwrap_or(R::ZERO);
+            let value = energy.map(R::to_f64).or(look.momentum(invariant).map(|[momentum, _]| momentum));
+            watch.drifts[invariant as usize] = value.map(|value| Drift::new(t, value));
         }
         watch
     }
@@ -93,15 +88,11 @@ impl<R: Real> Watch<R> {
 
     pub(super) fn see<X>(&mut self, motion: &dyn Motion<X, R>, state: &X) {
         let (t, look) = (motion.clock()(state), motion.look(state));
-        for (invariant, seen) in Invariant::ALL.into_iter().zip(look) {
-            let seen = seen.map(|seen| match seen {
-                // Before it is rounded to `f64`, which may have fewer digits.
-                Seen::Energy(energy) => {
-                    let energy = self.less_work(invariant, energy);
-                    [energy, energy - self.energies[invariant as usize]].map(R::to_f64)
-                }
-                Seen::Momentum(momentum) => momentum,
-            });
+        for invariant in Invariant::ALL {
+            // Before it is rounded to `f64`, which may have fewer digits.
+            let energy = self.energy(invariant, &look);
+            let seen = energy.map(|energy| [energy, energy - self.energies[invariant as usize]].map(R::to_f64));
+            let seen = seen.or(look.momentum(invariant));
             if let (Some([value, deviation]), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
                 drift.observe(t, value, deviation);
                 #[cfg(feature = "plot")]
@@ -173,8 +164,22 @@ impl<R: Real> Watch<R> {
         self.own.clone()
     }
 
-    /// An energy; of the balance of work less that.
-    fn less_work(&self, invariant: Invariant, energy: R) -> R {
-        if invariant == Invariant::WorkEnergy { (energy - self.work.hi) - self.work.lo } else { energy }
+    fn energy(&self, invariant: Invariant, look: &Look<R>) -> Option<R> {
+        match invariant {
+            Invariant::Energy => look.energy,
+            Invariant::DiscreteEnergy => look.discrete_energy,
+            Invariant::WorkEnergy => look.kinetic.map(|kinetic| (kinetic - self.work.hi) - self.work.lo),
+            Invariant::LinearMomentum | Invariant::AngularMomentum => None,
+        }
+    }
+}
+
+impl<R> Look<R> {
+    fn momentum(&self, invariant: Invariant) -> Option<[f64; 2]> {
+        match invariant {
+            Invariant::LinearMomentum => self.momenta[0],
+            Invariant::AngularMomentum => self.momenta[1],
+            _ => None,
+        }
     }
 }

@@ -197,6 +197,12 @@ impl Lanes {
     }
 
     /// In lane k the [largest](Lanes::largest_number) of register k.
+    ///
+    /// ```
+    /// use dmech_scalar::Lanes;
+    /// let x: [Lanes; 8] = core::array::from_fn(|k| Lanes::from_fn(|i| ((3 * i + k) % 8) as f64 - k as f64));
+    /// assert_eq!(Lanes::largest_numbers(x), Lanes::from_fn(|k| 7.0 - k as f64));
+    /// ```
     #[inline(always)]
     pub fn largest_numbers(registers: [Self; 8]) -> Self {
         Self::folded(registers, f64x4::fast_max)

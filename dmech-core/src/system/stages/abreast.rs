@@ -6,7 +6,7 @@ use dmech_scalar::{Lanes, Real};
 
 use super::{Eight, Row, STAGES, Staging, times};
 
-/// Coordinates that are computed at a time: one [alone](Alone), or eight [together](Together).
+/// Coordinates that are computed at a time: one [singly](Singly), or eight [side by side](ByEight).
 pub trait Abreast<R: Staging> {
     /// A number of each.
     type Number: Real;
@@ -31,11 +31,11 @@ pub trait Abreast<R: Staging> {
 
 /// One coordinate.
 #[derive(Clone, Copy, Debug)]
-pub struct Alone;
+pub struct Singly;
 
 /// Eight coordinates in the lanes of a register, with zeros where there are fewer.
 #[derive(Clone, Copy, Debug)]
-pub struct Together;
+pub struct ByEight;
 
 /// So many coordinates are computed one by one: to fill a register with zeros for them takes longer.
 const FEW: usize = 2;
@@ -43,21 +43,21 @@ const FEW: usize = 2;
 /// Of n coordinates those that are computed together, and those that are left.
 #[inline(always)]
 pub(super) fn divided<R: Staging>(n: usize) -> [Range<usize>; 2] {
-    let rest = if R::Together::WIDTH == 1 { n } else { n % R::Together::WIDTH };
+    let rest = if R::Coordinates::WIDTH == 1 { n } else { n % R::Coordinates::WIDTH };
     let together = if rest <= FEW { n - rest } else { n };
     [0..together, together..n]
 }
 
-/// `abreast!(R, n, f(x, y))` is `f::<R, Together>(at, x, y)` for all of n coordinates that are computed together and
-/// `f::<R, Alone>(at, x, y)` for the rest: two loops, so that the numbers of each are known.
+/// `abreast!(R, n, f(x, y))` is `f::<R, R::Coordinates>(at, x, y)` for all of n coordinates that are computed together and
+/// `f::<R, Singly>(at, x, y)` for the rest: two loops, so that the numbers of each are known.
 macro_rules! abreast {
     ($real:ident, $n:expr, $each:ident($($argument:expr),*)) => {{
         let [together, rest] = $crate::system::stages::abreast::divided::<$real>($n);
-        for at in together.step_by(<$real::Together as $crate::system::stages::Abreast<$real>>::WIDTH) {
-            $each::<$real, $real::Together>(at, $($argument),*);
+        for at in together.step_by(<$real::Coordinates as $crate::system::stages::abreast::Abreast<$real>>::WIDTH) {
+            $each::<$real, $real::Coordinates>(at, $($argument),*);
         }
         for at in rest {
-            $each::<$real, $crate::system::stages::abreast::Alone>(at, $($argument),*);
+            $each::<$real, $crate::system::stages::abreast::Singly>(at, $($argument),*);
         }
     }};
 }
@@ -67,14 +67,14 @@ pub(super) use abreast;
 #[inline(always)]
 pub(super) fn largest_number<R: Staging>(numbers: &[R]) -> R {
     let [together, rest] = divided::<R>(numbers.len());
-    let mut of_each = R::Together::alike(R::ZERO);
-    for at in together.step_by(R::Together::WIDTH) {
-        of_each = R::Together::larger(of_each, R::Together::gather(numbers, at));
+    let mut of_each = R::Coordinates::alike(R::ZERO);
+    for at in together.step_by(R::Coordinates::WIDTH) {
+        of_each = R::Coordinates::larger(of_each, R::Coordinates::gather(numbers, at));
     }
-    rest.fold(R::Together::largest_number(of_each), |largest, at| largest.larger_number(numbers[at]))
+    rest.fold(R::Coordinates::largest_number(of_each), |largest, at| largest.larger_number(numbers[at]))
 }
 
-impl<R: Staging> Abreast<R> for Alone {
+impl<R: Staging> Abreast<R> for Singly {
     type Number = R;
     const WIDTH: usize = 1;
 
@@ -123,7 +123,7 @@ fn from(registers: &[Lanes], at: usize) -> [Lanes; STAGES] {
     here
 }
 
-impl Abreast<f64> for Together {
+impl Abreast<f64> for ByEight {
     type Number = Lanes;
     const WIDTH: usize = Lanes::COUNT;
 

@@ -5,7 +5,7 @@ use core::ops::Add;
 
 use dmech_scalar::{DoubleDouble, Lanes, LanesMask, Mask, Real, Rows};
 
-use super::abreast::{Abreast, Alone, Together};
+use super::abreast::{Abreast, ByEight, Singly};
 use super::{Columns, Row, STAGES};
 
 /// A scalar of which eight can stand side by side: `f64` in the lanes of a register, others one by one.
@@ -13,7 +13,7 @@ pub trait Staging: Real {
     /// Eight of them.
     type Eight: Eight<Self>;
     /// Coordinates that are computed at a time where there are several.
-    type Together: Abreast<Self>;
+    type Coordinates: Abreast<Self>;
 
     /// A coefficient of two parts.
     fn coefficient(hi: f64, lo: f64) -> Self;
@@ -95,7 +95,7 @@ pub(crate) fn weighed<R: Real, E: Eight<R>>(columns: &Columns, x: &E, part: usiz
 
 impl Staging for f64 {
     type Eight = Lanes;
-    type Together = Together;
+    type Coordinates = ByEight;
 
     #[inline(always)]
     fn coefficient(hi: f64, _: f64) -> f64 {
@@ -231,7 +231,7 @@ macro_rules! one_by_one {
     ($($real:ty $(, $n:ident)?: |$hi:ident, $lo:ident| $coefficient:expr $(, $larger:ident)?;)*) => {$(
         impl$(<const $n: usize>)? Staging for $real {
             type Eight = [Self; STAGES];
-            type Together = Alone;
+            type Coordinates = Singly;
 
             #[inline(always)]
             fn coefficient($hi: f64, $lo: f64) -> Self {

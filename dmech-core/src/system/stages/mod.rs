@@ -5,7 +5,6 @@ mod eight;
 mod nearing;
 mod settle;
 
-pub(crate) use abreast::Abreast;
 pub(crate) use eight::Part;
 pub(crate) use eight::weighed;
 pub use eight::{Eight, Staging};

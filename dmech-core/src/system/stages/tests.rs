@@ -2,7 +2,7 @@
 
 use dmech_scalar::{DoubleDouble, Lanes, Real, two_sum};
 
-use super::abreast::{Abreast, Alone, Together, divided, largest_number};
+use super::abreast::{Abreast, ByEight, Singly, divided, largest_number};
 use super::{Nearing, STAGES, moves, settle};
 use crate::scheme::tableau::GAUSS;
 
@@ -70,12 +70,12 @@ fn what_is_gathered_is_put_back_where_it_was() {
         let all = numbers(n, 1.0);
         for at in (0..n).step_by(STAGES) {
             let mut back = vec![f64::NAN; n];
-            Together::scatter(Together::gather(&all, at), &mut back, at);
+            ByEight::scatter(ByEight::gather(&all, at), &mut back, at);
             let here = at..n.min(at + STAGES);
             assert_eq!(back[here.clone()], all[here.clone()]);
             assert_eq!(back.iter().filter(|x| x.is_nan()).count(), n - here.len());
         }
-        assert_eq!(Alone::gather(&all, n - 1), all[n - 1]);
+        assert_eq!(Singly::gather(&all, n - 1), all[n - 1]);
     }
 }
 

@@ -5,19 +5,42 @@
 
 use crate::expression::{Expr, Graph};
 
+/// The solution of A x = r, and where A has it from.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// x.
+    pub x: Vec<Expr>,
+    /// What is positive where A has grown from the unit matrix without having been singular on the way: pivots or leading
+    /// minors of a symmetric A, all of which are positive only if A is positive definite; of any other A its determinant,
+    /// which an even number of changes of sign would leave positive too.
+    pub positive: Vec<Expr>,
+}
+
 /// x with A x = r. `symmetric` says that A is, so that LDLᵀ serves; else LU.
-pub fn solve(graph: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Vec<Expr> {
+pub fn solve(graph: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Solution {
     let n = r.len();
     let diagonal = (0..n).all(|i| (0..n).all(|j| i == j || graph.is_zero(a[i][j])));
-    match n {
-        _ if diagonal => (0..n).map(|i| graph.div(r[i], a[i][i])).collect(),
-        2 | 3 => cramer(graph, a, r),
+    let mut solution = match n {
+        _ if diagonal => Solution {
+            x: (0..n).map(|i| graph.div(r[i], a[i][i])).collect(),
+            positive: (0..n).map(|i| a[i][i]).collect(),
+        },
+        2 | 3 => cramer(graph, a, r, symmetric),
         _ => eliminate(graph, a, r, symmetric),
-    }
+    };
+    // Each once, and not what is 1 whatever the step is.
+    let mut seen = vec![graph.one()];
+    solution.positive.retain(|x| {
+        !seen.contains(x) && {
+            seen.push(*x);
+            true
+        }
+    });
+    solution
 }
 
 /// Cramer's rule, by cofactors.
-fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr]) -> Vec<Expr> {
+fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Solution {
     let n = r.len();
     let mut minor = |i: usize, j: usize| -> Expr {
         let rows: Vec<_> = (0..n).filter(|&k| k != i).collect();
@@ -34,17 +57,22 @@ fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr]) -> Vec<Expr> {
     let cofactors: Vec<Vec<Expr>> = (0..n).map(|i| (0..n).map(|j| minor(i, j)).collect()).collect();
     let expansion: Vec<_> = (0..n).map(|j| g.mul(&[a[0][j], cofactors[0][j]])).collect();
     let determinant = g.add(&expansion);
-    (0..n)
+    // The leading minor of two rows of three is the last cofactor.
+    let leading = [a[0][0], cofactors[n - 1][n - 1]];
+    let minors = if symmetric { &leading[..n - 1] } else { &[] };
+    let positive = [minors, &[determinant]].concat();
+    let x = (0..n)
         .map(|j| {
             let column: Vec<_> = (0..n).map(|i| g.mul(&[cofactors[i][j], r[i]])).collect();
             let sum = g.add(&column);
             g.div(sum, determinant)
         })
-        .collect()
+        .collect();
+    Solution { x, positive }
 }
 
 /// Gaussian elimination: A = L D Lᵀ where A is symmetric, A = L U otherwise.
-fn eliminate(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Vec<Expr> {
+fn eliminate(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Solution {
     let n = r.len();
     let (mut a, mut r) = (a.to_vec(), r.to_vec());
     for k in 0..n {
@@ -75,5 +103,7 @@ fn eliminate(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Vec
         }
         x[i] = g.div(sum, a[i][i]);
     }
-    x
+    let pivots: Vec<_> = (0..n).map(|i| a[i][i]).collect();
+    let positive = if symmetric { pivots } else { vec![g.mul(&pivots)] };
+    Solution { x, positive }
 }

@@ -7,6 +7,7 @@ mod bodies;
 mod compensated;
 mod composed;
 mod double_double;
+mod hills;
 mod order;
 mod published;
 mod relaxed;

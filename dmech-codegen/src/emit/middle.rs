@@ -17,10 +17,12 @@ impl Printer<'_> {
     /// let (change, turned) = { … ([δ], [J δ]) };
     /// Correction::sum(change, slope, turned)
     /// ```
+    ///
+    /// A linear step adds what has to be positive to the second block and to the result.
     pub(super) fn middle_step(&self, slope: &Program, change: &Program, linear: bool) -> TokenStream {
         let Self { scalar, runtime, variables, dimension: d, .. } = self;
         let [equation, a, delta, b] = ["equation", "a", "delta", "b"].map(ident);
-        let [first, turned, moved] = ["slope", "turned", "change"].map(ident);
+        let [first, turned, moved, grown] = ["slope", "turned", "change", "positive"].map(ident);
         let receiver = receiver();
         let used: Vec<_> = slope.symbols().into_iter().chain(change.symbols()).collect();
         let parameters = self.bind_parameters(&used, false);
@@ -41,7 +43,14 @@ impl Printer<'_> {
         let residual = residual.map(|p| quote!(let #p = #equation.residual(#delta, #first);));
         let Printed { statements, outputs } = body(slope, &self.names, scalar);
         let Printed { statements: solve, outputs: solution } = body(change, &self.names, scalar);
-        let (changes, turns) = solution.split_at(variables.q.len());
+        let (changes, rest) = solution.split_at(variables.q.len());
+        let (turns, positive) = rest.split_at(variables.q.len());
+        let [positive_pattern, positive] = match linear {
+            true => [quote!(, #grown), quote!(, [#(#positive),*])],
+            false => [quote!(), quote!()],
+        };
+        let correction = quote!(#runtime::newton::Correction::sum(#moved, #first, #turned));
+        let result = if linear { quote!((#correction, #grown)) } else { correction };
         let solver = ident(if linear { "once_middle" } else { "drive_middle" });
         let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };
         let doc = format!(
@@ -61,8 +70,8 @@ impl Printer<'_> {
                     #(#scalars)*
                     let #first = { #statements [#(#outputs),*] };
                     #residual
-                    let (#moved, #turned) = { #solve ([#(#changes),*], [#(#turns),*]) };
-                    #runtime::newton::Correction::sum(#moved, #first, #turned)
+                    let (#moved, #turned #positive_pattern) = { #solve ([#(#changes),*], [#(#turns),*] #positive) };
+                    #result
                 })
             }
         }

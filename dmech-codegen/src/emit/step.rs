@@ -49,9 +49,16 @@ impl Printer<'_> {
             });
             let needs_equation = known.is_some() || velocities.iter().chain(&scalars).any(Option::is_some);
             let closure_equation = underscored(&equation, needs_equation);
-            // δ, then G + J δ or both apart.
-            let constructor = ident(if between { "in_parts" } else { "rounded" });
-            let vectors = outputs.chunks(variables.q.len());
+            // δ, then G + J δ or both apart; of a linear step, what has to be positive.
+            let (constructor, vectors) = if between { ("in_parts", 3) } else { ("rounded", 2) };
+            let constructor = ident(constructor);
+            let (vectors, positive) = outputs.split_at(vectors * variables.q.len());
+            let vectors = vectors.chunks(variables.q.len());
+            let correction = quote!(#runtime::newton::Correction::#constructor(#([#(#vectors),*]),*));
+            let result = match step {
+                Step::Linear(_) => quote!((#correction, [#(#positive),*])),
+                _ => correction,
+            };
             quote! {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
                     #unpack
@@ -59,7 +66,7 @@ impl Printer<'_> {
                     #(#velocities)*
                     #(#scalars)*
                     #statements
-                    #runtime::newton::Correction::#constructor(#([#(#vectors),*]),*)
+                    #result
                 })
             }
         };

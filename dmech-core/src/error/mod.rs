@@ -249,10 +249,10 @@ pub enum Error {
     },
     /// The equation of an implicit step has no solution that can be reached from a shorter step.
     #[error(
-        "step {step} from t = {} with dt = {} did not converge: after {iterations} iterations the last correction was {}",
+        "step {step} from t = {} with dt = {} {}",
         Number(*time),
         Number(*dt),
-        Number(*residual)
+        not_converged(*iterations, *residual)
     )]
     NotConverged {
         /// The number of the step, counted from 1; 0 for a scheme's own start.
@@ -261,7 +261,7 @@ pub enum Error {
         time: f64,
         /// The time step.
         dt: f64,
-        /// Newton corrections made.
+        /// Newton corrections made; 0 where the force is linear and the one root of the equation does not continue the motion.
         iterations: u32,
         /// Largest component of the last correction (a length); infinite where that was no number.
         residual: f64,
@@ -312,6 +312,16 @@ pub enum Error {
 /// The steps of a run, if their length is known.
 fn in_steps(dt: f64) -> String {
     if dt.is_finite() { format!(" in steps of {}", Number(dt)) } else { String::new() }
+}
+
+/// What became of the equation of a step.
+fn not_converged(iterations: u32, residual: f64) -> String {
+    if iterations == 0 {
+        return "is too long: down a hill, or wherever else a linear force leads away, the only root of its equation lies on the \
+                other side and does not continue the motion; take shorter steps"
+            .into();
+    }
+    format!("did not converge: after {iterations} iterations the last correction was {}", Number(residual))
 }
 
 /// What is wrong between two bodies.

@@ -98,7 +98,7 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c for the increment Δ: the energy-exact steps.
     fn discrete_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         if !Self::FORCED {
-            return newton::dense_discrete(equation, |a, b| secant(self, a, b));
+            return self.potential_increment(equation);
         }
         if Self::CONSERVES_ENERGY {
             return self.workless_increment(equation);
@@ -109,7 +109,8 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     /// Solves Δ + g ∇̄Φ(a, q + Δ) = c with the potential alone.
     #[inline(always)]
     fn potential_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
-        newton::dense_discrete(equation, |a, b| secant(self, a, b))
+        let force = |a, b| secant(self, a, b);
+        if Self::LINEAR { newton::linear_discrete(equation, force) } else { newton::dense_discrete(equation, force) }
     }
 
     /// As [`discrete_increment`](Field::discrete_increment), with G and what its rounding has left out for its parts: called where

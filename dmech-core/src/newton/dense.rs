@@ -69,18 +69,32 @@ pub fn dense_middle<const D: usize, R: Real>(
     })
 }
 
-/// As [`dense`], for a force that is linear in b: one correction from Δ = 0 is the solution.
+/// As [`dense`], for the gradient of a quadratic potential: one correction from Δ = 0 is the solution, if it continues that of
+/// a shorter step, which the pivots of 1 + g J tell as J is symmetric, its rows divided by masses or not.
 ///
 /// # Errors
-/// [`NotConverged`] when the solution is not finite: 1 + g J is singular.
+/// As of [`once`].
 pub fn linear<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
     once(equation, |equation, delta, b| {
         let (gradient, jacobian) = force(b);
-        correction(equation, delta, gradient, &jacobian)
+        let matrix = newton_matrix(equation.g, &jacobian);
+        let (change, pivots) = elimination::solve_definite(matrix, rest(equation, delta, gradient));
+        (Correction::in_parts(change, gradient, turned(&jacobian, change)), pivots)
     })
+}
+
+/// As [`linear`], for a force (a, b) ↦ (G(a, b), ∂G/∂b) between two points.
+///
+/// # Errors
+/// As of [`once`].
+pub fn linear_discrete<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D]),
+) -> Result<Increment<D, R>, NotConverged> {
+    linear(equation, |b| force(equation.a, b))
 }
 
 fn correction<const D: usize, R: Real>(
@@ -89,10 +103,14 @@ fn correction<const D: usize, R: Real>(
     gradient: [R; D],
     jacobian: &[[R; D]; D],
 ) -> Correction<D, R> {
+    let change = elimination::solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
+    Correction::in_parts(change, gradient, turned(jacobian, change))
+}
+
+/// drift − frozen − g G − Δ.
+fn rest<const D: usize, R: Real>(equation: &Equation<D, R>, delta: [R; D], gradient: [R; D]) -> [R; D] {
     let wanted = equation.increment(gradient);
-    let residual = by_component!(|i| wanted[i] - delta[i]);
-    let delta = elimination::solve(newton_matrix(equation.g, jacobian), residual);
-    Correction::in_parts(delta, gradient, turned(jacobian, delta))
+    by_component!(|i| wanted[i] - delta[i])
 }
 
 /// J δ.

@@ -5,9 +5,19 @@ use dmech_scalar::{Mask, Real};
 /// Solves A x = b by elimination with row pivoting; a singular A gives numbers that are not finite.
 ///
 /// Rows are exchanged lane by lane with selections, so that several systems side by side each get their own pivots.
-pub(crate) fn solve<const D: usize, R: Real>(mut a: [[R; D]; D], mut b: [R; D]) -> [R; D] {
+pub(crate) fn solve<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> [R; D] {
+    eliminate::<true, D, R>(a, b).0
+}
+
+/// As [`solve`], without an exchange of rows, which a positive definite A does not need; beside x the pivots, all of which are
+/// positive only if A is that, its rows scaled or not.
+pub(crate) fn solve_definite<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> ([R; D], [R; D]) {
+    eliminate::<false, D, R>(a, b)
+}
+
+fn eliminate<const EXCHANGE: bool, const D: usize, R: Real>(mut a: [[R; D]; D], mut b: [R; D]) -> ([R; D], [R; D]) {
     for k in 0..D {
-        for i in k + 1..D {
+        for i in if EXCHANGE { k + 1..D } else { 0..0 } {
             let larger = a[k][k].abs().less(a[i][k].abs());
             if larger.any() {
                 for j in k..D {
@@ -32,7 +42,7 @@ pub(crate) fn solve<const D: usize, R: Real>(mut a: [[R; D]; D], mut b: [R; D]) 
         }
         b[k] = sum / a[k][k];
     }
-    b
+    (b, core::array::from_fn(|k| a[k][k]))
 }
 
 fn exchanged<R: Real>(swap: R::Mask, x: R, y: R) -> (R, R) {

@@ -240,3 +240,8 @@ pub struct NotConverged {
     /// Largest component of the last correction (a length).
     pub residual: f64,
 }
+
+impl NotConverged {
+    /// The equation is linear, and its root does not continue that of a shorter step: no iteration changes that.
+    pub const NOT_CONTINUED: Self = NotConverged { iterations: 0, residual: f64::INFINITY };
+}

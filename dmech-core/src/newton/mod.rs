@@ -1,6 +1,7 @@
 //! Solving the implicit steps: Newton to round-off on the increment.
 //!
-//! Hand-written laws use [`dense`], [`dense_discrete`], [`dense_forced`] and [`dense_middle`]; generated ones bring
+//! Hand-written laws use [`dense`], [`dense_discrete`], [`dense_forced`] and [`dense_middle`], or [`linear`] and
+//! [`linear_discrete`]; generated ones bring
 //! their own correction in a straight line and use [`drive`], [`drive_discrete`] and [`drive_middle`], or [`once`],
 //! [`once_discrete`] and [`once_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
 //! unknown and uses [`central`].
@@ -18,7 +19,7 @@ mod settled;
 pub mod central;
 
 pub(crate) use dense::free;
-pub use dense::{dense, dense_discrete, dense_forced, dense_middle, linear};
+pub use dense::{dense, dense_discrete, dense_forced, dense_middle, linear, linear_discrete};
 pub use drive::{drive, drive_discrete, drive_middle};
 pub use equation::{Correction, Counts, Equation, Increment, NotConverged};
 pub use once::{once, once_discrete, once_middle};

@@ -1,37 +1,41 @@
-//! Linear forces: one correction from Δ = 0 is the solution.
+//! Linear forces: one correction from Δ = 0 is the solution, if it continues that of a shorter step.
+//!
+//! 1 + g J grows from the unit matrix as the step does. Where it was singular on the way the root came in from infinity, on
+//! the other side: down a hill Φ = −k q²/2 that of a step longer than 2√(m/k). What says so are numbers that come with the
+//! correction and must all be positive: the pivots where J is symmetric, as 1 + g J is then positive definite, and of any
+//! other J the determinant.
 
-use dmech_scalar::{Count, Real};
+use dmech_scalar::{Count, Mask, Real};
 
 use super::settle::largest;
 use super::{Correction, Equation, Increment, NotConverged};
 use crate::vector::finite;
 
-/// Solves a linear step: `correct` is called once, with Δ = 0 and b = q.
+/// Solves a linear step: `correct` is called once, with Δ = 0 and b = q. It returns, beside the correction, what is positive
+/// only where the root continues that of a shorter step.
 ///
 /// For Φ = k q²/2 this is Kanatani's explicit form (3.20)–(3.21).
 ///
 /// # Errors
-/// [`NotConverged`] when the solution is not finite: 1 + g J is singular.
-pub fn once<const D: usize, R: Real>(
+/// [`NotConverged::NOT_CONTINUED`] when the solution does not continue that of a shorter step, or 1 + g J is singular;
+/// [`NotConverged`] when it is not finite.
+pub fn once<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let Correction { gradient, parts, .. } = correct(equation, [R::ZERO; D], equation.q);
+    let (Correction { gradient, parts, .. }, positive) = correct(equation, [R::ZERO; D], equation.q);
     let delta = equation.increment(gradient);
-    if finite(delta) {
-        Ok(Increment { delta, gradient, parts, evaluations: Count::of(1), iterations: Count::of(0) })
-    } else {
-        Err(NotConverged { iterations: 0, residual: largest(&delta) })
-    }
+    let increment = Increment { delta, gradient, parts, evaluations: Count::of(1), iterations: Count::of(0) };
+    continued(increment, positive)
 }
 
 /// As [`once`], for a force between two points; `correct` gets the equation, a, Δ and b.
 ///
 /// # Errors
-/// [`NotConverged`] when the solution is not finite: 1 + g J is singular.
-pub fn once_discrete<const D: usize, R: Real>(
+/// As of [`once`].
+pub fn once_discrete<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
     once(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
 }
@@ -44,19 +48,32 @@ pub fn once_discrete<const D: usize, R: Real>(
 /// order.
 ///
 /// # Errors
-/// [`NotConverged`] when the solution is not finite: 1 + g J is singular.
+/// As of [`once`].
 #[inline(always)]
-pub fn once_middle<const D: usize, R: Real>(
+pub fn once_middle<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let first = correct(equation, equation.a, [R::ZERO; D], equation.q);
+    let (first, _) = correct(equation, equation.a, [R::ZERO; D], equation.q);
     let first = equation.increment_and_rest(first.gradient).0;
-    let Correction { gradient, parts, .. } = correct(equation, equation.a, first, equation.end(first));
+    let (Correction { gradient, parts, .. }, positive) = correct(equation, equation.a, first, equation.end(first));
     let delta = equation.increment_and_rest(gradient).0;
-    if finite(delta) {
-        Ok(Increment { delta, gradient, parts, evaluations: Count::of(2), iterations: Count::of(0) })
+    let increment = Increment { delta, gradient, parts, evaluations: Count::of(2), iterations: Count::of(0) };
+    continued(increment, positive)
+}
+
+/// The solution, if it is one and continues that of a shorter step.
+#[inline(always)]
+fn continued<const D: usize, const N: usize, R: Real>(
+    increment: Increment<D, R>,
+    positive: [R; N],
+) -> Result<Increment<D, R>, NotConverged> {
+    if !positive.iter().all(|&x| R::ZERO.less(x).all()) {
+        return Err(NotConverged::NOT_CONTINUED);
+    }
+    if finite(increment.delta) {
+        Ok(increment)
     } else {
-        Err(NotConverged { iterations: 0, residual: largest(&delta) })
+        Err(NotConverged { iterations: 1, residual: largest(&increment.delta) })
     }
 }

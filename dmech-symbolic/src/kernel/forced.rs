@@ -5,11 +5,11 @@
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};
-use crate::linear;
+use crate::linear::{self, Solution};
 use crate::program::Program;
 
 use super::mean::{KickByMean, LinearForce};
-use super::newton::{Force, correction, dot, newton_matrix};
+use super::newton::{Force, Shape, correction, dot, newton_matrix};
 use super::vanishes::vanishes;
 use super::variables::Variables;
 
@@ -34,7 +34,7 @@ pub struct ForcedKernels {
     pub kick_by_mean: Option<KickByMean>,
     /// v − c s + e J s, with s = ∇Φ − F and J = ∂s/∂q; none where the force depends on the velocity.
     pub gradient_kick: Option<Program>,
-    /// One Newton correction of the trapezoidal step, with the end velocity eliminated.
+    /// One Newton correction of the trapezoidal step, with the end velocity eliminated. Outputs: as of [`Step`](super::Step).
     pub implicit: Program,
     /// One Newton correction of the energy-exact step.
     pub discrete: ForcedStep,
@@ -55,7 +55,7 @@ pub struct ForcedKernels {
 /// One Newton correction of the energy-exact step for a law with a force.
 #[derive(Clone, Debug)]
 pub enum ForcedStep {
-    /// ∇̄Φ and the mean force. Outputs: δ, G, J δ.
+    /// ∇̄Φ and the mean force. Outputs: as of [`Step`](super::Step).
     Mean(Program),
     /// A force that does no work, at the mean position and mean velocity.
     ///
@@ -65,7 +65,8 @@ pub enum ForcedStep {
     Middle {
         /// G.
         slope: Program,
-        /// From the residual as `rhs`: δ, J δ.
+        /// From the residual as `rhs`: δ, J δ; and, where the step is linear, what is positive only where the solution has
+        /// [grown](linear::Solution::positive) from a step of no length.
         change: Program,
     },
 }
@@ -110,7 +111,8 @@ impl ForcedKernels {
         let (implicit, implicit_is_linear) = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
             let (jacobian, linear) = by_increment(graph, &here, variables);
-            (correction(graph, &here, &jacobian, false, Force::Rounded, variables), linear)
+            let shape = Shape { symmetric: false, constant: linear && !piecewise };
+            (correction(graph, &here, &jacobian, shape, Force::Rounded, variables), shape.constant)
         };
         let (discrete, discrete_is_linear) = {
             let mut ends = TwoPoints::new(graph, q, a, b);
@@ -130,13 +132,14 @@ impl ForcedKernels {
                 })
                 .collect();
             let (jacobian, linear) = by_increment(graph, &total, variables);
+            let shape = Shape { symmetric: false, constant: linear && !piecewise };
             let step = if workless {
-                let change = change(graph, &jacobian, variables);
+                let change = change(graph, &jacobian, shape, variables);
                 ForcedStep::Middle { slope: Program::schedule(graph, &total), change }
             } else {
-                ForcedStep::Mean(correction(graph, &total, &jacobian, false, Force::InParts, variables))
+                ForcedStep::Mean(correction(graph, &total, &jacobian, shape, Force::InParts, variables))
             };
-            (step, linear)
+            (step, shape.constant)
         };
         Self {
             force: Program::schedule(graph, force),
@@ -149,8 +152,8 @@ impl ForcedKernels {
             gradient_kick,
             implicit,
             discrete,
-            implicit_is_linear: implicit_is_linear && !piecewise,
-            discrete_is_linear: discrete_is_linear && !piecewise,
+            implicit_is_linear,
+            discrete_is_linear,
             depends_on_velocity,
             linear_in_velocity,
             piecewise,
@@ -230,13 +233,15 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
     (jacobian, linear)
 }
 
-/// δ and J δ with (1 + g J) δ = rhs.
-fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
+/// δ and J δ with (1 + g J) δ = rhs, and for a constant J what is positive only where the solution has grown from a step of no
+/// length.
+fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], shape: Shape, variables: &Variables) -> Program {
     let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
-    let delta = linear::solve(graph, &matrix, &residual, false);
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, shape.symmetric);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
-    Program::schedule(graph, &[delta, turned].concat())
+    let grown = if shape.constant { positive } else { vec![] };
+    Program::schedule(graph, &[delta, turned, grown].concat())
 }
 
 /// Whether F·v vanishes identically: decided on the expression, products over sums expanded.

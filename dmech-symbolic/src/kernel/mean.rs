@@ -80,7 +80,7 @@ impl LinearForce {
             })
             .collect();
         let matrix = one_less(graph, &a);
-        let change = linear::solve(graph, &matrix, &change, false);
+        let change = linear::solve(graph, &matrix, &change, false).x;
         let kicked: Vec<_> = v.iter().zip(&change).map(|(&v, &change)| graph.add(&[v, change])).collect();
         KickByMean::Solved(Program::schedule(graph, &kicked))
     }

@@ -17,12 +17,13 @@ use crate::expression::{Expr, Graph, Substitution, Symbol};
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
-use newton::{Force, correction, dot};
+use newton::{Force, Shape, correction, dot};
 
 /// How an implicit step is solved.
 #[derive(Clone, Debug)]
 pub enum Step {
-    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: as of Newton's method.
+    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: as of Newton's method, and then what is positive
+    /// only where the solution [has grown](crate::linear::Solution::positive) from that of a step of no length.
     Linear(Program),
     /// Newton's method in all coordinates. Outputs of one correction: δ, G + J δ of the trapezoidal step; δ, G, J δ of the
     /// energy-exact steps.
@@ -217,7 +218,8 @@ fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
     let force: Vec<_> = formulas.gradient.iter().map(|&e| moved.apply(graph, e)).collect();
     let jacobian: Vec<Vec<_>> =
         formulas.hessian.iter().map(|row| row.iter().map(|&e| moved.apply(graph, e)).collect()).collect();
-    let program = correction(graph, &force, &jacobian, true, Force::Rounded, variables);
+    let shape = Shape { symmetric: true, constant: structure.constant_hessian };
+    let program = correction(graph, &force, &jacobian, shape, Force::Rounded, variables);
     if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
 }
 
@@ -226,9 +228,9 @@ fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
         let coefficient = central.discrete_coefficient(graph, variables.s_a, variables.s_b);
         return Step::Central(with_two_derivatives(graph, coefficient, variables.s_b, variables.s_b));
     }
-    let symmetric = structure.constant_hessian;
+    let shape = Shape { symmetric: structure.constant_hessian, constant: structure.constant_hessian };
     let (force, jacobian) = (&formulas.discrete_gradient, &formulas.discrete_gradient_jacobian);
-    let program = correction(graph, force, jacobian, symmetric, Force::InParts, variables);
+    let program = correction(graph, force, jacobian, shape, Force::InParts, variables);
     if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
 }
 

@@ -1,7 +1,7 @@
 //! One correction of Newton's method.
 
 use crate::expression::{Expr, Graph};
-use crate::linear;
+use crate::linear::{self, Solution};
 use crate::program::Program;
 
 use super::variables::Variables;
@@ -32,12 +32,21 @@ pub(super) enum Force {
     InParts,
 }
 
-/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it.
+/// What is known of the Jacobian of a force.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    pub(super) symmetric: bool,
+    /// It does not depend on the increment: one correction is the solution, if it has grown from a step of no length.
+    pub(super) constant: bool,
+}
+
+/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it; for a constant J also what
+/// is positive only where the solution has [grown from a step of no length](linear::Solution::positive).
 pub(super) fn correction(
     graph: &mut Graph,
     force: &[Expr],
     jacobian: &[Vec<Expr>],
-    symmetric: bool,
+    shape: Shape,
     given: Force,
     variables: &Variables,
 ) -> Program {
@@ -52,15 +61,18 @@ pub(super) fn correction(
             graph.sub(difference, delta)
         })
         .collect();
-    let delta = linear::solve(graph, &matrix, &residual, symmetric);
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, shape.symmetric);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
-    let outputs = match given {
+    let mut outputs = match given {
         Force::InParts => [delta, force.to_vec(), turned].concat(),
         Force::Rounded => {
             let updated = force.iter().zip(&turned).map(|(&force, &turned)| graph.add(&[force, turned])).collect();
             [delta, updated].concat()
         }
     };
+    if shape.constant {
+        outputs.extend(positive);
+    }
     Program::schedule(graph, &outputs)
 }
 

@@ -31,25 +31,27 @@ fn matrix(
     (entries, symbols)
 }
 
+type Pattern = fn(usize, usize) -> bool;
+
+const PATTERNS: [(&str, Pattern); 4] = [
+    ("dense", |_, _| true),
+    ("diagonal", |i, j| i == j),
+    ("banded", |i, j| i.abs_diff(j) <= 1),
+    ("arrow", |i, j| i == 0 || j == 0),
+];
+
 /// Solutions of linear systems for n = 1 … 6, dense, banded and with an arrow of entries, symmetric or not.
 #[test]
 fn linear_systems() {
-    type Pattern = fn(usize, usize) -> bool;
-    let patterns: [(&str, Pattern); 4] = [
-        ("dense", |_, _| true),
-        ("diagonal", |i, j| i == j),
-        ("banded", |i, j| i.abs_diff(j) <= 1),
-        ("arrow", |i, j| i == 0 || j == 0),
-    ];
     let worst = Worst::new();
     for n in 1..=6 {
-        for (name, pattern) in patterns {
+        for (name, pattern) in PATTERNS {
             for symmetric in [true, false] {
                 let mut g = Graph::new();
                 let (a, symbols) = matrix(&mut g, n, symmetric, pattern);
                 let right: Vec<_> = (0..n).map(|i| g.parameter(&format!("r{i}"))).collect();
                 let r: Vec<_> = right.iter().map(|&s| g.symbol(s)).collect();
-                let x = dmech_symbolic::linear::solve(&mut g, &a, &r, symmetric);
+                let x = dmech_symbolic::linear::solve(&mut g, &a, &r, symmetric).x;
                 let program = Program::schedule(&mut g, &x);
                 for seed in 0..6 {
                     // 1 + g H: the diagonal leads, the rest is smaller and of either sign.
@@ -86,4 +88,49 @@ fn linear_systems() {
         }
     }
     worst.at_most(16.0, "linear systems, ulp times the condition");
+}
+
+/// All of `positive` are so exactly where a symmetric matrix is positive definite, by its eigenvalues, and where the determinant
+/// of any other matrix is positive; of diagonal ones, symmetric or not, where all eigenvalues are.
+#[test]
+fn what_is_positive_tells_whether_a_matrix_has_grown_from_the_unit_matrix() {
+    // Definite; not so, with a negative determinant and with a positive one.
+    let mut seen = [[0; 3]; 2];
+    for n in 1..=6 {
+        for (name, pattern) in PATTERNS {
+            for symmetric in [true, false] {
+                let mut g = Graph::new();
+                let (a, symbols) = matrix(&mut g, n, symmetric, pattern);
+                let right = vec![g.one(); n];
+                let positive = dmech_symbolic::linear::solve(&mut g, &a, &right, symmetric).positive;
+                let program = Program::schedule(&mut g, &positive);
+                for seed in 0..60 {
+                    let entry = |i: usize, j: usize| {
+                        let wave = ((7 * i + 3 * j + 5 * seed + 1) as f64).sin();
+                        if i == j { 0.6 + wave } else { 0.5 * wave }
+                    };
+                    let mut dense = DMatrix::zeros(n, n);
+                    for &(_, i, j) in &symbols {
+                        dense[(i, j)] = entry(i, j);
+                        if symmetric {
+                            dense[(j, i)] = entry(i, j);
+                        }
+                    }
+                    let value = |s: Symbol| {
+                        let &(_, i, j) = symbols.iter().find(|entry| entry.0 == s).expect("an entry");
+                        entry(i, j)
+                    };
+                    let determinant = dense.determinant();
+                    let definite = (symmetric || name == "diagonal").then(|| dense.symmetric_eigenvalues().min() > 0.0);
+                    let expected = definite.unwrap_or(determinant > 0.0);
+                    let found = program.run(value).into_iter().all(|x| x > 0.0);
+                    assert_eq!(found, expected, "{name} {n} {symmetric} {seed}");
+                    let kind = if expected { 0 } else { 1 + usize::from(determinant > 0.0) };
+                    seen[usize::from(definite.is_some())][kind] += 1;
+                }
+            }
+        }
+    }
+    println!("{seen:?}");
+    assert!(seen[0][..2].iter().chain(&seen[1]).all(|&n| n >= 50));
 }

@@ -136,7 +136,7 @@ fn corrections_solve_their_equations() {
                 // The Jacobian's own rounding is bounded elsewhere: here 1e-13 of all that enters.
                 worst.see((computed[i] - delta[i]).abs() / (1e-13 * size), place);
                 let scale = force.norm() + h.norm() * (size + delta.norm());
-                let parts = computed[d + i..].iter().step_by(d);
+                let parts = computed[d + i..(2 + k) * d].iter().step_by(d);
                 assert_eq!(parts.len(), 1 + k);
                 worst.see(ratio((parts.sum::<f64>() - after[i]).abs(), 1e-13 * scale), place);
             }

@@ -141,10 +141,16 @@ impl<const D: usize, R: Real> Potential<D, R> for Spring {
     }
 }
 
-fn linear<const D: usize, R: Real>(e: &Equation<D, R>, delta: [R; D], gradient: [R; D], j: R) -> Correction<D, R> {
-    let wanted = e.increment(gradient);
-    let delta: [R; D] = core::array::from_fn(|i| (wanted[i] - delta[i]) / (R::ONE + e.g * j));
-    Correction::in_parts(delta, gradient, delta.map(|x| j * x))
+/// The correction, and the pivot.
+fn linear<const D: usize, R: Real>(
+    e: &Equation<D, R>,
+    delta: [R; D],
+    gradient: [R; D],
+    j: R,
+) -> (Correction<D, R>, [R; 1]) {
+    let (wanted, pivot) = (e.increment(gradient), R::ONE + e.g * j);
+    let delta: [R; D] = core::array::from_fn(|i| (wanted[i] - delta[i]) / pivot);
+    (Correction::in_parts(delta, gradient, delta.map(|x| j * x)), [pivot])
 }
 
 fn diagonal<const D: usize, R: Real>(x: R) -> [[R; D]; D] {

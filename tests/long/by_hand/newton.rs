@@ -3,7 +3,7 @@
 use crate::common::{Coupled, Kepler, Pendulum, SUN, SUN_BY_COMPONENTS, Spring, greenspan_orbit};
 use approx::abs_diff_eq;
 use dmech_core::Field;
-use dmech_core::newton::{Correction, Equation, Increment, dense, drive, once};
+use dmech_core::newton::{Correction, Equation, Increment, NotConverged, dense, drive, linear, linear_discrete, once};
 use dmech_core::prelude::*;
 
 /// drift − frozen − g G(q + Δ) − Δ, relative to the terms in it.
@@ -116,14 +116,42 @@ fn a_linear_step_is_one_correction() {
     let found = once(&e, |e, delta, b| {
         calls += 1;
         let gradient = b.map(|x| 2.5 * x);
-        let change = core::array::from_fn(|i| (e.increment(gradient)[i] - delta[i]) / (1.0 + 2.5 * e.g));
-        dmech_core::newton::Correction::in_parts(change, gradient, change.map(|x| 2.5 * x))
+        let pivot = 1.0 + 2.5 * e.g;
+        let change = core::array::from_fn(|i| (e.increment(gradient)[i] - delta[i]) / pivot);
+        (dmech_core::newton::Correction::in_parts(change, gradient, change.map(|x| 2.5 * x)), [pivot])
     })
     .unwrap();
     assert_eq!((calls, found.evaluations, found.iterations), (1, 1, 0));
     assert!(residual(&e, &found, e.end(found.delta).map(|x| 2.5 * x)) < 4.0 * f64::EPSILON);
     let general = dense(&e, |b| (b.map(|x| 2.5 * x), Potential::<3>::hessian(&Spring { k: 2.5 }, b))).unwrap();
     assert!((0..3).all(|i| (general.delta[i] - found.delta[i]).abs() < 1e-16));
+}
+
+/// Of a hill the one root of a step that is too long is refused, on a ridge and on a round one; a matrix whose rows masses divide,
+/// and whose first row is the smaller, is one of a spring.
+#[test]
+fn a_linear_step_by_hand_is_refused_where_it_does_not_continue_a_shorter_one() {
+    let e = |g| Equation::new([0.5, -0.3], [0.07, 0.11], g);
+    let tried: [([[f64; 2]; 2], f64); 4] = [
+        // The curvature downhill; infinite steps are taken where there is none.
+        ([[-2.0, 0.0], [0.0, -2.0]], 2.0),
+        ([[1.0, 3.0], [3.0, -0.5]], f64::sqrt(9.5625) - 0.25),
+        ([[0.0, -1.5], [-1.5, 0.0]], 1.5),
+        ([[1.0 / 7.0, 0.9 / 7.0], [0.9 / 0.01, 1.0 / 0.01]], 0.0),
+    ];
+    for (jacobian, steepest) in tried {
+        for part in [0.5, 0.999, 1.001, 3.0, 1e3] {
+            let g = if steepest > 0.0 { part / steepest } else { part };
+            let slope = |x: [f64; 2]| jacobian.map(|row| row[0] * x[0] + row[1] * x[1]);
+            let taken = part < 1.0 || steepest == 0.0;
+            let at_end = linear(&e(g), |b| (slope(b), jacobian));
+            let between = linear_discrete(&e(g), |a, b| (slope([b[0] - a[0], b[1] - a[1]]), jacobian));
+            for found in [at_end, between] {
+                assert_eq!(found.is_ok(), taken, "{jacobian:?} {part}: {found:?}");
+                assert!(taken || found.unwrap_err() == NotConverged::NOT_CONTINUED);
+            }
+        }
+    }
 }
 
 /// Resolved steps cost one evaluation for one unknown and at most two in general; from the previous position, more.

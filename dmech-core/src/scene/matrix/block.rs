@@ -57,6 +57,12 @@ pub(crate) fn product<const D: usize>(x: &Block<D>, y: &Block<D>) -> Block<D> {
     all
 }
 
+/// X is positive definite, if it is symmetric, its rows scaled or not.
+#[inline(always)]
+pub(crate) fn definite<const D: usize>(x: &Block<D>) -> bool {
+    elimination::solve_definite(*x, [0.0; D]).1.iter().all(|&pivot| pivot > 0.0)
+}
+
 /// X⁻¹, column by column.
 #[inline(always)]
 pub(crate) fn invert<const D: usize>(x: &Block<D>) -> Block<D> {

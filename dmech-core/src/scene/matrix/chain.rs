@@ -1,6 +1,7 @@
 //! Consecutive bodies: block-tridiagonal.
 
-use super::block::{Block, add, invert, product, scaled, subtract, times};
+use super::Kind;
+use super::block::{Block, add, definite, invert, product, scaled, subtract, times};
 use crate::scene::vectors::Vectors;
 use crate::vector::{self, difference};
 
@@ -103,7 +104,7 @@ impl<const D: usize> ChainMatrix<D> {
         }
     }
 
-    pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
+    pub(super) fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
         let mut regular = true;
         let mut before = [[0.0; D]; D];
         for i in 0..self.diagonal.len() {
@@ -117,6 +118,7 @@ impl<const D: usize> ChainMatrix<D> {
             }
             let inverse = invert(&pivot);
             regular &= inverse.iter().flatten().all(|x| x.is_finite());
+            regular &= must_be == Kind::Regular || definite(&pivot);
             before = product(&inverse, &scaled(g, &self.upper[i]));
             (self.inverse[i], self.following[i]) = (inverse, before);
         }

@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use super::Kind;
 use super::series::{SMALL, Series};
 use crate::scene::vectors::Vectors;
 
@@ -67,7 +68,7 @@ impl<const D: usize> DenseMatrix<D> {
         add_row_sums(&self.jacobian, rows);
     }
 
-    pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
+    pub(super) fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
         let n = self.jacobian.nrows();
         self.small = n >= MANY && self.series.ends(g, limit(n), |rows| add_row_sums(&self.jacobian, rows));
         let sign = if self.small { -1.0 } else { 1.0 };
@@ -81,19 +82,25 @@ impl<const D: usize> DenseMatrix<D> {
                 column[i] += 1.0;
             }
         }
-        self.small || self.eliminate()
+        self.small || self.eliminate(must_be)
     }
 
-    /// Factorises with exchange of rows; `false` if a pivot is zero.
-    fn eliminate(&mut self) -> bool {
+    /// Factorises with exchange of rows, which a definite matrix does not need; `false` if a pivot is zero, or there not positive.
+    fn eliminate(&mut self, must_be: Kind) -> bool {
         let n = self.factors.nrows();
         let mut regular = true;
         for i in 0..n {
-            let pivot = i + self.factors.view_range(i.., i).iamax();
+            let pivot = match must_be {
+                Kind::Regular => i + self.factors.view_range(i.., i).iamax(),
+                Kind::Definite => i,
+            };
             self.pivots[i] = pivot;
             self.factors.swap_rows(i, pivot);
             let diagonal = self.factors[(i, i)];
-            regular &= diagonal != 0.0;
+            regular &= match must_be {
+                Kind::Regular => diagonal != 0.0,
+                Kind::Definite => diagonal > 0.0,
+            };
             let (mut done, mut rest) = self.factors.columns_range_pair_mut(i, i + 1..);
             let mut multipliers = done.rows_range_mut(i + 1..);
             multipliers *= diagonal.recip();

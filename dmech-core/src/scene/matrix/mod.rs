@@ -2,6 +2,8 @@
 
 pub(super) mod block;
 mod chain;
+#[cfg(feature = "sparse")]
+mod definite;
 mod dense;
 mod near;
 mod series;
@@ -16,6 +18,16 @@ use sparse::SparseMatrix;
 
 use super::topology::Topology;
 use super::vectors::Vectors;
+
+/// What 1 + g J must be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Not singular.
+    Regular,
+    /// For a symmetric J (that of links which one end does not feel may be 0 there): positive definite, which 1 + g J of a force
+    /// that is linear is where it has not been singular for any shorter step.
+    Definite,
+}
 
 /// A Jacobian in D×D blocks, and the factors of 1 + g J made of it.
 #[derive(Clone, Debug)]
@@ -112,14 +124,15 @@ impl<const D: usize> Matrix<D> {
         }
     }
 
-    /// Factorises 1 + g J, with one g for each coordinate (0 for those of pinned bodies). `false` if it is singular.
-    pub fn factorise(&mut self, g: &Vectors<D>) -> bool {
+    /// Factorises 1 + g J, with one g for each coordinate (0 for those of pinned bodies). `false` if it is not as it must be.
+    pub fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
         match self {
-            Matrix::Chain(matrix) => matrix.factorise(g),
+            Matrix::Chain(matrix) => matrix.factorise(g, must_be),
             #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.factorise(g),
+            Matrix::Sparse(matrix) => matrix.factorise(g, must_be),
+            // Only what is piecewise has a reach.
             Matrix::Near(matrix) => matrix.factorise(g),
-            Matrix::Dense(matrix) => matrix.factorise(g),
+            Matrix::Dense(matrix) => matrix.factorise(g, must_be),
         }
     }
 

@@ -5,6 +5,8 @@ use faer::sparse::linalg::lu::{LuRef, NumericLu, SymbolicLu, factorize_symbolic_
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, MatMut, Par};
 
+use super::Kind;
+use super::definite::is_definite;
 use super::series::{SMALL, Series};
 use crate::scene::vectors::Vectors;
 
@@ -104,7 +106,7 @@ impl<const D: usize> SparseMatrix<D> {
         add_row_sums(self.pattern.row_idx(), &self.jacobian, sums);
     }
 
-    pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
+    pub(super) fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
         let (columns, rows) = (self.pattern.col_ptr(), self.pattern.row_idx());
         self.small = self.series.ends(g, SMALL, |sums| add_row_sums(rows, &self.jacobian, sums));
         let sign = if self.small { -1.0 } else { 1.0 };
@@ -120,6 +122,9 @@ impl<const D: usize> SparseMatrix<D> {
                     self.values[entry] += 1.0;
                 }
             }
+        }
+        if must_be == Kind::Definite && !is_definite(self.pattern.as_ref(), &self.values, &mut self.probe) {
+            return false;
         }
         let matrix = SparseColMatRef::new(self.pattern.as_ref(), &self.values[..]);
         let stack = MemStack::new(&mut self.workspace.buffer);

@@ -2,9 +2,9 @@
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use super::{Equations, Progress, Solver, Unknown, Verdict};
+use super::{Equations, Progress, Solver, Unknown, Verdict, unfit};
 use crate::newton::NotConverged;
-use crate::scene::matrix::block::{Block, invert, product, times};
+use crate::scene::matrix::block::{Block, definite, invert, product, times};
 use crate::scene::terms::stencil::{Stencil, block, load, store};
 use crate::scene::vectors::Vectors;
 
@@ -51,7 +51,9 @@ impl<const D: usize> Solver<D> {
     ) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
         for iteration in 1..=equation.limit() {
-            let force = self.along(chain, equation, unknown, iteration == 1);
+            let Some(force) = self.along(chain, equation, unknown, iteration == 1) else {
+                return Err(unfit::<U, D>(iteration));
+            };
             let [size, step] = self.back::<U>(chain, equation);
             match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
                 Verdict::Settled => return Ok(iteration),
@@ -71,16 +73,18 @@ impl<const D: usize> Solver<D> {
     /// with L the Jacobian of the link to the next body and L₋ that of the one before.
     ///
     /// max |g G| + max |g J| max |b| comes back: as positions are rounded, G is not known better than to a rounding error of
-    /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger.
+    /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger. Nothing comes back where a
+    /// linear force has a matrix that is not positive definite.
     fn along<U: Unknown<D>>(
         &mut self,
         chain: &mut Elimination<D>,
         equation: &Equations<'_, D>,
         unknown: &U,
         guess: bool,
-    ) -> f64 {
+    ) -> Option<f64> {
         let bodies = self.delta.bodies();
         let (mut force, mut stiffness, mut place) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
+        let mut sound = true;
         let mut before = Before { link: [0.0; D], jacobian: [[0.0; D]; D], following: [[0.0; D]; D], solved: [0.0; D] };
         self.place_block(equation, 0, guess);
         for first in (0..bodies).step_by(Lanes::COUNT) {
@@ -105,13 +109,20 @@ impl<const D: usize> Solver<D> {
                 store(gradient, self.gradient.flat_mut(), column());
                 store(residual[k], chain.residual.flat_mut(), column());
             }
-            let stiff =
-                eliminate(&stencil, &g, &residual, &mut before, &mut chain.following[range.clone()], |lane, y| {
+            let stiff = eliminate(
+                &stencil,
+                &g,
+                &residual,
+                &mut before,
+                &mut chain.following[range.clone()],
+                |lane, pivot, y| {
+                    sound &= !U::LINEAR || definite(pivot);
                     self.place.set(first + lane, y);
-                });
+                },
+            );
             stiffness = stiffness.max(stiff);
         }
-        largest(force) + largest(stiffness) * largest(place)
+        sound.then(|| largest(force) + largest(stiffness) * largest(place))
     }
 
     /// δᵢ = yᵢ + (P⁻¹U)ᵢ δᵢ₊₁ from the last body to the first; Δ += δ, and G += J δ with J δ = (r − δ)/g.
@@ -175,7 +186,7 @@ fn largest(x: Lanes) -> f64 {
     x.to_array().into_iter().fold(0.0, f64::max)
 }
 
-/// Eliminates some bodies, one after the other; `solved` is given each y. The largest |g J| on the diagonal comes back.
+/// Eliminates some bodies, one after the other; `solved` is given each P and y. The largest |g J| on the diagonal comes back.
 #[inline(always)]
 fn eliminate<const D: usize>(
     stencil: &Stencil<D>,
@@ -183,7 +194,7 @@ fn eliminate<const D: usize>(
     residual: &[Lanes; D],
     before: &mut Before<D>,
     following: &mut [Block<D>],
-    mut solved: impl FnMut(usize, [f64; D]),
+    mut solved: impl FnMut(usize, &Block<D>, [f64; D]),
 ) -> Lanes {
     // All that does not wait for the body before, in lanes.
     let (mut own, mut left, mut right) = ([[Lanes::ZERO; D]; D], [[Lanes::ZERO; D]; D], [[Lanes::ZERO; D]; D]);
@@ -222,7 +233,7 @@ fn eliminate<const D: usize>(
             before.solved = times(&inverse, side);
         }
         *following = before.following;
-        solved(lane, before.solved);
+        solved(lane, &pivot, before.solved);
     }
     stiffness
 }

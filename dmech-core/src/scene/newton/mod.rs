@@ -11,7 +11,7 @@ use dmech_scalar::{Lanes, Real, two_sum};
 
 use self::chain::Elimination;
 use self::progress::{Progress, Verdict};
-use super::matrix::Matrix;
+use super::matrix::{Kind, Matrix};
 use super::terms::stencil::{Stencil, block, load, store};
 use super::topology::Topology;
 use super::vectors::Vectors;
@@ -89,7 +89,7 @@ impl<const D: usize> Equations<'_, D> {
 
 /// The unknown force G and its Jacobian.
 pub(super) trait Unknown<const D: usize> {
-    /// G is linear in b and v.
+    /// G is linear in b, with a symmetric Jacobian, and does not depend on v.
     const LINEAR: bool;
     /// G may bend or jump between two iterates.
     const PIECEWISE: bool;
@@ -106,6 +106,21 @@ pub(super) trait Unknown<const D: usize> {
     fn jacobian(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>);
     /// Both for the bodies of a chain from `first` on, for the whole step and a G that does not depend on the velocity.
     fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>);
+}
+
+/// What 1 + g J must be. Of a linear force one correction leads to the root wherever it is, so that the matrix has to tell
+/// whether it continues that of a shorter step.
+const fn kind<U: Unknown<D>, const D: usize>() -> Kind {
+    if U::LINEAR { Kind::Definite } else { Kind::Regular }
+}
+
+/// The matrix is not as it must be.
+fn unfit<U: Unknown<D>, const D: usize>(iteration: u32) -> NotConverged {
+    if U::LINEAR {
+        NotConverged::NOT_CONTINUED
+    } else {
+        NotConverged { iterations: iteration.into(), residual: f64::NAN }
+    }
 }
 
 /// The Newton matrix and the vectors of an iteration, allocated once.
@@ -170,6 +185,7 @@ impl<const D: usize> Solver<D> {
         };
         match settled {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
+            Err(astray) if astray == NotConverged::NOT_CONTINUED => Err(astray),
             Err(astray) => self.lengthen(equation, unknown, astray.iterations as u32),
         }
     }
@@ -199,7 +215,7 @@ impl<const D: usize> Solver<D> {
             unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
             if iteration == 1 || since_factors == CHORD {
                 if !self.take_jacobian(equation, unknown, theta) {
-                    return Err(NotConverged { iterations: iteration.into(), residual: f64::NAN });
+                    return Err(unfit::<U, D>(iteration));
                 }
                 since_factors = 0;
             }
@@ -218,11 +234,11 @@ impl<const D: usize> Solver<D> {
         Err(progress.exhausted(equation))
     }
 
-    /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is singular.
+    /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is not as it must be.
     fn take_jacobian<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>, unknown: &U, theta: f64) -> bool {
         self.matrix.clear();
         unknown.jacobian(theta, &self.place, &self.velocity, equation.rate, &mut self.matrix);
-        self.factorise(equation, theta)
+        self.factorise(equation, theta, kind::<U, D>())
     }
 
     /// Where corrections no longer shrink: one more, with a Jacobian of its own. It is the last if what it corrects is
@@ -378,13 +394,13 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    fn factorise(&mut self, equation: &Equations<'_, D>, theta: f64) -> bool {
+    fn factorise(&mut self, equation: &Equations<'_, D>, theta: f64, must_be: Kind) -> bool {
         if theta == 1.0 {
-            return self.matrix.factorise(equation.g);
+            return self.matrix.factorise(equation.g, must_be);
         }
         self.scaled.clone_from(equation.g);
         self.scaled.flat_mut().iter_mut().for_each(|g| *g *= theta * theta);
-        self.matrix.factorise(&self.scaled)
+        self.matrix.factorise(&self.scaled, must_be)
     }
 
     fn solve_linear(&mut self, equation: &Equations<'_, D>, theta: f64) {

@@ -46,6 +46,20 @@ pub enum Error {
         /// The refused tolerance.
         tolerance: f64,
     },
+    /// A tolerance so small that a step would turn the motion by less than the rounding of its numbers, and a turn take more than
+    /// 2⁵² steps.
+    #[error(
+        "the tolerance {} asks for steps that turn the motion by {} rad, less than its rounding, {}: take a larger one, or a scheme of higher order",
+        Number(*tolerance),
+        Number(*angle),
+        Number(f64::EPSILON)
+    )]
+    TurnVanished {
+        /// The refused tolerance.
+        tolerance: f64,
+        /// The angle in radians by which a step would turn the linearised motion.
+        angle: f64,
+    },
     /// Nothing tells how long a step may be: the force does not vary where the motion is, the law names the time, or a body is driven.
     #[error(
         "the law does not tell how long step {step} from t = {} may be (its force is uniform there, it names the time, or a body is driven): give the longest step with .dt(h)",

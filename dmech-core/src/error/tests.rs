@@ -11,6 +11,7 @@ fn all(x: f64) -> Vec<Error> {
         Error::MissingTimeStep,
         Error::TimeStep { dt },
         Error::Tolerance { tolerance: x },
+        Error::TurnVanished { tolerance: x, angle: x },
         Error::NoTimeScale { step, time },
         Error::StepVanished { step, time, dt },
         Error::Mass { mass: x },
@@ -83,7 +84,8 @@ fn all(x: f64) -> Vec<Error> {
 fn listed(error: &Error) -> bool {
     use Error::*;
     match error {
-        MissingTimeStep | TimeStep { .. } | Tolerance { .. } | NoTimeScale { .. } | StepVanished { .. } => true,
+        MissingTimeStep | TimeStep { .. } | Tolerance { .. } | TurnVanished { .. } => true,
+        NoTimeScale { .. } | StepVanished { .. } => true,
         Mass { .. } | State { .. } | RecordEvery | EndTime { .. } | TimeStandsStill { .. } | Law { .. } => true,
         Underflow { .. } | Link { .. } | Body { .. } | Path { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
@@ -115,7 +117,7 @@ fn numbers_in_messages_have_few_digits() {
     }
     let store = if cfg!(feature = "store") { 7 } else { 0 };
     let scene = if cfg!(feature = "scene") { 4 } else { 0 };
-    assert_eq!(numbers, 3 * (60 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
+    assert_eq!(numbers, 3 * (62 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
 }
 
 /// What was not said is not shown as a number; what has two names has both.

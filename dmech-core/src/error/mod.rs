@@ -124,6 +124,13 @@ pub enum Error {
         /// The memory that they take.
         bytes: u64,
     },
+    /// Two quantities of a run have one name: both are [watched](crate::Simulation::watch), or one is an invariant that the law declares.
+    #[error("the run already has a quantity of the name {name:?}: what is watched needs a name of its own")]
+    WatchedTwice {
+        /// The name.
+        #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
+        name: Word,
+    },
     /// A time at which a stepper has no state: it lies outside the next step.
     #[error("t = {} does not lie in the next step, from t = {} to {}", Number(*time), Number(*from), Number(*to))]
     OutsideStep {

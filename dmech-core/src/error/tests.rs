@@ -20,6 +20,7 @@ fn all(x: f64) -> Vec<Error> {
         Error::RecordDt { dt },
         Error::RecordAt { time, start: x },
         Error::Recording { states: 7, bytes: 2_500_000_000_000 },
+        Error::WatchedTwice { name: "height" },
         Error::OutsideStep { time, from: x, to: end },
         Error::Stream(std::io::ErrorKind::StorageFull),
         Error::EndTime { end, dt },
@@ -90,6 +91,7 @@ fn listed(error: &Error) -> bool {
         Underflow { .. } | Link { .. } | Body { .. } | Path { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
         RecordDt { .. } | RecordAt { .. } | Recording { .. } | OutsideStep { .. } | Stream(_) => true,
+        WatchedTwice { .. } => true,
         #[cfg(feature = "scene")]
         Scene(_) => true,
         #[cfg(feature = "serde")]

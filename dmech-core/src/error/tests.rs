@@ -139,7 +139,16 @@ fn messages_name_what_was_asked_for() {
 fn errors_travel() {
     use crate::error::{Culprit, Disagreement};
     let (place, culprit) = ([0.1, 0.2, 0.3], Culprit::Alone);
-    let law = Disagreement { quantity: "force", written: 1.5, derived: 2.5, time: 0.5, place, dimension: 2, culprit };
+    let law = Disagreement {
+        quantity: "force",
+        written: 1.5,
+        derived: 2.5,
+        panics: false,
+        time: 0.5,
+        place,
+        dimension: 2,
+        culprit,
+    };
     let mut travelled = 0;
     for error in all(2.5).into_iter().chain([Error::NotAsWritten(law), Error::FirstRank]) {
         match postcard::to_allocvec(&error) {

@@ -99,7 +99,8 @@ fn derive_all(model: Result<Model, Refused>) -> Result<Derived, Refused> {
     let mut lowered = match lower::lower(&model) {
         Ok(lowered) => lowered,
         Err(mistakes) => {
-            return Err(Refused { mistakes, model: Some(Box::new(model)), refusal: Refusal::Formulas });
+            let (model, refusal) = (Some(Box::new(model)), Refusal::Formulas);
+            return Err(Refused { mistakes, model, refusal, has_bodies: true });
         }
     };
     if let Some(pair) = lowered.pair.take() {
@@ -121,9 +122,13 @@ fn derive_all(model: Result<Model, Refused>) -> Result<Derived, Refused> {
 
 /// The body of a law that is refused for its signature is read all the same, so that its mistakes show in the same run.
 fn with_bodies(mut refused: Refused) -> Refused {
-    if let Some(model) = refused.model.take() {
-        refused.mistakes.extend(lower::mistakes(&model));
-        refused.model = Some(Box::new(model.without_signature()));
+    if refused.has_bodies
+        && let Some(model) = &refused.model
+    {
+        refused.mistakes.extend(lower::mistakes(model));
+    }
+    if refused.refusal == Refusal::Signature {
+        refused.model = refused.model.map(|model| Box::new(model.without_signature()));
     }
     refused
 }
@@ -138,7 +143,7 @@ fn expand(Parsed { item, model }: Parsed) -> TokenStream {
             });
             tokens
         }
-        Err(Refused { mistakes, model, refusal }) => {
+        Err(Refused { mistakes, model, refusal, .. }) => {
             let mut tokens = emit::withheld(item, &mistakes.methods);
             tokens.extend(model.map(|model| emit::stand_in(&model, refusal)));
             tokens.extend(mistakes.errors.iter().map(syn::Error::to_compile_error));

@@ -38,7 +38,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// # Errors
     /// [`Error::TimeStep`]; the stepper then stays as it was.
     pub fn set_dt(&mut self, dt: f64) -> Result<(), Error> {
-        check_step::<Y::Scalar>(self.scheme.tolerance(), dt)?;
+        check_step::<Y::Scalar>(&self.scheme, dt)?;
         self.moves_on(self.t(), dt)?;
         let state = self.state();
         let before = core::mem::replace(&mut self.dt, dt);

@@ -49,7 +49,7 @@ impl core::fmt::Display for Invariant {
     }
 }
 
-/// How well a scheme keeps an invariant that the law has.
+/// How well a scheme keeps an invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Kept {
@@ -58,7 +58,7 @@ pub enum Kept {
     /// It deviates by a power of the step and does not drift. Where the force of a law has a kink, what each crossing
     /// leaves adds up as a walk.
     Bounded,
-    /// Not at all.
+    /// Not at all, or there is none: the energy under a drag, the angular momentum where the law has none.
     No,
 }
 

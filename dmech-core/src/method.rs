@@ -1,5 +1,6 @@
 //! What is said of a scheme before it moves anything.
 
+use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 
 /// What a scheme promises, whatever the law.
@@ -17,6 +18,14 @@ pub trait Method: Copy + core::fmt::Debug {
     /// The tolerance of an [`Adaptive`](crate::Adaptive) scheme; `None` where all steps are equal.
     fn tolerance(&self) -> Option<f64> {
         None
+    }
+
+    /// Refuses what is asked of the scheme where no step can follow.
+    ///
+    /// # Errors
+    /// [`Error::Tolerance`] and [`Error::TurnVanished`] where the scheme chooses its steps.
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
     }
 
     /// The same scheme with its last step ending at the time `end`, where it chooses its steps.

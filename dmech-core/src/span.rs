@@ -3,6 +3,7 @@
 use dmech_scalar::Real;
 
 use crate::error::Error;
+use crate::method::Method;
 
 /// How far a run goes.
 #[derive(Clone, Copy, Debug)]
@@ -30,23 +31,31 @@ impl Span {
             Span::Steps(steps) => possible(steps, start, dt, follow),
             Span::Until(end) if !follow => steps_until(start, end, dt),
             Span::Until(end) if end < start => Err(Error::Span { start, end }),
-            Span::Until(_) => Ok(UNCOUNTED),
+            Span::Until(end) => within_reach(start, end, dt).map(|()| UNCOUNTED),
         }
     }
 }
 
-/// Refuses lengths of steps and tolerances.
-pub(crate) fn check_step<R: Real>(tolerance: Option<f64>, dt: f64) -> Result<(), Error> {
+/// Refuses lengths of steps, and tolerances.
+pub(crate) fn check_step<R: Real>(scheme: &impl Method, dt: f64) -> Result<(), Error> {
+    scheme.check()?;
     let positive = |x: f64| x > 0.0 && x.is_finite();
-    if let Some(tolerance) = tolerance.filter(|&x| !positive(x)) {
-        return Err(Error::Tolerance { tolerance });
-    }
-    let unlimited = tolerance.is_some() && dt == f64::INFINITY;
+    let unlimited = scheme.tolerance().is_some() && dt == f64::INFINITY;
     // The scalar in use may be narrower than f64: 1e-60 is no time step in f32.
     if !unlimited && (!positive(dt) || !positive(R::from_f64(dt).to_f64())) {
         return Err(Error::TimeStep { dt });
     }
     Ok(())
+}
+
+/// Refuses an end that steps no longer than dt do not reach.
+///
+/// # Errors
+/// [`Error::EndTime`]
+fn within_reach(start: f64, end: f64, dt: f64) -> Result<(), Error> {
+    // Beyond 2⁵³ steps of one length the time t₀ + k h no longer distinguishes them.
+    let n = (end - start) / dt;
+    if n.is_finite() && n <= 9_007_199_254_740_992.0 { Ok(()) } else { Err(Error::EndTime { end, dt }) }
 }
 
 /// As many steps as it takes to arrive.
@@ -58,11 +67,8 @@ pub(crate) const UNCOUNTED: u64 = u64::MAX;
 /// # Errors
 /// [`Error::EndTime`], [`Error::Span`] and [`Error::TimeStandsStill`], as [`Simulation::run_until`](crate::Simulation::run_until).
 pub fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
+    within_reach(start, end, dt)?;
     let n = (end - start) / dt;
-    // Beyond 2⁵³ the time t₀ + k h no longer distinguishes steps.
-    if !n.is_finite() || n > 9_007_199_254_740_992.0 {
-        return Err(Error::EndTime { end, dt });
-    }
     moves_on(end, dt)?;
     let rounding = 4.0 * f64::EPSILON * (n.abs() + (start.abs() + end.abs()) / dt);
     if n < -rounding {

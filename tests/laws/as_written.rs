@@ -193,6 +193,61 @@ fn another_meaning_is_refused_with_both_values() {
     starts(DerivedRight(2.0), State::new([0.3], [0.0]));
 }
 
+/// Between ends that only a run knows.
+#[derive(Clone, Copy, Debug)]
+struct Clamped {
+    low: f64,
+    high: f64,
+}
+
+#[dmech::law]
+impl Clamped {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        q.clamp(self.low, self.high).powi(2)
+    }
+
+    #[invariant]
+    fn scaled(&self, q: f64, v: f64) -> f64 {
+        2.0 * (0.5 * v * v + self.energy(q))
+    }
+}
+
+/// Its force alone.
+#[derive(Clone, Copy, Debug)]
+struct Pushing {
+    low: f64,
+    high: f64,
+}
+
+#[dmech::law]
+impl Pushing {
+    #[force]
+    fn push(&self, q: f64) -> f64 {
+        -q.clamp(self.low, self.high)
+    }
+}
+
+/// A method that panics is told of as that: no name in it stands for anything else, and NaN is not what it gives.
+#[test]
+fn a_method_that_panics_is_told() {
+    let start = State::new([0.25], [0.5]);
+    starts(Clamped { low: -1.0, high: 1.0 }, start);
+    let wrong = Clamped { low: 1.0, high: -1.0 };
+    for refused in [refusal(wrong, start), refusal(Pushing { low: 1.0, high: -1.0 }, start)] {
+        assert!(refused.panics() && refused.written().is_nan(), "{refused:?}");
+        let said = Error::NotAsWritten(refused).to_string();
+        assert!(said.contains("at q = 0.25, t = 0.0 a method panics") && said.contains("`clamp`"), "{said}");
+        assert!(!said.contains("NaN") && !said.contains("name"), "{said}");
+    }
+    assert!(!refusal(Constant, start).panics());
+    let report = verify(wrong, start);
+    assert!(report.checks()[0].note().contains("a method panics"), "{report}");
+    let scene = Scene::new().body(1.0, [0.25], [0.5]).field(wrong);
+    let said = Simulation::scene(scene).scheme(Explicit).dt(0.1).run(1).unwrap_err().to_string();
+    assert!(said.contains("body 0 a method panics"), "{said}");
+}
+
 /// At rest in the minimum at t = 0 they agree; around it they do not.
 #[test]
 fn a_special_start_hides_nothing() {

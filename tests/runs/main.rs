@@ -3,6 +3,7 @@
 mod changes;
 mod checkpoint;
 mod events;
+mod kept;
 mod output;
 mod own_invariants;
 mod plots;

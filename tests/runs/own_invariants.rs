@@ -187,3 +187,30 @@ fn quantities_are_watched() -> Result<(), Box<dyn std::error::Error>> {
     assert!(run.states().is_empty());
     Ok(())
 }
+
+/// A name says which quantity it is: given twice, or to one of the law's own, it is refused before the first step.
+#[test]
+fn a_name_is_given_once() {
+    let planet = || Simulation::new(Planet { gm: 1.0, c: 0.0 }, START).scheme(Leapfrog).dt(0.01);
+    let refused = |name| Error::WatchedTwice { name };
+    let twice =
+        planet().watch("x", |state| state.q[0]).stop_when(|_| -1.0, Crossing::Any).watch("x", |state| state.v[0]);
+    let ended = twice.run(10).unwrap_err();
+    assert_eq!((ended.cause(), ended.run().steps()), (refused("x"), 0));
+    assert_eq!(planet().watch("area", |state| state.t).run(10).unwrap_err().cause(), refused("area"));
+    // What the law does not watch is free, as the energy of a damped law is.
+    let free = planet().watch("swept", |state| state.t).watch("energy", |state| state.v[0]).run(10).unwrap();
+    assert!(free.drift_of("swept").is_some() && free.drift_of("energy").is_some());
+
+    let body = Scene::<1>::new().body(1.0, [0.0], [0.5]);
+    let scene = Simulation::scene(body).scheme(Leapfrog).dt(0.1).watch("x", |_| 0.0).watch("x", |_| 1.0);
+    assert_eq!(scene.run(10).unwrap_err().cause(), refused("x"));
+    let ensemble = Ensemble::over((0..9).map(|_| (Planet { gm: 1.0, c: 0.0 }, START))).scheme(Leapfrog).dt(0.01);
+    let members = ensemble.with(|k, alone| {
+        alone.watch("x", |state: &State<2>| state.q[0]).watch(if k == 4 { "x" } else { "y" }, |state| state.q[1])
+    });
+    for (k, member) in members.run(10).unwrap().members().enumerate() {
+        let watched = member.map(|run| run.report().own_drifts().count()).map_err(|ended| ended.cause());
+        assert_eq!(watched, if k == 4 { Err(refused("x")) } else { Ok(4) }, "{k}");
+    }
+}

@@ -342,6 +342,26 @@ fn what_cannot_be_done_is_told() {
         let refused = simulation().adaptive(tolerance).stepper().err();
         assert!(matches!(refused, Some(Error::Tolerance { .. })), "{tolerance}: {refused:?}");
     }
+    // So small that a step turns nothing: laws and scenes, with an end and without, at once and not after 10¹⁵ steps.
+    for tolerance in [1e-300, 1e-40, f64::from_bits(1)] {
+        let vanished = |cause: Error| match cause {
+            Error::TurnVanished { tolerance: told, angle } => told == tolerance && (0.0..f64::EPSILON).contains(&angle),
+            _ => false,
+        };
+        assert!(vanished(simulation().adaptive(tolerance).run_until(1.0).unwrap_err().cause()), "{tolerance}");
+        assert!(vanished(simulation().adaptive(tolerance).dt(0.1).stepper().unwrap_err()), "{tolerance}");
+        let scene = Scene::<2>::new().body(1.0, [0.0; 2], [0.0; 2]).body(1.0, [1.0, 0.0], [0.0, 1.0]);
+        let scene = scene.pairs(dmech::models::pairs::Gravity { g: 1.0 });
+        let scene = Simulation::scene(scene).scheme(DiscreteGradient).adaptive(tolerance);
+        assert!(vanished(scene.run(1 << 60).unwrap_err().cause()), "{tolerance}");
+    }
+    let shortest = simulation().scheme(Gauss::order16()).adaptive(1e-300).stepper().unwrap_err();
+    assert!(matches!(shortest, Error::TurnVanished { .. }), "{shortest}");
+    println!("{shortest}");
+    // A longest step that is too short for the end, as one of equal steps is.
+    let short = simulation().adaptive(1e-3).dt(1e-300).run_until(1.0).unwrap_err().cause();
+    assert_eq!(short, Error::EndTime { end: 1.0, dt: 1e-300 });
+    assert!(simulation().adaptive(1e-3).dt(1e-300).run(10).is_ok());
     assert!(matches!(simulation().adaptive(1e-3).dt(-1.0).stepper().err(), Some(Error::TimeStep { .. })));
     assert!(matches!(simulation().adaptive(1e-3).run_until(f64::NAN).unwrap_err().cause(), Error::EndTime { .. }));
 

@@ -28,6 +28,11 @@ pub(crate) fn too_long(span: Span) -> Error {
     Error::new(span, "this expression is too long to be read; bind parts of it to names with `let`, or write a sum")
 }
 
+/// Beside what the compiler has said of it already, which macros cannot know.
+pub(crate) fn syntax(error: &Error) -> Error {
+    Error::new(error.span(), format!("a law is not read before its syntax is right: {error}"))
+}
+
 pub(crate) fn not_an_impl(item: &Item) -> Error {
     let (what, name): (_, &dyn ToTokens) = match item {
         Item::Struct(item) => {
@@ -254,6 +259,8 @@ pub(crate) fn argument_of_another_role(name: &Ident, role: Role) -> Option<Error
     let is = |names: &[&str]| names.iter().any(|known| name == known);
     if role.is_of_two() && is(&["q", "v", "m"]) {
         Some(super::pair::argument_of_one_body(name, role))
+    } else if role == Role::Invariant && is(&["m", "mass"]) {
+        Some(mass_of_an_invariant(name))
     } else if role == Role::PairForce && is(&["r"]) {
         Some(super::pair::distance_of_a_force(name))
     } else if role.force().knows(&name.to_string()) && !role.is_force() && role != Role::Invariant {
@@ -261,6 +268,16 @@ pub(crate) fn argument_of_another_role(name: &Ident, role: Role) -> Option<Error
     } else {
         None
     }
+}
+
+fn mass_of_an_invariant(name: &Ident) -> Error {
+    at(
+        name,
+        format!(
+            "`{name}` is not known to a conserved quantity, which is a function of `q`, `v` and `t`; make the mass a field of the law, \
+             `self.{name}`, or state the quantity per unit of mass"
+        ),
+    )
 }
 
 fn velocity_of_a_potential(name: &Ident, role: Role) -> Error {

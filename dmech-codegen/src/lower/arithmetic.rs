@@ -6,6 +6,7 @@ use syn::{BinOp, Expr, ExprBinary, ExprCast, ExprUnary, UnOp};
 use crate::diagnostics::body;
 use crate::model::{Known, known_type};
 
+use super::code::bare;
 use super::interpreter::{Expression, Interpreter};
 use super::operator::{Comparison, Operator};
 use super::value::{Truth, Value};
@@ -163,7 +164,10 @@ impl<'m> Interpreter<'m> {
                 false => self.refuse(body::integer_overflow(e)),
             },
             (Known::Single, _) => self.refuse(body::single_precision(&cast.ty)),
-            (Known::Integer, Value::Number(_) | Value::Field(_)) => self.refuse(body::cast_to_integer(e)),
+            (Known::Integer, Value::Number(_)) => self.refuse(body::cast_to_integer(e)),
+            (Known::Integer, field @ Value::Field(_)) => {
+                self.refuse(body::field_as_integer(e, bare(&cast.expr), &field.kind()))
+            }
             (_, other) => self.refuse(body::cast(e, &other.kind())),
         }
     }

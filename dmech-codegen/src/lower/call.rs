@@ -1,7 +1,8 @@
 //! Helpers of the block, functions called by their path, closures.
 
 use proc_macro2::Ident;
-use syn::{Expr, ExprCall, ExprMethodCall, ExprPath, FnArg, ImplItemFn, ReceiverKind, ReturnType, Safety};
+use syn::punctuated::Punctuated;
+use syn::{Expr, ExprCall, ExprMethodCall, ExprPath, FnArg, ImplItemFn, ReceiverKind, ReturnType, Safety, Token};
 
 use crate::diagnostics::{body, nearest, pair};
 use crate::model::{Sibling, vector_alias};
@@ -26,6 +27,18 @@ impl<'m> Interpreter<'m> {
         arguments.map(|at| Given { value: self.value(at), at }).collect()
     }
 
+    /// The arguments of a function of this name, of which that of an integer power comes last.
+    fn given_to(&mut self, name: &str, arguments: &'m Punctuated<Expr, Token![,]>) -> Vec<Given<'m>> {
+        match (name, arguments.last()) {
+            ("powi", Some(exponent)) => {
+                let mut given = self.given(arguments.iter().take(arguments.len() - 1));
+                given.push(Given { value: self.exponent(exponent), at: exponent });
+                given
+            }
+            _ => self.given(arguments.iter()),
+        }
+    }
+
     /// A method of anything but the law.
     fn method(&mut self, name: &'m Ident, receiver: Given<'m>, call: &'m ExprMethodCall, e: &'m Expr) -> Value {
         let text = name.to_string();
@@ -36,7 +49,9 @@ impl<'m> Interpreter<'m> {
             Value::Array(_) | Value::Items(_) => self.sequence_method(receiver, call, e),
             Value::Vector(_) => self.vector_method(receiver, call, e),
             Value::Field(_) if is_vector_method(&text) => self.vector_method(receiver, call, e),
-            Value::Field(_) if is_sequence_method(&text) => self.refuse(body::field_of_unknown_length(&call.receiver)),
+            Value::Field(_) if is_sequence_method(&text) => {
+                self.refuse(body::field_of_unknown_length(bare(&call.receiver)))
+            }
             Value::Field(field) if field.of != Owner::Law && arity(&text).is_none() => {
                 self.refuse(pair::method_of_data(name))
             }
@@ -45,7 +60,7 @@ impl<'m> Interpreter<'m> {
                 self.read_for_errors(call)
             }
             Value::Number(_) | Value::Field(_) => {
-                let arguments = self.given(call.args.iter());
+                let arguments = self.given_to(&text, &call.args);
                 self.function(name, receiver, arguments, e)
             }
             Value::Integer(_) => {
@@ -71,7 +86,7 @@ impl<'m> Interpreter<'m> {
                 if is_from_fn(path) {
                     return self.refuse(body::from_fn(&call.func));
                 }
-                let arguments = self.given(call.args.iter());
+                let arguments = self.given_to(&name_of(path), &call.args);
                 self.call_path(path, arguments, e)
             }
             _ => self.refuse(body::not_a_function(&call.func)),

@@ -123,6 +123,40 @@ impl<'m> Interpreter<'m> {
         })
     }
 
+    /// The exponent of an integer power: what a field is, is not known.
+    pub(super) fn exponent(&mut self, at: &'m Expr) -> Value {
+        match self.field_among(at) {
+            Some((field, found)) => {
+                let is_cast = matches!(bare(at), Expr::Cast(cast) if std::ptr::eq(bare(&cast.expr), field));
+                self.refuse(body::power_by_field(at, field, &found, is_cast))
+            }
+            None => self.value(at),
+        }
+    }
+
+    /// A field in an integer expression, and what it is.
+    fn field_among(&mut self, e: &'m Expr) -> Option<(&'m Expr, String)> {
+        let mut e = bare(e);
+        loop {
+            e = match e {
+                Expr::Cast(cast) => bare(&cast.expr),
+                Expr::Unary(unary) => bare(&unary.expr),
+                Expr::Binary(binary) => match self.field_among(&binary.right) {
+                    // A long chain grows to the left.
+                    None => bare(&binary.left),
+                    found => return found,
+                },
+                Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => {
+                    return match self.quietly(|this| this.value(e)) {
+                        value @ Value::Field(_) => Some((e, value.kind())),
+                        _ => None,
+                    };
+                }
+                _ => return None,
+            };
+        }
+    }
+
     fn integer_power(&mut self, x: Option<Expression>, exponent: &Given<'m>, e: &Expr) -> Value {
         let n = match &exponent.value {
             Value::Integer(n) => *n,

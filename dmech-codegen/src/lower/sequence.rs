@@ -58,7 +58,7 @@ impl<'m> Interpreter<'m> {
             Value::Vector(components) => Some(components.into_iter().map(Value::Number).collect()),
             Value::Unknown => None,
             Value::Field(_) => {
-                self.report(body::field_of_unknown_length(at));
+                self.report(body::field_of_unknown_length(bare(at)));
                 None
             }
             other => {

@@ -15,7 +15,7 @@ use super::{Argument, Formula, Model, Parsed, Quantity, attribute, finish, nesti
 pub(crate) fn from_derive(item: TokenStream) -> Parsed {
     let mut errors = vec![];
     let model = read(item, &mut errors);
-    finish(TokenStream::new(), model, Mistakes { errors, ..Mistakes::default() })
+    finish(TokenStream::new(), model, Mistakes { errors, ..Mistakes::default() }, true)
 }
 
 fn read(item: TokenStream, errors: &mut Vec<syn::Error>) -> Option<Model> {

@@ -9,7 +9,8 @@ use crate::diagnostics::{self, Mistakes, law};
 use crate::role::Role;
 
 use super::{
-    Formula, Model, PairSignature, Parsed, Quantity, Sibling, attribute, finish, nesting, options, pair, signature,
+    Formula, Model, PairSignature, Parsed, Quantity, Sibling, attribute, finish, nesting, options, outline, pair,
+    signature,
 };
 
 /// How many invariants a run watches for a law: `MAX_OWN` of the core.
@@ -19,7 +20,16 @@ pub(crate) const MAX_INVARIANTS: usize = 8;
 pub(crate) fn from_impl(options: TokenStream, item: TokenStream) -> Parsed {
     let mut mistakes = Mistakes::default();
     let krate = options::parse(options, &mut mistakes.errors);
-    let parsed = nesting::check(&item).and_then(|()| syn::parse2::<Item>(item.clone()));
+    let (parsed, has_bodies) = match parse(item.clone()) {
+        Ok(item) => (Ok(item), true),
+        Err(error) => match parse(outline::without_bodies(item.clone())) {
+            Ok(outline @ Item::Impl(_)) => {
+                mistakes.errors.push(error);
+                (Ok(outline), false)
+            }
+            _ => (Err(error), true),
+        },
+    };
     let misspelt = match &parsed {
         Ok(Item::Impl(block)) => Misspelt::of(block),
         _ => None,
@@ -36,7 +46,13 @@ pub(crate) fn from_impl(options: TokenStream, item: TokenStream) -> Parsed {
             None
         }
     };
-    finish(item, model, mistakes)
+    finish(item, model, mistakes, has_bodies)
+}
+
+/// The item, unless it is nested too deeply or no Rust.
+fn parse(item: TokenStream) -> Result<Item, syn::Error> {
+    nesting::check(&item)?;
+    syn::parse2(item).map_err(|error| law::syntax(&error))
 }
 
 fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mut Mistakes) -> Option<Model> {

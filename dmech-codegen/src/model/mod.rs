@@ -8,6 +8,7 @@ mod derived;
 mod implementation;
 mod nesting;
 mod options;
+mod outline;
 mod pair;
 mod signature;
 mod types;
@@ -47,6 +48,8 @@ pub(crate) struct Refused {
     pub(crate) model: Option<Box<Model>>,
     /// What of it is wrong.
     pub(crate) refusal: Refusal,
+    /// Whether the bodies of its methods can be read.
+    pub(crate) has_bodies: bool,
 }
 
 /// What of a law is wrong.
@@ -166,10 +169,12 @@ impl Model {
     }
 }
 
-fn finish(item: TokenStream, model: Option<Model>, mistakes: Mistakes) -> Parsed {
+fn finish(item: TokenStream, model: Option<Model>, mistakes: Mistakes, has_bodies: bool) -> Parsed {
+    // Where a body cannot be read there is one mistake at least.
+    let refusal = if mistakes.errors.len() > usize::from(!has_bodies) { Refusal::Signature } else { Refusal::Formulas };
     let model = match model {
         Some(model) if mistakes.errors.is_empty() => Ok(model),
-        model => Err(Refused { mistakes, model: model.map(Box::new), refusal: Refusal::Signature }),
+        model => Err(Refused { mistakes, model: model.map(Box::new), refusal, has_bodies }),
     };
     Parsed { item, model }
 }

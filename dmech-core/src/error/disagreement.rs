@@ -12,6 +12,7 @@ pub struct Disagreement {
     pub(crate) quantity: Word,
     pub(crate) written: f64,
     pub(crate) derived: f64,
+    pub(crate) panics: bool,
     pub(crate) time: f64,
     /// The first coordinates, and how many there are.
     pub(crate) place: [f64; 3],
@@ -39,7 +40,12 @@ impl Disagreement {
         self.quantity
     }
 
-    /// What the author's method gives.
+    /// Whether the author's method panics there, as `clamp` does between ends in the wrong order; a run does not.
+    pub fn panics(&self) -> bool {
+        self.panics
+    }
+
+    /// What the author's method gives; NaN where it [panics](Disagreement::panics).
     pub fn written(&self) -> f64 {
         self.written
     }
@@ -85,6 +91,13 @@ impl fmt::Display for Disagreement {
             Culprit::Body(body) => write!(f, ", body {body}")?,
             #[cfg(feature = "scene")]
             Culprit::Link(a, b) => write!(f, ", bodies {a} and {b}")?,
+        }
+        if self.panics {
+            return write!(
+                f,
+                " a method panics, and what was derived from its text does not; let it return a number wherever the motion may come. \
+                 `clamp` panics where its upper end lies below the lower, and an integer where it overflows"
+            );
         }
         write!(
             f,

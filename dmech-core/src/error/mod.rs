@@ -46,6 +46,20 @@ pub enum Error {
         /// The refused tolerance.
         tolerance: f64,
     },
+    /// A tolerance so small that a step would turn the motion by less than the rounding of its numbers, and a turn take more than
+    /// 2⁵² steps.
+    #[error(
+        "the tolerance {} asks for steps that turn the motion by {} rad, less than its rounding, {}: take a larger one, or a scheme of higher order",
+        Number(*tolerance),
+        Number(*angle),
+        Number(f64::EPSILON)
+    )]
+    TurnVanished {
+        /// The refused tolerance.
+        tolerance: f64,
+        /// The angle in radians by which a step would turn the linearised motion.
+        angle: f64,
+    },
     /// Nothing tells how long a step may be: the force does not vary where the motion is, the law names the time, or a body is driven.
     #[error(
         "the law does not tell how long step {step} from t = {} may be (its force is uniform there, it names the time, or a body is driven): give the longest step with .dt(h)",
@@ -109,6 +123,13 @@ pub enum Error {
         states: u64,
         /// The memory that they take.
         bytes: u64,
+    },
+    /// Two quantities of a run have one name: both are [watched](crate::Simulation::watch), or one is an invariant that the law declares.
+    #[error("the run already has a quantity of the name {name:?}: what is watched needs a name of its own")]
+    WatchedTwice {
+        /// The name.
+        #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
+        name: Word,
     },
     /// A time at which a stepper has no state: it lies outside the next step.
     #[error("t = {} does not lie in the next step, from t = {} to {}", Number(*time), Number(*from), Number(*to))]

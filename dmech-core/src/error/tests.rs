@@ -11,6 +11,7 @@ fn all(x: f64) -> Vec<Error> {
         Error::MissingTimeStep,
         Error::TimeStep { dt },
         Error::Tolerance { tolerance: x },
+        Error::TurnVanished { tolerance: x, angle: x },
         Error::NoTimeScale { step, time },
         Error::StepVanished { step, time, dt },
         Error::Mass { mass: x },
@@ -19,6 +20,7 @@ fn all(x: f64) -> Vec<Error> {
         Error::RecordDt { dt },
         Error::RecordAt { time, start: x },
         Error::Recording { states: 7, bytes: 2_500_000_000_000 },
+        Error::WatchedTwice { name: "height" },
         Error::OutsideStep { time, from: x, to: end },
         Error::Stream(std::io::ErrorKind::StorageFull),
         Error::EndTime { end, dt },
@@ -83,11 +85,13 @@ fn all(x: f64) -> Vec<Error> {
 fn listed(error: &Error) -> bool {
     use Error::*;
     match error {
-        MissingTimeStep | TimeStep { .. } | Tolerance { .. } | NoTimeScale { .. } | StepVanished { .. } => true,
+        MissingTimeStep | TimeStep { .. } | Tolerance { .. } | TurnVanished { .. } => true,
+        NoTimeScale { .. } | StepVanished { .. } => true,
         Mass { .. } | State { .. } | RecordEvery | EndTime { .. } | TimeStandsStill { .. } | Law { .. } => true,
         Underflow { .. } | Link { .. } | Body { .. } | Path { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
         RecordDt { .. } | RecordAt { .. } | Recording { .. } | OutsideStep { .. } | Stream(_) => true,
+        WatchedTwice { .. } => true,
         #[cfg(feature = "scene")]
         Scene(_) => true,
         #[cfg(feature = "serde")]
@@ -115,7 +119,7 @@ fn numbers_in_messages_have_few_digits() {
     }
     let store = if cfg!(feature = "store") { 7 } else { 0 };
     let scene = if cfg!(feature = "scene") { 4 } else { 0 };
-    assert_eq!(numbers, 3 * (60 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
+    assert_eq!(numbers, 3 * (62 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
 }
 
 /// What was not said is not shown as a number; what has two names has both.
@@ -135,7 +139,16 @@ fn messages_name_what_was_asked_for() {
 fn errors_travel() {
     use crate::error::{Culprit, Disagreement};
     let (place, culprit) = ([0.1, 0.2, 0.3], Culprit::Alone);
-    let law = Disagreement { quantity: "force", written: 1.5, derived: 2.5, time: 0.5, place, dimension: 2, culprit };
+    let law = Disagreement {
+        quantity: "force",
+        written: 1.5,
+        derived: 2.5,
+        panics: false,
+        time: 0.5,
+        place,
+        dimension: 2,
+        culprit,
+    };
     let mut travelled = 0;
     for error in all(2.5).into_iter().chain([Error::NotAsWritten(law), Error::FirstRank]) {
         match postcard::to_allocvec(&error) {

@@ -151,7 +151,20 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         const { assert!(O::QUANTITIES <= MAX_OWN, "a run watches eight quantities at most") };
         self.attend.begin(&state)?;
         self.attend.look((self.time)(&state), &state);
+        if O::QUANTITIES > 0 {
+            self.check_names()?;
+        }
         if matches!(self.due, Due::Every(_)) { self.keep(state) } else { self.record_due(state) }
+    }
+
+    /// Refuses a name that two quantities have: the second could not be asked for.
+    fn check_names(&self) -> Result<(), Error> {
+        let (mut named, mut twice) = (self.watch.own_drifts(), None);
+        self.attend.drifts(&mut |name, drift| {
+            twice = twice.or(named.of(name).map(|_| name));
+            named.add(name, drift);
+        });
+        twice.map_or(Ok(()), |name| Err(Error::WatchedTwice { name }))
     }
 
     /// Makes so many steps, or fewer if the motion arrives; where the run was stopped, if it was.

@@ -148,7 +148,7 @@ impl<X> Run<X> {
         self.report.drift_of(name)
     }
 
-    /// How well the scheme must keep an invariant that the law has.
+    /// How well the scheme must keep an invariant; [`Kept::No`] where [`drift`](Run::drift) is `None`, as that of the energy is under a drag.
     pub fn kept(&self, invariant: Invariant) -> Kept {
         self.report.kept(invariant)
     }

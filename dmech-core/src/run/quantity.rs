@@ -25,7 +25,10 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// At most eight.
+    /// At most eight, each with a name of its own, which no invariant of the law has.
+    ///
+    /// # Errors
+    /// When run: [`Error::WatchedTwice`](crate::Error::WatchedTwice).
     pub fn watch<F: FnMut(&X::State) -> f64>(
         self,
         name: &'static str,

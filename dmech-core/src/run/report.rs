@@ -116,9 +116,9 @@ impl Report {
         self.own.iter()
     }
 
-    /// How well the scheme must keep an invariant.
+    /// How well the scheme must keep an invariant; [`Kept::No`] where [`drift`](Report::drift) is `None`: what there is not is not kept.
     pub fn kept(&self, invariant: Invariant) -> Kept {
-        self.kept[invariant as usize]
+        self.drift(invariant).map_or(Kept::No, |_| self.kept[invariant as usize])
     }
 
     /// Evaluations of the force, the start not counted.

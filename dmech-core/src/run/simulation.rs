@@ -55,9 +55,10 @@ pub(crate) struct Settings {
 
 impl Settings {
     /// The length of the steps, with a tolerance the longest.
-    fn step_length<R: Real>(&self, tolerance: Option<f64>) -> Result<f64, Error> {
-        let dt = self.dt.or(tolerance.map(|_| f64::INFINITY)).ok_or(Error::MissingTimeStep)?;
-        check_step::<R>(tolerance, dt)?;
+    fn step_length<R: Real>(&self, scheme: &impl Method) -> Result<f64, Error> {
+        let unlimited = scheme.tolerance().map(|_| f64::INFINITY);
+        let dt = self.dt.or(unlimited).ok_or(Error::MissingTimeStep)?;
+        check_step::<R>(scheme, dt)?;
         Ok(dt)
     }
 }
@@ -128,7 +129,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     where
         S: Method,
     {
-        self.settings.step_length::<R>(self.scheme.tolerance())
+        self.settings.step_length::<R>(&self.scheme)
     }
 
     pub(crate) fn with(mut self, set: impl FnOnce(&mut Settings)) -> Self {
@@ -205,8 +206,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// ```
     ///
     /// # Errors
-    /// When run: [`Error::Tolerance`](crate::Error::Tolerance), [`Error::NoTimeScale`](crate::Error::NoTimeScale), and
-    /// [`Error::StepVanished`](crate::Error::StepVanished) in a collision.
+    /// When run: [`Error::Tolerance`](crate::Error::Tolerance), and [`Error::TurnVanished`](crate::Error::TurnVanished) for one so small
+    /// that a step would turn the motion by less than 2⁻⁵², as 4·10⁻³² does of `DiscreteGradient` and 10⁻²⁶⁰ of `Gauss`;
+    /// [`Error::NoTimeScale`](crate::Error::NoTimeScale), and [`Error::StepVanished`](crate::Error::StepVanished) in a collision.
     pub fn adaptive(self, tolerance: f64) -> Simulation<L, X, Adaptive<S>, O>
     where
         S: Adaptable,

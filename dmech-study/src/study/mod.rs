@@ -214,6 +214,8 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
         if longest.is_nan() || longest <= 0.0 {
             return Err(dmech_core::Error::TimeStep { dt: longest }.into());
         }
+        // Steps that are no longer have to reach the end.
+        dmech_core::extend::steps_until(case.t(), end, longest)?;
         let ladder = ladder.map(|steps| ladder::steps(steps, case.end - case.t())).transpose()?;
         let tolerances = runners.iter().map(|runner| runner.tolerances().map(ladder::tolerances).transpose());
         let tolerances = tolerances.collect::<Result<Vec<_>, _>>()?;

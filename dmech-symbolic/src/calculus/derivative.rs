@@ -52,7 +52,7 @@ impl<'a> Walk<'a> {
                 continue;
             }
             let Some(summands) = arriving.remove(&node) else { continue };
-            let adjoint = graph.add(&summands);
+            let adjoint = if self.of_slope { graph.add(&summands) } else { graph.add_fractions(&summands) };
             if graph.is_zero(adjoint) {
                 continue;
             }

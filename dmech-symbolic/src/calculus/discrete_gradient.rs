@@ -72,7 +72,7 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             continue;
         }
         let summands = std::mem::take(&mut arriving[node.index()]);
-        let adjoint = graph.add(&summands);
+        let adjoint = graph.add_fractions(&summands);
         if graph.is_zero(adjoint) {
             continue;
         }

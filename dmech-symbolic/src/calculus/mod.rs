@@ -5,6 +5,7 @@ mod discrete_gradient;
 mod divided_difference;
 mod gateways;
 mod piecewise;
+mod quotient;
 mod slopes;
 mod two_arguments;
 

@@ -16,5 +16,6 @@ mod pairs;
 mod paper;
 mod piecewise;
 mod programs;
+mod quotients;
 mod rules;
 mod structure;

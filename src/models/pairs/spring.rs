@@ -10,7 +10,30 @@
 /// The law is linear only on a line or with ℓ = 0: a spring that turns has a direction of its own.
 ///
 /// # Domain
-/// r > 0; a spring of length ℓ > 0 has no direction at r = 0.
+/// r > 0; a spring of length ℓ > 0 has no direction at r = 0. With ℓ = 0 it has a force there, 0, but as k (r − ℓ)/r is computed it is 0/0: two
+/// bodies in one place are refused whatever ℓ is. Springs of no length whose bodies may meet are a law of their own, and a linear one:
+///
+/// ```
+/// use dmech::prelude::*;
+///
+/// struct Tie {
+///     k: f64,
+/// }
+///
+/// #[dmech::law]
+/// impl Tie {
+///     #[pair]
+///     fn energy(&self, r: f64) -> f64 {
+///         0.5 * self.k * r * r
+///     }
+/// }
+///
+/// let meeting = Scene::new().body(1.0, [0.3, 0.1], [0.5, 0.0]).body(2.0, [0.3, 0.1], [-0.25, 0.0]);
+/// let run = Simulation::scene(meeting.pairs(Tie { k: 1.3 })).scheme(DiscreteGradient).dt(0.02).run(1000)?;
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Invariants
 /// Energy, linear and angular momentum.
 /// # Source

@@ -321,6 +321,12 @@ fn adaptive_schemes_have_tolerances() {
         let refused = study().adaptive(DiscreteGradient, [1e-3, tolerance]).run().unwrap_err();
         assert_eq!(refused, StudyError::Motion(Error::Tolerance { tolerance }));
     }
+    // One that no step can follow fails alone; a longest step that does not reach the end is one for all.
+    let fine = study().adaptive(DiscreteGradient, [1e-3, 1e-300]).run().unwrap();
+    let results: Vec<_> = fine.rows().iter().map(|row| row.result().map(|_| ())).collect();
+    assert!(matches!(results[..], [Ok(()), Err(Error::TurnVanished { tolerance: 1e-300, .. })]), "{results:?}");
+    let short = study().adaptive(DiscreteGradient, [1e-3]).dt(1e-300).run().unwrap_err();
+    assert_eq!(short, StudyError::Motion(Error::EndTime { end, dt: 1e-300 }));
     assert_eq!(study().adaptive(DiscreteGradient, []).run().unwrap_err(), StudyError::NoTolerances);
 }
 

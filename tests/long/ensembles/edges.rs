@@ -94,6 +94,8 @@ fn none_and_one_and_no_steps() {
     assert_eq!(missing.unwrap_err(), Error::MissingTimeStep);
     let tolerance = ensemble(9).scheme(DiscreteGradient).adaptive(0.0).run_until(1.0);
     assert_eq!(tolerance.unwrap_err(), Error::Tolerance { tolerance: 0.0 });
+    let fine = ensemble(9).scheme(DiscreteGradient).adaptive(1e-300).run_until(1.0);
+    assert!(matches!(fine.unwrap_err(), Error::TurnVanished { tolerance: 1e-300, .. }));
     // What is to be recorded, and when the end is.
     assert_eq!(ensemble(9).dt(0.1).look_every(0).run(1).unwrap_err(), Error::RecordEvery);
     assert_eq!(ensemble(9).dt(0.1).record_dt(0.0).run(1).unwrap_err(), Error::RecordDt { dt: 0.0 });

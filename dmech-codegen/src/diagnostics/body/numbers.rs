@@ -161,6 +161,17 @@ pub(crate) fn cast_to_integer(e: &impl ToTokens) -> Error {
     at(e, "an integer has no derivative; keep the number as `f64`: `floor`, `round` and `trunc` are functions of it")
 }
 
+/// `self.n as i32`, which is no number that the macro could unroll by.
+pub(crate) fn field_as_integer(e: &impl ToTokens, field: &impl ToTokens, found: &str) -> Error {
+    let field = text(field);
+    at(
+        e,
+        format!(
+            "an integer is known when the macro runs, and `{field}` is {found}; keep it a number: a power by it is `powf({field})`"
+        ),
+    )
+}
+
 pub(crate) fn cast(e: &impl ToTokens, found: &str) -> Error {
     at(e, format!("only integers and numbers can be cast, to `f64` or to an integer type; this is {found}"))
 }
@@ -205,6 +216,19 @@ pub(crate) fn power_exponent(e: &impl ToTokens, found: &str) -> Error {
         format!(
             "the exponent of `powi` is an integer that is known when the macro runs, this is {found}; for any other exponent \
              write `powf`"
+        ),
+    )
+}
+
+/// An exponent with a field in it, which may stand in a cast alone.
+pub(crate) fn power_by_field(e: &impl ToTokens, field: &impl ToTokens, found: &str, is_cast: bool) -> Error {
+    let field = text(field);
+    let instead =
+        if is_cast { format!("`powf({field})`") } else { format!("`powf`, and `{field} as f64` for `{field}`") };
+    at(
+        e,
+        format!(
+            "the exponent of `powi` is an integer that is known when the macro runs, and `{field}` is {found}; write {instead}"
         ),
     )
 }

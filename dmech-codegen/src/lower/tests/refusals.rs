@@ -137,6 +137,27 @@ fn functions_without_a_derivative() {
             "the exponent of `powi` is an integer that is known when the macro runs, this is a number; for any other exponent write `powf`",
         ],
     );
+    let by_field = |instead: &str| {
+        format!(
+            "the exponent of `powi` is an integer that is known when the macro runs, and `self.n` is a field of the law; write {instead}"
+        )
+    };
+    let (alone, among) = (by_field("`powf(self.n)`"), by_field("`powf`, and `self.n as f64` for `self.n`"));
+    refused("q[0].powi(«self.n as i32»)", &[&alone]);
+    refused("f64::powi(q[0], «(self.n) as i32») + q[1].powi(«self.n»)", &[&alone, &among]);
+    refused("q[0].powi(«2 * self.n») + q[0].powi(«-(self.n as i32) + 1»)", &[&among, &among]);
+    refused(
+        "q[0].powi(«nine»)",
+        &[
+            "`nine` is neither a coordinate nor a parameter; declared coordinates: `q`. A parameter is a field of the law: `self.nine`",
+        ],
+    );
+    refused(
+        "let n = «self.n as i32»; q[0].powi(n)",
+        &[
+            "an integer is known when the macro runs, and `self.n` is a field of the law; keep it a number: a power by it is `powf(self.n)`",
+        ],
+    );
     refused("q[0].powf(«2»)", &["`powf` takes a number; write `powi(2)`, or the exponent with a decimal point"]);
     refused("«q[0].powi(100000)»", &["this power is larger than 4096, beyond any use in a law"]);
     refused(
@@ -283,6 +304,15 @@ fn arrays_and_indices() {
             "how long `self.k` is cannot be seen from the impl block; write `for i in 0..3` with `self.k[i]`, or bind it with its type: `let k: [f64; 3] = self.k;`",
         ],
     );
+    for borrowed in ["for &x in &«self.k» { } 0.0", "for x in &(«self.k») { } 0.0", "(&«self.k»).iter().sum::<f64>()"]
+    {
+        refused(
+            borrowed,
+            &[
+                "how long `self.k` is cannot be seen from the impl block; write `for i in 0..3` with `self.k[i]`, or bind it with its type: `let k: [f64; 3] = self.k;`",
+            ],
+        );
+    }
     refused(
         "«self.k».iter().sum::<f64>()",
         &[
@@ -636,7 +666,7 @@ fn invariants_that_are_none() {
     for (invariant, message) in [
         (
             "fn kept(&self, q: [f64; 2], «m»: f64) -> f64 { q[0] }",
-            "`m` is not an argument a conserved quantity can have; expected one of: `q` (position), `v` (velocity), `t` (time). Parameters are fields of the law: `self.k`",
+            "`m` is not known to a conserved quantity, which is a function of `q`, `v` and `t`; make the mass a field of the law, `self.m`, or state the quantity per unit of mass",
         ),
         (
             "fn kept(&self, q: [f64; 2]) -> «[f64; 2]» { q }",

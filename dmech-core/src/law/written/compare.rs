@@ -69,7 +69,7 @@ pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Probe<D>, clos
 /// still has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only
 /// where the first bound does not do.
 pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agreement {
-    let (own, derived) = (own(law, place), All { acting: law.derived(place), kept: law.derived_invariants(place) });
+    let (own, derived) = (own(law, place), All::new(law.derived(place), law.derived_invariants(place)));
     let names = law.names();
     let mut tracked = None;
     let (mut worst, mut one_sided, mut compared) = (None::<(f64, usize)>, None, false);
@@ -87,8 +87,7 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agre
         if difference <= MARGIN * ROUNDING * written.abs().min(value.abs()) {
             continue;
         }
-        let tracked =
-            tracked.get_or_insert_with(|| All { acting: law.tracked(place), kept: law.tracked_invariants(place) });
+        let tracked = tracked.get_or_insert_with(|| All::new(law.tracked(place), law.tracked_invariants(place)));
         let error = tracked.get(i).error();
         let mut bound = MARGIN * ROUNDING * error;
         if difference > bound {
@@ -107,6 +106,7 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agre
             None => "force",
         },
         written: own.get(i),
+        panics: own.panics[usize::from(i > D)],
         derived: derived.get(i),
         time: place.t,
         place: core::array::from_fn(|k| place.q.get(k).copied().unwrap_or_default()),
@@ -126,19 +126,24 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agre
 fn own<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> All<D> {
     let acting = catch_unwind(AssertUnwindSafe(|| law.own(place)));
     let kept = catch_unwind(AssertUnwindSafe(|| law.own_invariants(place)));
-    All {
-        acting: acting.unwrap_or(Values { potential: f64::NAN, force: [f64::NAN; D] }),
-        kept: kept.unwrap_or([f64::NAN; MAX_OWN]),
-    }
+    let panics = [acting.is_err(), kept.is_err()];
+    let acting = acting.unwrap_or(Values { potential: f64::NAN, force: [f64::NAN; D] });
+    All { acting, kept: kept.unwrap_or([f64::NAN; MAX_OWN]), panics }
 }
 
 /// What a law gives, and what it says it keeps.
 struct All<const D: usize, R = f64> {
     acting: Values<D, R>,
     kept: Kept<R>,
+    /// Whether a method panics of those that act, and of the invariants.
+    panics: [bool; 2],
 }
 
 impl<const D: usize, R: Copy> All<D, R> {
+    fn new(acting: Values<D, R>, kept: Kept<R>) -> Self {
+        All { acting, kept, panics: [false; 2] }
+    }
+
     /// Φ, F₁, F₂, …, the invariants.
     fn get(&self, i: usize) -> R {
         match i {

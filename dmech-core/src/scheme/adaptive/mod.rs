@@ -147,6 +147,15 @@ impl<S: Adaptable> Method for Adaptive<S> {
         Some(self.tolerance)
     }
 
+    fn check(&self) -> Result<(), Error> {
+        let Adaptive { tolerance, angle, .. } = *self;
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(Error::Tolerance { tolerance });
+        }
+        // Shorter steps move nothing but the last digits, and no count of steps reaches a turn.
+        if angle >= f64::EPSILON { Ok(()) } else { Err(Error::TurnVanished { tolerance, angle }) }
+    }
+
     fn until(self, end: f64) -> Self {
         Adaptive { end, ..self }
     }

@@ -68,12 +68,27 @@ fn continued<const D: usize, const N: usize, R: Real>(
     increment: Increment<D, R>,
     positive: [R; N],
 ) -> Result<Increment<D, R>, NotConverged> {
-    if !positive.iter().all(|&x| R::ZERO.less(x).all()) {
+    // In this order: what is finite is seen of several components at once.
+    if !finite(increment.delta) {
+        return Err(lost(increment.delta, positive));
+    }
+    if !all_positive(positive) {
         return Err(NotConverged::NOT_CONTINUED);
     }
-    if finite(increment.delta) {
-        Ok(increment)
+    Ok(increment)
+}
+
+#[inline(always)]
+fn all_positive<const N: usize, R: Real>(x: [R; N]) -> bool {
+    x.iter().all(|&x| R::ZERO.less(x).all())
+}
+
+/// Why a solution is not finite.
+#[cold]
+fn lost<const D: usize, const N: usize, R: Real>(delta: [R; D], positive: [R; N]) -> NotConverged {
+    if all_positive(positive) {
+        NotConverged { iterations: 1, residual: largest(&delta) }
     } else {
-        Err(NotConverged { iterations: 1, residual: largest(&increment.delta) })
+        NotConverged::NOT_CONTINUED
     }
 }

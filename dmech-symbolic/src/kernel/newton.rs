@@ -34,7 +34,7 @@ pub(super) enum Force {
 
 /// What is known of the Jacobian of a force.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub(super) struct Known {
     pub(super) symmetric: bool,
     /// It does not depend on the increment: one correction is the solution, if it has grown from a step of no length.
     pub(super) constant: bool,
@@ -46,7 +46,7 @@ pub(super) fn correction(
     graph: &mut Graph,
     force: &[Expr],
     jacobian: &[Vec<Expr>],
-    shape: Shape,
+    known: Known,
     given: Force,
     variables: &Variables,
 ) -> Program {
@@ -61,7 +61,7 @@ pub(super) fn correction(
             graph.sub(difference, delta)
         })
         .collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, shape.symmetric);
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, known.symmetric);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     let mut outputs = match given {
         Force::InParts => [delta, force.to_vec(), turned].concat(),
@@ -70,7 +70,7 @@ pub(super) fn correction(
             [delta, updated].concat()
         }
     };
-    if shape.constant {
+    if known.constant {
         outputs.extend(positive);
     }
     Program::schedule(graph, &outputs)

@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::EnsembleRun;
 use super::block::Outcome;
 use super::in_order::{Blocks, Hands, Nobody};
-use super::plan::{Nowhere, Opened, Plan, sweep};
+use super::plan::{Nowhere, Opened, Plan, See, sweep};
 use crate::error::Error;
 use crate::run::{Attend, Shown, Simulation};
 use crate::scheme::Scheme;
@@ -42,7 +42,7 @@ impl<F, K> Each<F, K> {
         O: Attend<X::State>,
         K: Keeps<L, X, S, O>,
     {
-        EnsembleRun::gathered(self.members, |see| self.go(Span::Steps(steps), see))
+        EnsembleRun::gathered(self.members, &|see| self.go(Span::Steps(steps), see))
     }
 
     /// Moves each member until a time: [`Simulation::run_until`].
@@ -57,7 +57,7 @@ impl<F, K> Each<F, K> {
         O: Attend<X::State>,
         K: Keeps<L, X, S, O>,
     {
-        EnsembleRun::gathered(self.members, |see| self.go(Span::Until(end), see))
+        EnsembleRun::gathered(self.members, &|see| self.go(Span::Until(end), see))
     }
 
     /// Moves each member until a time, and hands each to a function in their order, with its number:
@@ -108,7 +108,7 @@ impl<F, K> Each<F, K> {
         self.go(Span::Until(end), &mut see)
     }
 
-    fn go<L, X, S, O>(self, span: Span, see: &mut dyn FnMut(usize, Outcome<X::State>)) -> Result<(), Error>
+    fn go<L, X, S, O>(&self, span: Span, see: See<'_, X::State>) -> Result<(), Error>
     where
         F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
         X: Setup<L, State: Send>,
@@ -117,7 +117,7 @@ impl<F, K> Each<F, K> {
         K: Keeps<L, X, S, O>,
     {
         let plan = OneByOne { members: self.members, member: &self.member, span };
-        sweep(&plan, (self.hands, self.shown), self.keep.open(&plan), see, Nobody)
+        sweep(&plan, (self.hands, self.shown.clone()), self.keep.open(&plan), see, Nobody)
     }
 }
 

@@ -88,7 +88,7 @@ where
     let by_time = seats.iter().any(|member| member.every.is_none());
     // Steps between two looks into them.
     let row = if O::EVENTS > 0 || O::OBSERVES { 1 } else { u64::MAX };
-    while !convoy.has_ended() {
+    while !convoy.counts.has_ended() {
         let is_due = by_time && {
             convoy.land_all(seats);
             seats.iter().any(Member::is_due)
@@ -105,8 +105,8 @@ where
             continue;
         }
         let free = if by_time { seats.iter().map(Member::free).min() } else { None };
-        let mut steps = convoy.row().min(free.unwrap_or(u64::MAX));
-        while steps > 0 && !convoy.has_ended() {
+        let mut steps = convoy.counts.row().min(free.unwrap_or(u64::MAX));
+        while steps > 0 && !convoy.counts.has_ended() {
             if !convoy.advance(steps.min(row)) {
                 convoy.land_all(seats);
                 seats.iter_mut().for_each(|member| member.advance(steps));
@@ -133,7 +133,7 @@ where
 {
     let (taken, mut lane, mut first) = (seats.len(), 0, false);
     while lane < seats.len() {
-        if convoy.left[lane] > 0 {
+        if convoy.counts.left[lane] > 0 {
             lane += 1;
             continue;
         }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::block::{Block, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Attend, Due, Follow, Interrupted, Log, Prepared};
+use crate::run::{Attend, Due, Follow, Interrupted, Log, Motion, Prepared, Run};
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::stepper::Stepper;
@@ -15,7 +15,7 @@ use crate::system::Particle;
 pub(super) struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, O, const D: usize> {
     pub(super) k: usize,
     pub(super) stepper: Stepper<Particle<L, D>, S>,
-    pub(super) log: Log<State<D>, f64, (O, Forget)>,
+    pub(super) log: LogOf<O, D>,
     /// Steps that are left to make.
     pub(super) left: u64,
     /// Steps from one look at the invariants to the next; none where states are recorded by time.
@@ -28,20 +28,12 @@ pub(super) struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, O, const D: us
 
 impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Member<L, S, O, D> {
     pub(super) fn begin(block: &Block<'_, L, S, O, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
-        let simulation = (block.member)(k);
+        let (simulation, attend) = (block.member)(k).apart();
         let due = simulation.due().clone();
         let every = if let Due::Every(n) = due { Some(n) } else { None };
-        let simulation = simulation.attended(Forget { states: every.is_some() });
-        let Prepared { mut stepper, run, steps: left, attend } = simulation.prepare(block.span)?;
+        let Prepared { mut stepper, run, steps: left } = simulation.prepare(block.span)?;
         stepper.scheme.watch(S::SEES_ROUGH || block.work, &mut stepper.workspace);
-        let mut log = Log::new(&stepper, run, due, attend);
-        if every.is_none() && !O::STREAMS {
-            log = log.with_room(&stepper, left)?;
-        }
-        if !block.work {
-            log.watch.forget_work();
-        }
-        let outcome = log.begin(&stepper).map(|()| None);
+        let (log, outcome) = begin_log(&stepper, run, due, attend, (left, block.work))?;
         // It may begin where it is to end.
         let left = if stepper.arrived() { 0 } else { left };
         Ok(Member { k, stepper, log, left, every, before: None, outcome })
@@ -93,18 +85,7 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 
     /// Everything that follows a step that all have made.
     pub(super) fn look_back(&mut self) {
-        self.outcome = self.what_followed();
-    }
-
-    fn what_followed(&mut self) -> Result<Option<State<D>>, Error> {
-        let Member { stepper, log, before, .. } = self;
-        if let Some(before) = before.take()
-            && let Some(stopped) = log.look_into_the_step(stepper, before.t, &|| before, &stepper.state())?
-        {
-            return Ok(Some(stopped));
-        }
-        log.count(stepper, 0)?;
-        Ok(log.observe(stepper.steps(), &mut || stepper.state()))
+        self.outcome = what_followed(&self.stepper, &mut self.log, self.before.take());
     }
 
     /// Events of a step that was made in a lane.
@@ -140,6 +121,45 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
         });
         log.close(&stepper, outcome, Duration::ZERO)
     }
+}
+
+/// What is written down of a member, and whether it has begun: whatever moves it.
+type Begun<O, const D: usize> = (LogOf<O, D>, Result<Option<State<D>>, Error>);
+
+type LogOf<O, const D: usize> = Log<State<D>, f64, (O, Forget)>;
+
+fn begin_log<O: Attend<State<D>>, const D: usize>(
+    motion: &dyn Motion<State<D>, f64>,
+    run: Run<State<D>>,
+    due: Due,
+    attend: O,
+    (steps, work): (u64, bool),
+) -> Result<Begun<O, D>, Interrupted<State<D>>> {
+    let states = matches!(due, Due::Every(_));
+    let mut log = Log::new(motion, run, due, (attend, Forget { states }));
+    if !states && !O::STREAMS {
+        log = log.with_room(motion, steps)?;
+    }
+    if !work {
+        log.watch.forget_work();
+    }
+    let outcome = log.begin(motion).map(|()| None);
+    Ok((log, outcome))
+}
+
+/// What followed a step, from a state into which it is to be looked if there is one: where the member was stopped.
+fn what_followed<O: Attend<State<D>>, const D: usize>(
+    motion: &dyn Motion<State<D>, f64>,
+    log: &mut LogOf<O, D>,
+    before: Option<State<D>>,
+) -> Result<Option<State<D>>, Error> {
+    if let Some(before) = before
+        && let Some(stopped) = log.look_into_the_step(motion, before.t, &|| before, &motion.state())?
+    {
+        return Ok(Some(stopped));
+    }
+    log.count(motion, 0)?;
+    Ok(log.observe(motion.steps(), &mut || motion.state()))
 }
 
 /// Looks at the states that are due, and keeps none, where they are to be forgotten.

@@ -3,6 +3,7 @@
 mod block;
 mod company;
 mod convoy;
+mod counts;
 mod each;
 mod export;
 mod in_order;
@@ -15,6 +16,7 @@ mod ranks;
 mod rides;
 mod rows;
 mod run;
+mod seen;
 mod share;
 #[cfg(feature = "progress")]
 mod shown;

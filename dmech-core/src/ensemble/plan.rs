@@ -25,6 +25,9 @@ pub(super) type Ranges = Vec<Range<usize>>;
 /// Members that were moved, each with its number, in order.
 pub(super) type Moved<X> = Vec<(usize, Outcome<X>)>;
 
+/// Sees members in their order.
+pub(super) type See<'a, X> = &'a mut dyn FnMut(usize, Outcome<X>);
+
 impl<X> dyn Plan<X> + '_ {
     /// Moves some in several rows.
     pub(super) fn go_all(&self, rows: Ranges) -> Moved<X> {
@@ -76,7 +79,7 @@ pub(super) fn sweep<X: Send, A: Aides<Ranges, Moved<X>>>(
     plan: &dyn Plan<X>,
     (hands, shown): (Hands, Shown),
     keep: Opened<'_, X>,
-    see: &mut dyn FnMut(usize, Outcome<X>),
+    see: See<'_, X>,
     mut aides: A,
 ) -> Result<(), Error> {
     let follow = Follow::new(shown, plan.members() as u64);
@@ -94,7 +97,7 @@ pub(super) fn sweep<X: Send, A: Aides<Ranges, Moved<X>>>(
 /// The members on their way to where they are kept and seen.
 struct Arrival<'a, 'b, X> {
     keep: Box<dyn Keep<X> + 'a>,
-    see: &'b mut dyn FnMut(usize, Outcome<X>),
+    see: See<'b, X>,
     follow: Follow,
     /// How many were seen.
     seen: u64,

@@ -4,6 +4,7 @@ use core::fmt;
 use std::time::{Duration, Instant};
 
 use super::Outcome;
+use super::plan::See;
 use crate::error::Error;
 use crate::invariant::{Drift, Invariant};
 use crate::run::{Columns, Interrupted, Run};
@@ -20,10 +21,7 @@ impl<X: Clone> EnsembleRun<X> {
     ///
     /// # Errors
     /// [`Error`] of what hands them over.
-    pub(super) fn gathered(
-        members: usize,
-        go: impl FnOnce(&mut dyn FnMut(usize, Outcome<X>)) -> Result<(), Error>,
-    ) -> Result<Self, Error> {
+    pub(super) fn gathered(members: usize, go: &dyn Fn(See<'_, X>) -> Result<(), Error>) -> Result<Self, Error> {
         let (clock, mut members) = (Instant::now(), Vec::with_capacity(members));
         go(&mut |_, member| members.push(member))?;
         Ok(EnsembleRun { members, elapsed: clock.elapsed() })

@@ -2,12 +2,13 @@
 
 use super::in_order::Nobody;
 use super::members::{Members, OneLaw};
-use super::plan::{Nowhere, Opened, sweep};
+use super::plan::{Nowhere, Opened, See, sweep};
 #[cfg(feature = "store")]
 use super::store::Stored;
 use super::{Ensemble, EnsembleRun, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
+use crate::method::Method;
 use crate::span::Span;
 use crate::state::State;
 
@@ -20,7 +21,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     where
         Self: Members<Y, D>,
     {
-        EnsembleRun::gathered(self.members, |see| self.go(Span::Steps(steps), see))
+        EnsembleRun::gathered(self.members, &|see| self.go(Span::Steps(steps), see))
     }
 
     /// Moves each member until a time: [`Simulation::run_until`](crate::Simulation::run_until).
@@ -31,7 +32,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     where
         Self: Members<Y, D>,
     {
-        EnsembleRun::gathered(self.members, |see| self.go(Span::Until(end), see))
+        EnsembleRun::gathered(self.members, &|see| self.go(Span::Until(end), see))
     }
 
     /// Moves each member until a time, and hands each to a function in their order, with its number: means, extrema, histograms, and
@@ -50,11 +51,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         self.go(Span::Until(end), &mut see)
     }
 
-    fn go<Y: Fields<D>, const D: usize>(
-        &self,
-        span: Span,
-        see: &mut dyn FnMut(usize, Outcome<State<D>>),
-    ) -> Result<(), Error>
+    fn go<Y: Fields<D>, const D: usize>(&self, span: Span, see: See<'_, State<D>>) -> Result<(), Error>
     where
         Self: Members<Y, D>,
     {
@@ -71,10 +68,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Self: Members<Y, D>,
     {
         let common = self.common();
-        let dt = common.step_length::<f64>()?;
         // What every member would be refused for is one error.
-        common.settings.due.check_for_any()?;
-        span.check(dt)?;
+        common.settings.check_for_all(common.scheme.tolerance(), span)?;
         let (member, bare) = (|k| self.member(k), |k| self.bare(k));
         let Ensemble { members, ref beside, ref hands, .. } = *self;
         then(&OneLaw { members, member: &member, bare: &bare, common, span, work: beside.work, lanes: hands.lanes })

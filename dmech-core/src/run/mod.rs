@@ -37,6 +37,7 @@ pub(crate) use due::Due;
 pub use event::{Crossing, Event};
 pub use interrupted::Interrupted;
 pub(crate) use log::Log;
+pub(crate) use motion::Motion;
 pub use npy::Npy;
 pub use observe::Observer;
 pub use passage::Passage;
@@ -50,6 +51,8 @@ pub(crate) use restored::Restored;
 #[cfg(feature = "progress")]
 pub(crate) use shown::bar;
 pub(crate) use simulation::Prepared;
+#[cfg(any(feature = "ranks", feature = "store"))]
+pub(crate) use simulation::Settings;
 pub use simulation::{Attended, Simulation};
 pub use stream::{Sink, Stream};
 pub use watch::Watch;

@@ -61,6 +61,13 @@ impl Settings {
         check_step::<R>(scheme, dt)?;
         Ok(dt)
     }
+
+    /// Refuses what would be refused of every member of an ensemble.
+    pub(crate) fn check_for_all(&self, tolerance: Option<f64>, span: Span) -> Result<(), Error> {
+        let dt = self.step_length::<f64>(tolerance)?;
+        self.due.check_for_any()?;
+        span.check(dt)
+    }
 }
 
 impl<L, const D: usize, R: Real> Simulation<L, State<D, R>> {
@@ -112,6 +119,12 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     pub(crate) fn accompanied<A>(self, attend: A) -> Simulation<L, X, S, A> {
         let Simulation { law, start, scheme, settings, .. } = self;
         Simulation { law, start, scheme, settings, attend }
+    }
+
+    /// The same alone, and what accompanies it.
+    pub(crate) fn apart(self) -> (Simulation<L, X, S>, O) {
+        let Simulation { law, start, scheme, settings, attend } = self;
+        (Simulation { law, start, scheme, settings, attend: () }, attend)
     }
 
     /// The same accompanied by one thing more.
@@ -318,18 +331,17 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         O: Attend<X::State>,
     {
         let (due, shown) = (self.settings.due.clone(), self.settings.shown.clone());
-        let Prepared { mut stepper, run, steps, attend } = self.prepare(span)?;
+        let (bare, attend) = self.apart();
+        let Prepared { mut stepper, run, steps } = bare.prepare(span)?;
         stepper.scheme.watch(true, &mut stepper.workspace);
         record(&mut stepper, run, steps, (due, attend), shown)
     }
+}
 
-    /// Everything that a run begins with.
-    pub(crate) fn prepare(self, span: Span) -> Preparation<L, X, S, O>
-    where
-        X: Setup<L>,
-        S: Scheme<X::System>,
-    {
-        let Simulation { law, start, scheme, settings, attend } = self;
+impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
+    /// Everything that a run begins with, whatever accompanies it.
+    pub(crate) fn prepare(self, span: Span) -> Result<Prepared<X::System, S>, Interrupted<X::State>> {
+        let Simulation { law, start, scheme, settings, attend: () } = self;
         let scheme = if let Span::Until(end) = span { scheme.until(end) } else { scheme };
         let (first, mass) = (start.start(), start.mass(settings.mass));
         let run = Run::empty(first, &scheme, settings.dt.unwrap_or(f64::NAN), mass);
@@ -340,22 +352,18 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
             Ok((steps, stepper))
         });
         match prepared {
-            Ok((steps, stepper)) => Ok(Prepared { stepper, run, steps, attend }),
+            Ok((steps, stepper)) => Ok(Prepared { stepper, run, steps }),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }
 }
 
 /// A run before its first step.
-pub(crate) struct Prepared<Y: System, S: Scheme<Y>, O> {
+pub(crate) struct Prepared<Y: System, S: Scheme<Y>> {
     pub(crate) stepper: Stepper<Y, S>,
     pub(crate) run: Run<Y::State>,
     pub(crate) steps: u64,
-    pub(crate) attend: O,
 }
-
-pub(crate) type Preparation<L, X, S, O> =
-    Result<Prepared<<X as Setup<L>>::System, S, O>, Interrupted<<X as Setup<L>>::State>>;
 
 /// A simulation that is accompanied by one thing more.
 pub type Attended<L, X, S, O, A> = Simulation<L, X, S, (O, A)>;

@@ -23,24 +23,35 @@ where
     S: Rides<L::Law, D> + Sync,
 {
     let Settings { dt, every, end } = prepare(Settings { dt: Some(0.05), every: 3, end: 2.0 });
-    let ensemble = Ensemble::of(MEMBERS).law(L::law).start(L::begin).mass(mass).scheme(scheme);
+    let ensemble = Ensemble::of(MEMBERS).law(L::law).start(L::begin).mass(mass).scheme(scheme).look_every(every);
     let ensemble = match dt {
         Some(dt) => ensemble.dt(dt),
         None => ensemble,
     };
-    let run = ensemble.clone().look_every(every).run_until(end).unwrap();
-    let few = ensemble.lanes(7).threads(1).look_every(every).watch_work().run_until(end).unwrap();
-    assert_eq!(run.checksum(), few.checksum(), "{name}");
-    let mut steps = 0;
-    for k in 0..MEMBERS {
+    let run = ensemble.clone().run_until(end).unwrap();
+    let few = ensemble.lanes(7).threads(1).watch_work().run_until(end).unwrap();
+    are_alone(name, [&run, &few], &|k| {
         let alone = Simulation::new(L::law(k), L::begin(k)).mass(mass(k)).scheme(scheme).record_every(every);
         let alone = match dt {
             Some(dt) => alone.dt(dt),
             None => alone,
         };
-        let alone = alone.run_until(end).unwrap();
+        alone.run_until(end).unwrap()
+    });
+}
+
+/// Members without the work of their steps, and with it, are what each is alone.
+fn are_alone<const D: usize>(
+    name: &str,
+    [run, few]: [&EnsembleRun<State<D>>; 2],
+    alone: &dyn Fn(usize) -> Run<State<D>>,
+) {
+    assert_eq!(run.checksum(), few.checksum(), "{name}");
+    let mut steps = 0;
+    for k in 0..MEMBERS {
+        let alone = alone(k);
         steps += alone.steps();
-        for (run, works) in [(&run, false), (&few, true)] {
+        for (run, works) in [(run, false), (few, true)] {
             let member = run.member(k).unwrap();
             assert_eq!((member.steps(), member.last()), (alone.steps(), alone.last()), "{name}, member {k}");
             assert_eq!(member.report().dt_range(), alone.report().dt_range(), "{name}, member {k}");

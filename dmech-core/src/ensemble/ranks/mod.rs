@@ -15,7 +15,7 @@ use serde::de::DeserializeOwned;
 
 use super::each::OneByOne;
 use super::in_order::Hands;
-use super::plan::{Opened, sweep};
+use super::plan::{Opened, See, sweep};
 use super::told::Told;
 use super::{Each, Ensemble, EnsembleRun, Keeps, Members, Outcome};
 use crate::checkpoint::Saved;
@@ -125,7 +125,7 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     where
         E: Travels<M, X>,
     {
-        let run = EnsembleRun::gathered(0, |see| self.ensemble.travel(self.ranks, span, see))?;
+        let run = EnsembleRun::gathered(0, &|see| self.ensemble.travel(self.ranks, span, see))?;
         Ok((self.ranks.rank() == 0).then_some(run))
     }
 }
@@ -140,9 +140,6 @@ pub trait Travels<M, X> {
     #[doc(hidden)]
     fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X>) -> Result<(), Error>;
 }
-
-/// Sees members in their order.
-type See<'a, X> = &'a mut dyn FnMut(usize, Outcome<X>);
 
 impl<L, X, S, M, C, Y: Fields<D>, const D: usize> Travels<Y, State<D>> for Ensemble<L, X, S, M, C>
 where

@@ -7,8 +7,6 @@ use super::Checksum;
 use super::plan::Plan;
 use crate::checkpoint::{Fingerprint, Saved};
 use crate::error::Error;
-use crate::flat::Flat;
-use crate::method::Method;
 use crate::run::{Attend, Restored, Run};
 use crate::span::Span;
 
@@ -90,21 +88,31 @@ fn acts<Y: Saved>(system: &Y, state: &Y::State) -> u64 {
     Fingerprint::of(system, Y::time(state), system.vectors(state)).bits()
 }
 
-/// What is said of all members of a kind that a scheme moves: they have these numbers by name, and are accompanied by something.
-fn whole<X: Flat, S: Method, O: Attend<X>>(members: usize, span: Span, fields: String) -> Vec<(&'static str, Said)> {
+/// What accompanies members, as far as it can be told without having it made: that may open files.
+fn company<X, O: Attend<X>>() -> String {
+    let observed = if O::OBSERVES { ", observed" } else { "" };
+    format!("{} events and {} watched quantities{observed}", O::EVENTS, O::QUANTITIES)
+}
+
+/// What is said of all members of so many coordinates that a scheme of a name and an order moves: they have these numbers by name, and are
+/// accompanied by something.
+fn whole(
+    (members, dimension): (usize, usize),
+    span: Span,
+    fields: String,
+    (scheme, order): (&str, u32),
+    company: String,
+) -> Vec<(&'static str, Said)> {
     let [steps, end] = match span {
         Span::Steps(steps) => [Said::Count(steps), Said::Nothing],
         Span::Until(end) => [Said::Nothing, Said::Number(end)],
     };
-    // As far as it can be told without having it made: that may open files.
-    let observed = if O::OBSERVES { ", observed" } else { "" };
-    let company = format!("{} events and {} watched quantities{observed}", O::EVENTS, O::QUANTITIES);
     vec![
         ("members", Said::Count(members as u64)),
-        ("dimension", Said::Count(X::DIMENSION as u64)),
+        ("dimension", Said::Count(dimension as u64)),
         ("fields", Said::Words(fields)),
-        ("scheme", Said::Words(S::NAME.to_owned())),
-        ("order", Said::Count(S::ORDER.into())),
+        ("scheme", Said::Words(scheme.to_owned())),
+        ("order", Said::Count(order.into())),
         ("steps", steps),
         ("end", end),
         ("company", Said::Words(company)),

@@ -1,6 +1,6 @@
 //! Members of any kind: each has a list of its own numbers.
 
-use super::{Named, Said, SetUp, Told, acts, whole};
+use super::{Named, Said, SetUp, Told, acts, company, whole};
 use crate::checkpoint::Saved;
 use crate::ensemble::each::OneByOne;
 use crate::error::Error;
@@ -18,7 +18,8 @@ where
 {
     fn whole(&self) -> Vec<(&'static str, Said)> {
         let bodies = if X::State::LISTED { ", of as many bodies as it has" } else { "" };
-        whole::<X::State, S, O>(self.members, self.span, format!("each its own{bodies}"))
+        let (members, fields) = ((self.members, X::State::DIMENSION), format!("each its own{bodies}"));
+        whole(members, self.span, fields, (S::NAME, S::ORDER), company::<X::State, O>())
     }
 
     fn columns(&self) -> Named {

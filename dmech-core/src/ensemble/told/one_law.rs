@@ -1,12 +1,12 @@
 //! Members of one law: their numbers stand in columns.
 
-use super::{Named, Said, SetUp, Told, acts, whole};
+use super::{Named, Said, SetUp, Told, acts, company, whole};
 use crate::ensemble::members::OneLaw;
 use crate::ensemble::rides::Rides;
 use crate::error::Error;
 use crate::flat::Flat;
 use crate::law::{Fields, Numbers};
-use crate::run::{Attend, Restored, Run, Simulation};
+use crate::run::{Attend, Restored, Run, Settings, Simulation};
 use crate::state::State;
 use crate::system::Particle;
 
@@ -14,41 +14,60 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> T
     for OneLaw<'_, L, S, O, D>
 {
     fn whole(&self) -> Vec<(&'static str, Said)> {
-        let number = |x: Option<f64>| x.map_or(Said::Nothing, Said::Number);
-        let scheme = &self.common.scheme;
-        let work = if self.work { ", and the work of each step" } else { "" };
-        let mut whole = whole::<_, S, O>(self.members, self.span, self.columns().numbers[1..].join(", "));
-        whole.extend([
-            ("tolerance", number(scheme.tolerance())),
-            ("dt", number(self.common.settings.dt)),
-            ("options", Said::Words(format!("{scheme:?}"))),
-            ("looks", Said::Words(format!("{}{work}", self.common.due()))),
-            ("invariants", Said::Words(L::INVARIANTS.join(", "))),
-        ]);
+        let Simulation { scheme, settings, .. } = self.common;
+        let (members, fields) = ((self.members, D), columns::<L, D>()[1..].join(", "));
+        let mut whole = whole(members, self.span, fields, (S::NAME, S::ORDER), company::<_, O>());
+        whole.extend(common(settings, self.work, (scheme.tolerance(), format!("{scheme:?}")), L::INVARIANTS));
         whole
     }
 
-    /// The mass, and the numbers of the law, by their places where they have no names.
     fn columns(&self) -> Named {
-        let (mut names, count) = (Vec::new(), <L::Numbers as Numbers>::COUNT);
-        L::names(&mut |name| names.push(name));
-        let places: Vec<String> = (0..count).map(|i| i.to_string()).collect();
-        if names.len() != count {
-            names = places.iter().map(String::as_str).collect();
-        }
-        Named { words: &[], numbers: named("mass", &names) }
+        Named { words: &[], numbers: columns::<L, D>() }
     }
 
     fn set_up(&self, k: usize) -> SetUp {
         let Simulation { law, start, settings, .. } = (self.bare)(k);
-        let numbers = [&[settings.mass], law.numbers().list().as_slice()].concat();
-        let acts = acts(&Particle::with_mass(law, settings.mass), &start);
-        SetUp { words: Vec::new(), numbers, start: start.flat(), list: Vec::new(), acts }
+        set_up(law, settings.mass, &start)
     }
 
     fn restore(&self, k: usize, run: Restored<State<D>>) -> Result<Run<State<D>>, Error> {
         (self.bare)(k).restore(run)
     }
+}
+
+/// What a scheme, with its tolerance and its options, and the settings have in common for all.
+fn common(
+    settings: &Settings,
+    work: bool,
+    (tolerance, options): (Option<f64>, String),
+    invariants: &[&str],
+) -> [(&'static str, Said); 5] {
+    let number = |x: Option<f64>| x.map_or(Said::Nothing, Said::Number);
+    let work = if work { ", and the work of each step" } else { "" };
+    [
+        ("tolerance", number(tolerance)),
+        ("dt", number(settings.dt)),
+        ("options", Said::Words(options)),
+        ("looks", Said::Words(format!("{}{work}", settings.due))),
+        ("invariants", Said::Words(invariants.join(", "))),
+    ]
+}
+
+/// The mass, and the numbers of the law, by their places where they have no names.
+fn columns<L: Fields<D>, const D: usize>() -> Vec<String> {
+    let (mut names, count) = (Vec::new(), <L::Numbers as Numbers>::COUNT);
+    L::names(&mut |name| names.push(name));
+    let places: Vec<String> = (0..count).map(|i| i.to_string()).collect();
+    if names.len() != count {
+        names = places.iter().map(String::as_str).collect();
+    }
+    named("mass", &names)
+}
+
+fn set_up<L: Fields<D>, const D: usize>(law: L, mass: f64, start: &State<D>) -> SetUp {
+    let numbers = [&[mass], law.numbers().list().as_slice()].concat();
+    let acts = acts(&Particle::with_mass(law, mass), start);
+    SetUp { words: Vec::new(), numbers, start: start.flat(), list: Vec::new(), acts }
 }
 
 /// Names of columns: one, then those of a law's fields, none twice; SQLite does not tell large letters from small ones.

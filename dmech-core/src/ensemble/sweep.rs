@@ -69,7 +69,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     {
         let common = self.common();
         // What every member would be refused for is one error.
-        common.settings.check_for_all(common.scheme.tolerance(), span)?;
+        common.settings.check_for_all(&common.scheme, span)?;
         let (member, bare) = (|k| self.member(k), |k| self.bare(k));
         let Ensemble { members, ref beside, ref hands, .. } = *self;
         then(&OneLaw { members, member: &member, bare: &bare, common, span, work: beside.work, lanes: hands.lanes })

@@ -63,8 +63,8 @@ impl Settings {
     }
 
     /// Refuses what would be refused of every member of an ensemble.
-    pub(crate) fn check_for_all(&self, tolerance: Option<f64>, span: Span) -> Result<(), Error> {
-        let dt = self.step_length::<f64>(tolerance)?;
+    pub(crate) fn check_for_all(&self, scheme: &impl Method, span: Span) -> Result<(), Error> {
+        let dt = self.step_length::<f64>(scheme)?;
         self.due.check_for_any()?;
         span.check(dt)
     }

@@ -8,7 +8,6 @@ use super::store::Stored;
 use super::{Ensemble, EnsembleRun, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::method::Method;
 use crate::span::Span;
 use crate::state::State;
 

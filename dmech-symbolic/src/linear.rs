@@ -1,4 +1,5 @@
-//! Symbolic solution of A x = r: closed forms for up to three unknowns, elimination without pivoting above.
+//! Symbolic solution of A x = r: closed forms for up to three unknowns, elimination without exchange of rows above, and for a
+//! matrix that must be positive definite always.
 //!
 //! The matrices are 1 + g H of implicit steps, near the unit matrix when the step resolves the motion. Zeros cost
 //! nothing: products with 0 vanish as they are built.
@@ -16,8 +17,20 @@ pub struct Solution {
     pub positive: Vec<Expr>,
 }
 
-/// x with A x = r. `symmetric` says that A is, so that LDLᵀ serves; else LU.
-pub fn solve(graph: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Solution {
+/// What is known of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Matrix {
+    /// Nothing: LU, or Cramer's rule.
+    General,
+    /// It is symmetric: LDLᵀ, or Cramer's rule.
+    Symmetric,
+    /// It is symmetric and must be positive definite: LDLᵀ, stable whatever its condition is. The determinants of Cramer's rule lose
+    /// the digits that a stiff and a soft direction have in common.
+    Definite,
+}
+
+/// x with A x = r.
+pub fn solve(graph: &mut Graph, a: &[Vec<Expr>], r: &[Expr], known: Matrix) -> Solution {
     let n = r.len();
     let diagonal = (0..n).all(|i| (0..n).all(|j| i == j || graph.is_zero(a[i][j])));
     let mut solution = match n {
@@ -25,8 +38,8 @@ pub fn solve(graph: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) ->
             x: (0..n).map(|i| graph.div(r[i], a[i][i])).collect(),
             positive: (0..n).map(|i| a[i][i]).collect(),
         },
-        2 | 3 => cramer(graph, a, r, symmetric),
-        _ => eliminate(graph, a, r, symmetric),
+        2 | 3 if known != Matrix::Definite => cramer(graph, a, r, known),
+        _ => eliminate(graph, a, r, known),
     };
     // Each once, and not what is 1 whatever the step is.
     let mut seen = vec![graph.one()];
@@ -40,7 +53,7 @@ pub fn solve(graph: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) ->
 }
 
 /// Cramer's rule, by cofactors.
-fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Solution {
+fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], known: Matrix) -> Solution {
     let n = r.len();
     let mut minor = |i: usize, j: usize| -> Expr {
         let rows: Vec<_> = (0..n).filter(|&k| k != i).collect();
@@ -59,7 +72,7 @@ fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Soluti
     let determinant = g.add(&expansion);
     // The leading minor of two rows of three is the last cofactor.
     let leading = [a[0][0], cofactors[n - 1][n - 1]];
-    let minors = if symmetric { &leading[..n - 1] } else { &[] };
+    let minors = if known == Matrix::Symmetric { &leading[..n - 1] } else { &[] };
     let positive = [minors, &[determinant]].concat();
     let x = (0..n)
         .map(|j| {
@@ -72,8 +85,8 @@ fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Soluti
 }
 
 /// Gaussian elimination: A = L D Lᵀ where A is symmetric, A = L U otherwise.
-fn eliminate(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], symmetric: bool) -> Solution {
-    let n = r.len();
+fn eliminate(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], known: Matrix) -> Solution {
+    let (n, symmetric) = (r.len(), known != Matrix::General);
     let (mut a, mut r) = (a.to_vec(), r.to_vec());
     for k in 0..n {
         for i in k + 1..n {

@@ -338,8 +338,8 @@ fn in_steps(dt: f64) -> String {
 /// What became of the equation of a step.
 fn not_converged(iterations: u32, residual: f64) -> String {
     if iterations == 0 {
-        return "is too long: down a hill, or wherever else a linear force leads away, the only root of its equation lies on the \
-                other side and does not continue the motion; take shorter steps"
+        return "is too long: the equation of this linear force has no root that continues the motion, as down a hill, where its \
+                only one lies on the other side, or none that rounding leaves; take shorter steps"
             .into();
     }
     format!("did not converge: after {iterations} iterations the last correction was {}", Number(residual))

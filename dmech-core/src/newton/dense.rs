@@ -4,7 +4,7 @@ use crate::vector::{by_component, by_entry};
 
 use dmech_scalar::Real;
 
-use super::{Correction, Equation, Increment, NotConverged, drive, drive_middle, elimination, once};
+use super::{Correction, Equation, Increment, NotConverged, drive, drive_middle, elimination, once, once_discrete};
 
 /// Solves Δ + g G(q + Δ) = drift − frozen, given b ↦ (G(b), J(b)) with J = ∂G/∂b.
 ///
@@ -78,12 +78,7 @@ pub fn linear<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    once(equation, |equation, delta, b| {
-        let (gradient, jacobian) = force(b);
-        let matrix = newton_matrix(equation.g, &jacobian);
-        let (change, pivots) = elimination::solve_definite(matrix, rest(equation, delta, gradient));
-        (Correction::in_parts(change, gradient, turned(&jacobian, change)), pivots)
-    })
+    once(equation, |equation, delta, b| definite(equation, delta, force(b)))
 }
 
 /// As [`linear`], for a force (a, b) ↦ (G(a, b), ∂G/∂b) between two points.
@@ -94,7 +89,18 @@ pub fn linear_discrete<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    linear(equation, |b| force(equation.a, b))
+    once_discrete(equation, |equation, a, delta, b| definite(equation, delta, force(a, b)))
+}
+
+/// The correction and the pivots of 1 + g J.
+fn definite<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    delta: [R; D],
+    (gradient, jacobian): ([R; D], [[R; D]; D]),
+) -> (Correction<D, R>, [R; D]) {
+    let matrix = newton_matrix(equation.g, &jacobian);
+    let (change, pivots) = elimination::solve_definite(matrix, rest(equation, delta, gradient));
+    (Correction::in_parts(change, gradient, turned(&jacobian, change)), pivots)
 }
 
 fn correction<const D: usize, R: Real>(

@@ -1,4 +1,4 @@
-//! Linear forces: one correction from Δ = 0 is the solution, if it continues that of a shorter step.
+//! Linear forces: one correction from Δ = 0 is the solution, if it continues that of a shorter step; a second one its last digits.
 //!
 //! 1 + g J grows from the unit matrix as the step does. Where it was singular on the way the root came in from infinity, on
 //! the other side: down a hill Φ = −k q²/2 that of a step longer than 2√(m/k). What says so are numbers that come with the
@@ -29,35 +29,45 @@ pub fn once<const D: usize, const N: usize, R: Real>(
     continued(increment, positive)
 }
 
-/// As [`once`], for a force between two points; `correct` gets the equation, a, Δ and b.
+/// As [`once`], for a force between two points, with a second correction on the residual of the first solution; `correct` gets the
+/// equation, a, Δ and b.
+///
+/// The elimination rounds the same matrix in the same way at every step. Where the energy is to be exact that error would add up,
+/// the more the stiffer the law is: of an oscillator to 10⁻¹¹ in 10⁶ steps of a tenth of a period, to 10⁻⁴ in steps of 100 radians. After
+/// the second correction it is of second order.
 ///
 /// # Errors
 /// As of [`once`].
+#[inline(always)]
 pub fn once_discrete<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
+    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    once(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
+    twice(equation, Equation::increment, correct)
 }
 
-/// As [`once_discrete`], with a second correction on the residual of the first solution, and increments rounded once:
-/// for forces that do no work.
-///
-/// The elimination rounds the same matrix in the same way at every step. Where Δ must be more than nearly right, for a
-/// force that is to stand at right angles to it, that error would add up; after the second correction it is of second
-/// order.
+/// As [`once_discrete`], with increments rounded once: for forces that do no work, which are to stand at right angles to Δ.
 ///
 /// # Errors
 /// As of [`once`].
 #[inline(always)]
 pub fn once_middle<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
+    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
+) -> Result<Increment<D, R>, NotConverged> {
+    twice(equation, |equation, gradient| equation.increment_and_rest(gradient).0, correct)
+}
+
+#[inline(always)]
+fn twice<const D: usize, const N: usize, R: Real>(
+    equation: &Equation<D, R>,
+    increment: impl Fn(&Equation<D, R>, [R; D]) -> [R; D],
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
     let (first, _) = correct(equation, equation.a, [R::ZERO; D], equation.q);
-    let first = equation.increment_and_rest(first.gradient).0;
+    let first = increment(equation, first.gradient);
     let (Correction { gradient, parts, .. }, positive) = correct(equation, equation.a, first, equation.end(first));
-    let delta = equation.increment_and_rest(gradient).0;
+    let delta = increment(equation, gradient);
     let increment = Increment { delta, gradient, parts, evaluations: Count::of(2), iterations: Count::of(0) };
     continued(increment, positive)
 }

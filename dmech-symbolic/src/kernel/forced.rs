@@ -238,7 +238,7 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
 fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], known: Known, variables: &Variables) -> Program {
     let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, known.symmetric);
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, known.matrix());
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     let grown = if known.constant { positive } else { vec![] };
     Program::schedule(graph, &[delta, turned, grown].concat())

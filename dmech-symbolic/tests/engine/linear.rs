@@ -2,6 +2,7 @@
 
 use crate::common::{U, Worst};
 use dmech_symbolic::expression::{Expr, Graph, Symbol};
+use dmech_symbolic::linear::Matrix;
 use dmech_symbolic::program::Program;
 use nalgebra::{DMatrix, DVector};
 
@@ -46,12 +47,13 @@ fn linear_systems() {
     let worst = Worst::new();
     for n in 1..=6 {
         for (name, pattern) in PATTERNS {
-            for symmetric in [true, false] {
+            for known in [Matrix::General, Matrix::Symmetric, Matrix::Definite] {
+                let symmetric = known != Matrix::General;
                 let mut g = Graph::new();
                 let (a, symbols) = matrix(&mut g, n, symmetric, pattern);
                 let right: Vec<_> = (0..n).map(|i| g.parameter(&format!("r{i}"))).collect();
                 let r: Vec<_> = right.iter().map(|&s| g.symbol(s)).collect();
-                let x = dmech_symbolic::linear::solve(&mut g, &a, &r, symmetric).x;
+                let x = dmech_symbolic::linear::solve(&mut g, &a, &r, known).x;
                 let program = Program::schedule(&mut g, &x);
                 for seed in 0..6 {
                     // 1 + g H: the diagonal leads, the rest is smaller and of either sign.
@@ -78,7 +80,7 @@ fn linear_systems() {
                     let condition = dense.norm() * dense.try_inverse().expect("regular").norm();
                     for (computed, exact) in program.run(value).into_iter().zip(exact.iter()) {
                         let scale = condition * exact.abs().max(1.0);
-                        worst.see((computed - exact).abs() / (2.0 * U * scale), || format!("{name} {n} {symmetric}"));
+                        worst.see((computed - exact).abs() / (2.0 * U * scale), || format!("{name} {n} {known:?}"));
                     }
                 }
                 let divisions = program.cost().divisions;
@@ -98,11 +100,12 @@ fn what_is_positive_tells_whether_a_matrix_has_grown_from_the_unit_matrix() {
     let mut seen = [[0; 3]; 2];
     for n in 1..=6 {
         for (name, pattern) in PATTERNS {
-            for symmetric in [true, false] {
+            for known in [Matrix::General, Matrix::Symmetric, Matrix::Definite] {
+                let symmetric = known != Matrix::General;
                 let mut g = Graph::new();
                 let (a, symbols) = matrix(&mut g, n, symmetric, pattern);
                 let right = vec![g.one(); n];
-                let positive = dmech_symbolic::linear::solve(&mut g, &a, &right, symmetric).positive;
+                let positive = dmech_symbolic::linear::solve(&mut g, &a, &right, known).positive;
                 let program = Program::schedule(&mut g, &positive);
                 for seed in 0..60 {
                     let entry = |i: usize, j: usize| {
@@ -124,7 +127,7 @@ fn what_is_positive_tells_whether_a_matrix_has_grown_from_the_unit_matrix() {
                     let definite = (symmetric || name == "diagonal").then(|| dense.symmetric_eigenvalues().min() > 0.0);
                     let expected = definite.unwrap_or(determinant > 0.0);
                     let found = program.run(value).into_iter().all(|x| x > 0.0);
-                    assert_eq!(found, expected, "{name} {n} {symmetric} {seed}");
+                    assert_eq!(found, expected, "{name} {n} {known:?} {seed}");
                     let kind = if expected { 0 } else { 1 + usize::from(determinant > 0.0) };
                     seen[usize::from(definite.is_some())][kind] += 1;
                 }

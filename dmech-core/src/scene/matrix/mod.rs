@@ -130,8 +130,7 @@ impl<const D: usize> Matrix<D> {
             Matrix::Chain(matrix) => matrix.factorise(g, must_be),
             #[cfg(feature = "sparse")]
             Matrix::Sparse(matrix) => matrix.factorise(g, must_be),
-            // Only what is piecewise has a reach.
-            Matrix::Near(matrix) => matrix.factorise(g),
+            Matrix::Near(matrix) => matrix.factorise(g, must_be),
             Matrix::Dense(matrix) => matrix.factorise(g, must_be),
         }
     }

@@ -1,6 +1,8 @@
 //! Bodies within reach of each other, which are others from step to step: the blocks as they come, and no factors.
 
+use super::Kind;
 use super::block::{Block, add, times};
+use super::dense::DenseMatrix;
 use super::series::{SMALL, Series};
 use crate::scene::vectors::{Vectors, largest};
 
@@ -102,12 +104,38 @@ impl<const D: usize> NearMatrix<D> {
         }
     }
 
-    pub(super) fn factorise(&mut self, g: &Vectors<D>) -> bool {
+    pub(super) fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
         self.g.copy_from_slice(g.flat());
         let mut series = core::mem::replace(&mut self.series, Series::new(0));
         self.small = series.ends(g, SMALL, |sums| self.add_row_sums(sums));
         self.series = series;
-        true
+        self.small || must_be == Kind::Regular || self.leads() || self.has_pivots(g)
+    }
+
+    /// Whether each diagonal entry of 1 + g J is larger than all beside it in its row together.
+    fn leads(&self) -> bool {
+        let mut sums = vec![0.0; self.g.len()];
+        self.add_row_sums(&mut sums);
+        let diagonal = (0..D).flat_map(|k| self.diagonal.iter().map(move |block| block[k][k]));
+        diagonal.zip(&sums).zip(&self.g).all(|((d, sum), g)| 1.0 + g * (d + d.abs() - sum) > 0.0)
+    }
+
+    /// Whether elimination finds 1 + g J positive definite: a hill in a scene with test bodies is rare.
+    fn has_pivots(&self, g: &Vectors<D>) -> bool {
+        let mut dense = DenseMatrix::new(self.bodies);
+        for (a, &block) in self.own.iter().enumerate() {
+            dense.add_block(a, a, block);
+        }
+        for &(a, b, block) in &self.links {
+            let opposite = block.map(|row| row.map(|x| -x));
+            for (a, b, block) in [(a, a, block), (b, b, block), (a, b, opposite), (b, a, opposite)] {
+                dense.add_block(a, b, block);
+            }
+        }
+        for &(a, b, block) in &self.others {
+            dense.add_block(a, b, block);
+        }
+        dense.factorise(g, Kind::Definite)
     }
 
     pub(super) fn solve(&mut self, x: &mut [f64]) {

@@ -38,7 +38,7 @@ impl Progress {
     ///
     /// What must be right is the force: after the correction δₖ that of G + J δₖ is off by about r |δₖ|/g, where r is the
     /// rate at which corrections shrink. Of the first, r is |δ|/|Δ|: the force is taken to vary over lengths no shorter than
-    /// the step. Where it may bend or jump on the way, r is 1.
+    /// the step. Where it may bend or jump on the way, r is 1. A linear force is known after one correction, or two.
     ///
     /// # Errors
     /// The corrections are not finite, or lead away from the guess.
@@ -48,13 +48,19 @@ impl Progress {
         iteration: u32,
         [size, step, force]: [f64; 3],
     ) -> Result<Verdict, NotConverged> {
-        if !(size.is_finite() && step.is_finite()) || (iteration == 1 && size > step + GRAINS) {
+        let finite = size.is_finite() && step.is_finite();
+        if !finite || (!U::LINEAR && iteration == 1 && size > step + GRAINS) {
             return Err(NotConverged { iterations: iteration.into(), residual: size });
+        }
+        if U::LINEAR {
+            // The first correction is the solution, from wherever it began; its rounding would be work of one sense at every step.
+            let enough = iteration > 1 || !U::EXACT;
+            return Ok(if enough { Verdict::Settled } else { Verdict::GoesOn });
         }
         let rate = if iteration == 1 { size / step } else { size / self.last };
         self.last = size;
         let neglected = if U::PIECEWISE { size } else { rate * size };
-        let settled = size <= GRAINS || U::LINEAR || neglected <= MARGIN * force;
+        let settled = size <= GRAINS || neglected <= MARGIN * force;
         // Corrections that no longer shrink and that a position can no longer show: forces that cancel, as in an
         // equilibrium, are not known better.
         let at_rounding =

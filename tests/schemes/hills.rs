@@ -253,7 +253,9 @@ fn steps_of_scenes_are_refused_as_those_of_laws() {
         bodies().chain(Push { k }), steepest(&[(k, &chain)], 0.0);
         bodies().bonds(Push { k }, bonds), steepest(&[(k, &bonds)], 0.0);
         bodies().field(Round { k: 0.9 }).chain(Push { k }), steepest(&[(k, &chain)], 0.9);
+        // It feels the last body, which does not feel it.
+        bodies().test_body(0.1, [2.0, 0.4], [0.1, 0.0]).chain(Push { k }), f64::max(k / 0.1, steepest(&[(k, &chain)], 0.0));
         bodies().pairs(Push { k: -k }).chain(Push { k: 2.0 * k }), steepest(&[(-k, &pairs), (2.0 * k, &chain)], 0.0);
     }
-    assert_eq!(tried, 6 * PARTS.len());
+    assert_eq!(tried, 7 * PARTS.len());
 }

@@ -10,6 +10,7 @@ mod double_double;
 mod hills;
 mod order;
 mod published;
+mod quadratic;
 mod relaxed;
 mod runge_kutta_nystrom;
 mod splittings;

@@ -32,6 +32,18 @@ fn matrix(
     (entries, symbols)
 }
 
+/// The same with numbers.
+fn filled(n: usize, symbols: &[Entry], symmetric: bool, entry: impl Fn(usize, usize) -> f64) -> DMatrix<f64> {
+    let mut dense = DMatrix::zeros(n, n);
+    for &(_, i, j) in symbols {
+        dense[(i, j)] = entry(i, j);
+        if symmetric {
+            dense[(j, i)] = entry(i, j);
+        }
+    }
+    dense
+}
+
 type Pattern = fn(usize, usize) -> bool;
 
 const PATTERNS: [(&str, Pattern); 4] = [
@@ -61,13 +73,7 @@ fn linear_systems() {
                         let wave = ((7 * i + 3 * j + 5 * seed + 1) as f64).sin();
                         if i == j { 1.0 + 0.4 * wave } else { 0.3 * wave }
                     };
-                    let mut dense = DMatrix::zeros(n, n);
-                    for &(_, i, j) in &symbols {
-                        dense[(i, j)] = entry(i, j);
-                        if symmetric {
-                            dense[(j, i)] = entry(i, j);
-                        }
-                    }
+                    let dense = filled(n, &symbols, symmetric, entry);
                     let value = |s: Symbol| match symbols.iter().find(|entry| entry.0 == s) {
                         Some(&(_, i, j)) => entry(i, j),
                         None => 0.7 - 0.4 * right.iter().position(|&t| t == s).expect("known") as f64,
@@ -112,13 +118,7 @@ fn what_is_positive_tells_whether_a_matrix_has_grown_from_the_unit_matrix() {
                         let wave = ((7 * i + 3 * j + 5 * seed + 1) as f64).sin();
                         if i == j { 0.6 + wave } else { 0.5 * wave }
                     };
-                    let mut dense = DMatrix::zeros(n, n);
-                    for &(_, i, j) in &symbols {
-                        dense[(i, j)] = entry(i, j);
-                        if symmetric {
-                            dense[(j, i)] = entry(i, j);
-                        }
-                    }
+                    let dense = filled(n, &symbols, symmetric, entry);
                     let value = |s: Symbol| {
                         let &(_, i, j) = symbols.iter().find(|entry| entry.0 == s).expect("an entry");
                         entry(i, j)

@@ -1,9 +1,9 @@
 //! Bodies within reach of each other, which are others from step to step: the blocks as they come, and no factors.
 
-use super::Kind;
 use super::block::{Block, add, times};
-use super::dense::DenseMatrix;
 use super::series::{SMALL, Series};
+use super::{Kind, Matrix};
+use crate::scene::topology::Topology;
 use crate::scene::vectors::{Vectors, largest};
 
 /// J as a list of blocks, and what solves with 1 + g J by products with it: O(links) numbers, and as much time for a product.
@@ -113,24 +113,24 @@ impl<const D: usize> NearMatrix<D> {
     }
 
     /// Whether each diagonal entry of 1 + g J is larger than all beside it in its row together.
-    fn leads(&self) -> bool {
-        let mut sums = vec![0.0; self.g.len()];
+    fn leads(&mut self) -> bool {
+        let mut sums = core::mem::take(&mut self.room[0]);
+        sums.fill(0.0);
         self.add_row_sums(&mut sums);
         let diagonal = (0..D).flat_map(|k| self.diagonal.iter().map(move |block| block[k][k]));
-        diagonal.zip(&sums).zip(&self.g).all(|((d, sum), g)| 1.0 + g * (d + d.abs() - sum) > 0.0)
+        let leads = diagonal.zip(&sums).zip(&self.g).all(|((d, sum), g)| 1.0 + g * (d + d.abs() - sum) > 0.0);
+        self.room[0] = sums;
+        leads
     }
 
     /// Whether elimination finds 1 + g J positive definite: a hill in a scene with test bodies is rare.
     fn has_pivots(&self, g: &Vectors<D>) -> bool {
-        let mut dense = DenseMatrix::new(self.bodies);
+        let mut dense = Matrix::new(self.bodies, &Topology::Dense);
         for (a, &block) in self.own.iter().enumerate() {
             dense.add_block(a, a, block);
         }
         for &(a, b, block) in &self.links {
-            let opposite = block.map(|row| row.map(|x| -x));
-            for (a, b, block) in [(a, a, block), (b, b, block), (a, b, opposite), (b, a, opposite)] {
-                dense.add_block(a, b, block);
-            }
+            dense.add_link(a, b, block);
         }
         for &(a, b, block) in &self.others {
             dense.add_block(a, b, block);

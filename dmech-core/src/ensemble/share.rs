@@ -13,7 +13,10 @@ const STACK: usize = 1 << 25;
 /// Jobs, each with the number of its block: those that wait for a thread, and what has come of the others.
 pub(super) struct Board<J, T> {
     state: Mutex<State<J, T>>,
-    changed: Condvar,
+    /// There is a job, or there will be none any more.
+    to_do: Condvar,
+    /// Something has come of one, or somebody has panicked.
+    done: Condvar,
 }
 
 struct State<J, T> {
@@ -32,7 +35,7 @@ pub(super) fn with_hands<J: Send, T: Send, O>(
     direct: impl FnOnce(&Board<J, T>) -> O,
 ) -> O {
     let state = State { jobs: VecDeque::new(), done: BTreeMap::new(), closed: false, lost: false };
-    let board = Board { state: Mutex::new(state), changed: Condvar::new() };
+    let board = Board { state: Mutex::new(state), to_do: Condvar::new(), done: Condvar::new() };
     thread::scope(|scope| {
         let hand = || {
             let _end = EndsAll(&board);
@@ -46,7 +49,7 @@ pub(super) fn with_hands<J: Send, T: Send, O>(
         let _end = EndsAll(&board);
         let outcome = direct(&board);
         board.look().closed = true;
-        board.changed.notify_all();
+        board.to_do.notify_all();
         // With the words of the one that panicked, which the end of the scope would replace by its own.
         for hand in hands {
             hand.join().unwrap_or_else(|panic| resume_unwind(panic));
@@ -63,14 +66,14 @@ impl<J, T> Board<J, T> {
     /// A job, as soon as there is one; none at the end.
     fn job(&self) -> Option<(usize, J)> {
         let waits = |state: &mut State<J, T>| !state.lost && !state.closed && state.jobs.is_empty();
-        let mut state = self.changed.wait_while(self.look(), waits).unwrap_or_else(PoisonError::into_inner);
+        let mut state = self.to_do.wait_while(self.look(), waits).unwrap_or_else(PoisonError::into_inner);
         if state.lost { None } else { state.jobs.pop_front() }
     }
 
-    /// Adds a job.
+    /// Adds a job, for which one thread wakes: if all did, many threads would do little else.
     pub(super) fn add(&self, block: usize, job: J) {
         self.look().jobs.push_back((block, job));
-        self.changed.notify_all();
+        self.to_do.notify_one();
     }
 
     /// A job for somebody who is no thread of this board.
@@ -82,7 +85,7 @@ impl<J, T> Board<J, T> {
     /// What has come of a block.
     pub(super) fn put(&self, block: usize, result: T) {
         self.look().done.insert(block, result);
-        self.changed.notify_all();
+        self.done.notify_one();
     }
 
     /// What has come of this block, if it is done.
@@ -102,12 +105,10 @@ impl<J, T> Board<J, T> {
         let waits = |state: &mut State<J, T>| {
             !state.lost && block.map_or(state.done.is_empty(), |block| !state.done.contains_key(&block))
         };
-        let (state, changed) = (self.look(), &self.changed);
+        let (state, done) = (self.look(), &self.done);
         let state = match a_while {
-            None => changed.wait_while(state, waits).unwrap_or_else(PoisonError::into_inner),
-            Some(a_while) => {
-                changed.wait_timeout_while(state, a_while, waits).unwrap_or_else(PoisonError::into_inner).0
-            }
+            None => done.wait_while(state, waits).unwrap_or_else(PoisonError::into_inner),
+            Some(a_while) => done.wait_timeout_while(state, a_while, waits).unwrap_or_else(PoisonError::into_inner).0,
         };
         !state.lost
     }
@@ -120,7 +121,8 @@ impl<J, T> Drop for EndsAll<'_, J, T> {
     fn drop(&mut self) {
         if thread::panicking() {
             self.0.look().lost = true;
-            self.0.changed.notify_all();
+            self.0.to_do.notify_all();
+            self.0.done.notify_all();
         }
     }
 }

@@ -521,11 +521,11 @@ fn a_sweep_that_was_killed_goes_on() {
     let plain = std::cell::OnceCell::new();
     goes_on_after_kills("store::a_sweep_that_was_killed_goes_on", 2000, 10, |file| match file {
         Some(file) => {
-            let run = killed(2000).store(file).run_until(6.0).unwrap();
+            let run = killed(2000).store(file).run_until(2.0).unwrap();
             plain.get().inspect(|plain| the_same(&run, plain));
             run.checksum()
         }
-        None => plain.get_or_init(|| killed(2000).run_until(6.0).unwrap()).checksum(),
+        None => plain.get_or_init(|| killed(2000).run_until(2.0).unwrap()).checksum(),
     });
 }
 

@@ -612,8 +612,8 @@ fn scenes_that_were_killed_go_on() {
         let member = |k: usize| Simulation::scene(stars(k)).scheme(Leapfrog).dt(0.005).record_every(100);
         let each = Ensemble::each(600, member).threads(2);
         match file {
-            Some(file) => each.store(file).run_until(4.0),
-            None => each.run_until(4.0),
+            Some(file) => each.store(file).run_until(2.0),
+            None => each.run_until(2.0),
         }
         .unwrap()
         .checksum()

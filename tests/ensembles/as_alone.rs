@@ -141,13 +141,15 @@ fn looks_that_are_many_or_few() {
     }
 }
 
-/// Steps that follow each motion, in rows of equal ones and each another, with a longest and without.
+/// Steps that follow each motion, with a longest and without.
+fn follow<L: Each<D>, S: Rides<L::Law, D> + Sync, const D: usize>(scheme: S, name: &str) {
+    as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: None, end: 13.0, ..settings });
+    as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: Some(0.07), end: 1.5, ..settings });
+}
+
+/// In rows of equal steps, and each another.
 #[test]
 fn adaptive() {
-    fn follow<L: Each<D>, S: Rides<L::Law, D> + Sync, const D: usize>(scheme: S, name: &str) {
-        as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: None, end: 13.0, ..settings });
-        as_alone::<L, S, D>(scheme, name, |settings| Settings { dt: Some(0.07), end: 1.5, ..settings });
-    }
     for tolerance in [1e-5, 1e-9] {
         follow::<Orbit, _, 2>(Adaptive::new(Composed::order6(DiscreteGradient), tolerance), "composed");
         follow::<Saddle, _, 2>(Adaptive::new(Nystrom::order6(), tolerance), "Nystrom");
@@ -161,18 +163,27 @@ fn adaptive() {
     follow::<Orbit, _, 2>(Adaptive::new(Implicit, 1e-4), "implicit");
     follow::<Orbit, _, 2>(Adaptive::new(Gauss::order16(), 1e-10), "Gauss");
     follow::<Damped, _, 1>(Adaptive::new(LineIntegral::order10(), 1e-7), "line integral");
+    let driven = |settings| Settings { dt: Some(0.1), end: 3.0, ..settings };
+    as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", driven);
+}
+
+#[test]
+fn adaptive_of_few() {
     follow::<Stars, _, 6>(Adaptive::new(Nystrom::order6(), 1e-7), "stars");
     follow::<Creatures, _, 6>(Adaptive::new(Gauss::order16(), 1e-9), "creatures");
     follow::<Ions, _, 6>(Adaptive::new(Boris, 1e-2), "ions");
     let driven = |settings| Settings { dt: Some(0.1), end: 3.0, ..settings };
-    as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", driven);
     as_alone::<Rope, _, 4>(Adaptive::new(Composed::order4(DiscreteGradient), 1e-4), "rope", driven);
     as_alone::<Molecules, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "molecules", driven);
     as_alone::<Tied, _, 8>(Adaptive::new(Nystrom::order6(), 1e-7), "tied", driven);
     as_alone::<Loops, _, 6>(Adaptive::new(Nystrom::order6(), 1e-6), "loops", driven);
     as_alone::<Clones, _, 8>(Adaptive::new(Nystrom::order6(), 1e-6), "clones", driven);
-    // Matrices of many coordinates in a build without optimisations.
-    let short = |settings| Settings { dt: Some(0.1), end: 0.5, ..settings };
+}
+
+/// Matrices of many coordinates: they take long in a build without optimisations.
+#[test]
+fn adaptive_by_matrices() {
+    let short = |settings| Settings { dt: Some(0.05), end: 0.5, ..settings };
     as_alone::<Packs, _, 6>(Adaptive::new(DiscreteGradient, 1e-3), "packs", short);
     as_alone::<Tides, _, 6>(Adaptive::new(Implicit, 1e-3), "tides", short);
     let longer = |settings| Settings { end: 1.0, ..short(settings) };

@@ -76,7 +76,7 @@ impl DoubleDouble {
     }
 
     /// The sum of two numbers that are already hi and lo.
-    const fn pair(hi: f64, lo: f64) -> Self {
+    pub(crate) const fn pair(hi: f64, lo: f64) -> Self {
         DoubleDouble { hi, lo }
     }
 

@@ -9,6 +9,8 @@ mod real;
 mod series;
 mod text;
 mod trigonometric;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use text::ParseDoubleDoubleError;
 

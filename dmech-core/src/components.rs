@@ -44,6 +44,8 @@ pub(crate) mod list {
 
 #[cfg(test)]
 mod tests {
+    use dmech_scalar::{DoubleDouble, Real};
+
     use crate::state::State;
 
     #[test]
@@ -54,5 +56,17 @@ mod tests {
         assert_eq!(serde_json::from_str::<State<3>>(&text).unwrap(), state);
         let refused = serde_json::from_str::<State<2>>(&text).unwrap_err().to_string();
         assert!(refused.contains("2 components"), "{refused}");
+
+        let digits = State::of([0.1, -0.0].map(DoubleDouble::from), [DoubleDouble::new(1.0, 5e-324); 2]);
+        let text = serde_json::to_string(&digits).unwrap();
+        assert_eq!(text, r#"{"t":0.0,"q":[[0.1,0.0],[-0.0,0.0]],"v":[[1.0,5e-324],[1.0,5e-324]]}"#);
+        let read: State<2, DoubleDouble> = serde_json::from_str(&text).unwrap();
+        assert!(read == digits && read.q[1].hi().is_sign_negative());
+        // Of a number whose low part is one of the smallest there are, exp has rounded that up to half a place.
+        let x = DoubleDouble::new(-706.6445214963145, 2.5498671023637177e-14).exp();
+        assert!(x.hi() + x.lo() != x.hi());
+        assert_eq!(serde_json::from_str::<DoubleDouble>(&serde_json::to_string(&x).unwrap()).unwrap(), x);
+        let refused = serde_json::from_str::<DoubleDouble>("[1.0,0.5]").unwrap_err().to_string();
+        assert!(refused.contains("0.5 is more than rounding leaves out of 1.0"), "{refused}");
     }
 }

@@ -149,4 +149,4 @@ pub use crate::setup::Setup;
 pub use crate::span::steps_until;
 pub use crate::system::{Ahead, AtStages, Beginning, Kick, Particle, Staged, Step, Stride, System, TimeScale};
 pub use crate::vector;
-pub use dmech_scalar::{Count, DoubleDouble, Lanes, Mask, Real, Rows};
+pub use dmech_scalar::{Count, DoubleDouble, Exact, Lanes, Mask, Real, Rows};

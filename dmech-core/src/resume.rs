@@ -17,7 +17,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     pub fn resume(self, checkpoint: &Checkpoint) -> Result<Stepper<X::System, S>, Error>
     where
         X: Setup<L>,
-        X::System: Saved,
+        X::System: Saved<Scalar = f64>,
         S: Scheme<X::System>,
         S::Memory: Carried,
     {
@@ -27,7 +27,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     }
 }
 
-impl<Y: Saved, S: Scheme<Y>> Stepper<Y, S>
+impl<Y: Saved<Scalar = f64>, S: Scheme<Y>> Stepper<Y, S>
 where
     S::Memory: Carried,
 {

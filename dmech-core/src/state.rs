@@ -53,16 +53,23 @@ impl<const D: usize, R: Real> State<D, R> {
 }
 
 #[cfg(any(feature = "ranks", feature = "store"))]
-impl<const D: usize> crate::flat::Flat for State<D> {
+impl<const D: usize, R: dmech_scalar::Exact> crate::flat::Flat for State<D, R> {
+    type Scalar = R;
+
     const DIMENSION: usize = D;
     const LISTED: bool = false;
 
     fn flat(&self) -> Vec<f64> {
-        [self.t].iter().chain(&self.q).chain(&self.v).copied().collect()
+        let mut numbers = Vec::with_capacity(1 + Self::BODY);
+        crate::run::Columns::parts(self, &mut |x| numbers.push(x));
+        numbers
     }
 
     fn of_flat(numbers: &[f64]) -> Self {
-        let [q, v] = [1, 1 + D].map(|from| core::array::from_fn(|i| numbers[from + i]));
-        State { t: numbers[0], q, v }
+        let mut numbers = numbers.iter().copied();
+        let mut next = || numbers.next().unwrap_or(f64::NAN);
+        let t = next();
+        let [q, v] = core::array::from_fn(|_| core::array::from_fn(|_| R::of_parts(&mut next)));
+        State { t, q, v }
     }
 }

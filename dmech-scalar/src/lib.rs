@@ -20,6 +20,7 @@ mod atanhc;
 mod compensated;
 mod cube;
 mod double;
+mod exact;
 mod functions;
 #[cfg(feature = "lanes")]
 mod lanes;
@@ -35,6 +36,7 @@ mod sinhc;
 
 pub use compensated::{Compensated, CompensatedVector, two_sum};
 pub use double::{DoubleDouble, ParseDoubleDoubleError};
+pub use exact::Exact;
 #[cfg(feature = "lanes")]
 pub use lanes::{Lanes, LanesMask};
 pub use primitive::FUSED;

@@ -18,7 +18,7 @@ use crate::same::{outcome, the_same};
 use crate::store::{Place, goes_on_after_kills};
 
 /// All that an ensemble of a kind can be asked for, against each simulation alone. How many failed, and what happened.
-fn everything<L, X, S, O>(
+pub(crate) fn everything<L, X, S, O>(
     name: &str,
     members: usize,
     member: impl Fn(usize) -> Simulation<L, X, S, O> + Sync + Copy,

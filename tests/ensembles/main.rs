@@ -10,5 +10,6 @@ mod optional;
 mod output;
 mod ranks;
 mod same;
+mod scalars;
 mod store;
 mod work;

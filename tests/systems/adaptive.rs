@@ -103,7 +103,7 @@ fn saved_steps_go_on() {
     fn check<X, S>(set_up: impl Fn() -> Simulation<(), X, S>)
     where
         X: Setup<()>,
-        X::System: Saved,
+        X::System: Saved<Scalar = f64>,
         X::State: PartialEq,
         S: Scheme<X::System>,
         S::Memory: Carried,

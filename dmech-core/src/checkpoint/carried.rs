@@ -1,6 +1,6 @@
 //! What a scheme carries, number by number.
 
-use dmech_scalar::{CompensatedVector, Lanes};
+use dmech_scalar::{CompensatedVector, Exact, Lanes};
 
 use super::Numbers;
 use crate::error::Difference;
@@ -37,25 +37,25 @@ impl<const D: usize> Carried for CompensatedVector<D, f64> {
     }
 }
 
-/// A system that can be saved: what shows that it is the same.
-pub trait Saved: System<Scalar = f64> {
+/// A system that can be saved: what shows that it is the same. In a store its numbers are any that are [`Exact`], in a checkpoint `f64`.
+pub trait Saved: System<Scalar: Exact> {
     /// The numbers of a vector.
-    fn numbers(x: &mut Self::Vector) -> &mut [f64];
+    fn numbers(x: &mut Self::Vector) -> &mut [Self::Scalar];
     /// The masses of the bodies, and those that are pinned.
     fn bodies(&self) -> (Vec<f64>, Vec<usize>);
     /// Every number that makes the system what it is, by name.
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
     /// What acts at a place: position and velocity.
-    fn sample(&self, t: f64, place: &[Self::Vector; 2], see: &mut dyn FnMut(&[f64]));
+    fn sample(&self, t: f64, place: &[Self::Vector; 2], see: &mut dyn FnMut(&[Self::Scalar]));
 }
 
-impl<L: Law<D>, const D: usize> Saved for Particle<L, D> {
-    fn numbers(x: &mut [f64; D]) -> &mut [f64] {
+impl<L: Law<D, R>, const D: usize, R: Exact> Saved for Particle<L, D, R> {
+    fn numbers(x: &mut [R; D]) -> &mut [R] {
         x
     }
 
     fn bodies(&self) -> (Vec<f64>, Vec<usize>) {
-        (vec![self.mass()], Vec::new())
+        (vec![self.mass().to_f64()], Vec::new())
     }
 
     /// What the law reads of itself, and the masses of its coordinates.
@@ -64,8 +64,8 @@ impl<L: Law<D>, const D: usize> Saved for Particle<L, D> {
         self.law().mass_ratios().into_iter().for_each(|ratio| see("masses", ratio));
     }
 
-    fn sample(&self, t: f64, [q, v]: &[[f64; D]; 2], see: &mut dyn FnMut(&[f64])) {
-        let field = self.field(t);
+    fn sample(&self, t: f64, [q, v]: &[[R; D]; 2], see: &mut dyn FnMut(&[R])) {
+        let field = self.field(R::from_f64(t));
         see(&[field.potential(*q)]);
         see(&field.slope(*q, *v));
     }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use dmech_scalar::Exact;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -25,7 +26,9 @@ impl Fingerprint {
             if probe == 1 {
                 place.iter_mut().for_each(|x| displaced(Y::numbers(x)));
             }
-            system.sample(t, &place, &mut |numbers| fingerprint.add_all(numbers));
+            system.sample(t, &place, &mut |numbers| {
+                numbers.iter().for_each(|x| x.parts(&mut |part| fingerprint.add(part)));
+            });
         }
         fingerprint
     }
@@ -64,19 +67,19 @@ impl Fingerprint {
         self.0
     }
 
-    pub(crate) fn add_all(&mut self, numbers: &[f64]) {
+    fn add_all(&mut self, numbers: &[f64]) {
         numbers.iter().for_each(|&x| self.add(x));
     }
 }
 
 /// Numbers moved off by up to about a quarter of the largest, each by another part of it: where nothing is zero by symmetry, or
 /// because all is at rest. Without functions whose last bit is not the same everywhere.
-fn displaced(numbers: &mut [f64]) {
-    let largest = numbers.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
+fn displaced<R: Exact>(numbers: &mut [R]) {
+    let largest = numbers.iter().fold(0.0, |max: f64, x| max.max(x.to_f64().abs()));
     let size = if largest > 0.0 { largest } else { 1.0 };
     for (i, x) in numbers.iter_mut().enumerate() {
         let part = ((i % 1009) * 389 % 1009) as f64 / 1009.0;
-        *x += 0.5 * size * (part - 0.47);
+        *x += R::from_f64(0.5 * size * (part - 0.47));
     }
 }
 
@@ -118,7 +121,7 @@ mod tests {
 
     #[test]
     fn displaced_numbers_differ_from_each_other_and_from_zero() {
-        let mut numbers = [0.0; 400];
+        let mut numbers = [0.0_f64; 400];
         displaced(&mut numbers);
         assert!(numbers.iter().all(|&x| x != 0.0 && x.abs() < 0.27));
         let mut sorted = numbers;

@@ -145,7 +145,7 @@ impl<L, X: Setup<L>, S: Scheme<X::System>, O: Attend<X::State>> Plan<X::State> f
 /// Where members of any kind are kept: nowhere, or in a [store](Each::store).
 #[diagnostic::on_unimplemented(
     message = "these simulations cannot be kept in a store",
-    note = "states are kept whose numbers are `f64`: of laws, and of scenes"
+    note = "states of laws and of scenes are kept: of laws those whose numbers are `f64`, `f32`, `DoubleDouble`, or others that are `Exact`"
 )]
 pub trait Keeps<L, X: Setup<L>, S, O> {
     /// The place, open.

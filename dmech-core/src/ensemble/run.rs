@@ -127,7 +127,7 @@ impl Checksum {
         };
         self.word(failed);
         self.word(run.steps());
-        run.last().numbers(&mut |x| self.word(x.to_bits()));
+        run.last().parts(&mut |x| self.word(x.to_bits()));
     }
 
     /// Of all that were added.

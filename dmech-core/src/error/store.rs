@@ -69,6 +69,14 @@ pub enum StoreError {
         /// In the ensemble.
         here: i64,
     },
+    /// The numbers of positions and velocities.
+    #[error("the numbers of the store are {store}, those of this ensemble {here}")]
+    Scalar {
+        /// In the store.
+        store: Name,
+        /// In the ensemble.
+        here: &'static str,
+    },
     /// The number of coordinates.
     #[error("the dimension is {store} in the store against {here}")]
     Dimension {

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use dmech_scalar::Real;
+use dmech_scalar::Exact;
 use fs_err::File;
 
 use super::Run;
@@ -24,9 +24,13 @@ pub trait Columns {
     fn write_values(&self, out: &mut dyn Write) -> io::Result<()>;
     /// Shows the numbers in the same order, rounded to `f64`.
     fn numbers(&self, see: &mut dyn FnMut(f64));
+    /// Shows all that tells them from others, [part](Exact::parts) by part: of states whose numbers are `f64` the numbers themselves.
+    fn parts(&self, see: &mut dyn FnMut(f64)) {
+        self.numbers(see);
+    }
 }
 
-impl<const D: usize, R: Real> Columns for State<D, R> {
+impl<const D: usize, R: Exact> Columns for State<D, R> {
     fn write_names(&self, out: &mut dyn Write) -> io::Result<()> {
         write!(out, "t")?;
         for name in ["q", "v"] {
@@ -48,6 +52,11 @@ impl<const D: usize, R: Real> Columns for State<D, R> {
     fn numbers(&self, see: &mut dyn FnMut(f64)) {
         see(self.t);
         self.q.iter().chain(&self.v).for_each(|x| see(x.to_f64()));
+    }
+
+    fn parts(&self, see: &mut dyn FnMut(f64)) {
+        see(self.t);
+        self.q.iter().chain(&self.v).for_each(|x| x.parts(see));
     }
 }
 

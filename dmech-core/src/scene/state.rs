@@ -108,6 +108,8 @@ impl<const D: usize> Columns for SceneState<D> {
 /// Where a list is shorter, as in a state that is refused, NaN stands in it.
 #[cfg(any(feature = "ranks", feature = "store"))]
 impl<const D: usize> crate::flat::Flat for SceneState<D> {
+    type Scalar = f64;
+
     const DIMENSION: usize = D;
     const LISTED: bool = true;
 

@@ -9,6 +9,8 @@ mod real;
 mod series;
 mod text;
 mod trigonometric;
+#[cfg(feature = "serde")]
+mod written;
 
 pub use text::ParseDoubleDoubleError;
 
@@ -76,7 +78,7 @@ impl DoubleDouble {
     }
 
     /// The sum of two numbers that are already hi and lo.
-    const fn pair(hi: f64, lo: f64) -> Self {
+    pub(crate) const fn pair(hi: f64, lo: f64) -> Self {
         DoubleDouble { hi, lo }
     }
 

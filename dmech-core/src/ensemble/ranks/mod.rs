@@ -79,7 +79,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
 }
 
 impl<F, K> Each<F, K> {
-    /// Moved by all ranks: [`Ensemble::ranks`], of simulations of any kind whose numbers are `f64` (feature `ranks`). Each rank makes the
+    /// Moved by all ranks: [`Ensemble::ranks`], of simulations of any kind whose states can be written with serde (feature `ranks`). Each rank makes the
     /// members that it moves, and the first those that come home.
     pub fn ranks<R: Ranks + ?Sized>(self, ranks: &R) -> Ranked<'_, Self, R> {
         Ranked { ensemble: self, ranks }
@@ -133,7 +133,7 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
 /// An ensemble whose members, of the kind M with states X, ranks can move together: one that can be run, with states that can be sent.
 #[diagnostic::on_unimplemented(
     message = "this ensemble cannot be run on ranks yet",
-    note = "it needs `.law(|k| …)`, `.start(|k| …)` and `.scheme(…)`; of `Ensemble::each` simulations of laws or scenes whose numbers are `f64`"
+    note = "it needs `.law(|k| …)`, `.start(|k| …)` and `.scheme(…)`; of `Ensemble::each` simulations of laws or scenes, of numbers that are `Exact` and written with serde"
 )]
 pub trait Travels<M, X> {
     /// Moves all members; the first rank sees them.

@@ -1,5 +1,7 @@
 //! The tables of a store, as SQL.
 
+use dmech_scalar::Exact;
+
 use crate::ensemble::told::Named;
 use crate::flat::Flat;
 use crate::name::Name;
@@ -7,8 +9,8 @@ use crate::name::Name;
 /// What the columns depend on.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
-    /// Coordinates of a body.
-    dimension: usize,
+    /// The names of the numbers of a body: where a number has several parts, of each.
+    body: Vec<String>,
     /// Bodies have rows of their own.
     listed: bool,
     /// What each member has by name.
@@ -25,7 +27,9 @@ fn of(kind: &str, names: impl IntoIterator<Item = impl AsRef<str>>) -> String {
 
 impl Layout {
     pub(super) fn of<X: Flat>(columns: Named) -> Self {
-        Layout { dimension: X::DIMENSION, listed: X::LISTED, columns }
+        let numbers = ["q", "v"].into_iter().flat_map(|x| (0..X::DIMENSION).map(move |i| format!("{x}{i}")));
+        let parts = |number: String| (0..X::Scalar::PARTS).map(move |n| number.clone() + &X::Scalar::part(n));
+        Layout { body: numbers.flat_map(parts).collect(), listed: X::LISTED, columns }
     }
 
     /// Whether members have lists of further numbers.
@@ -33,19 +37,11 @@ impl Layout {
         !self.columns.words.is_empty()
     }
 
-    /// The names of the numbers of a body.
-    pub(super) fn body(&self) -> Vec<String> {
-        ["q", "v"].into_iter().flat_map(|x| (0..self.dimension).map(move |i| format!("{x}{i}"))).collect()
-    }
-
     /// The name of a number of a state, by its place among all of them.
     pub(super) fn number(&self, place: usize) -> Name {
-        let (body, names) = (place.wrapping_sub(1) / (2 * self.dimension), self.body());
-        match place {
-            0 => Name::of(&["t"]),
-            _ if self.listed => Name::of(&[&names[(place - 1) % names.len()], " of body ", &body.to_string()]),
-            _ => Name::of(&[&names[place - 1]]),
-        }
+        let Some(place) = place.checked_sub(1) else { return Name::of(&["t"]) };
+        let (body, name) = (place / self.body.len(), &self.body[place % self.body.len()]);
+        if self.listed { Name::of(&[name, " of body ", &body.to_string()]) } else { Name::of(&[name]) }
     }
 
     /// The tables with a row, or more, for each member.
@@ -56,7 +52,7 @@ impl Layout {
 
     /// The columns of a table with their types, in the order in which they are written and read; a comma after each.
     fn columns(&self, table: &str) -> String {
-        let body = of("REAL", self.body());
+        let body = of("REAL", &self.body);
         // Where bodies have rows of their own, how many there are.
         let state = if self.listed { "t REAL, bodies INTEGER, ".to_owned() } else { format!("t REAL, {body}") };
         let met = if self.listed { "a INTEGER, b INTEGER, " } else { "" };

@@ -98,8 +98,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
 pub struct InFile(PathBuf);
 
 impl<F> Each<F, Nowhere> {
-    /// Keeps the members in a file, as they come, and goes on from it: [`Ensemble::store`], of simulations of any kind whose numbers are
-    /// `f64` (feature `store`).
+    /// Keeps the members in a file, as they come, and goes on from it: [`Ensemble::store`], of simulations of any kind (feature
+    /// `store`).
     ///
     /// The tables are those of an ensemble of one law, with what each member has of its own:
     ///
@@ -110,6 +110,10 @@ impl<F> Each<F, Nowhere> {
     /// | `body` | bodies of a scene | `k`, `what` (`start`, `last`, `event`, `state`), `n`, `body`, `q0` …, `v0` … |
     ///
     /// Where bodies have rows of their own, the other tables tell the time and how many there are.
+    ///
+    /// Numbers of another scalar than `f64`, which `sweep` then names by the key `scalar`, are kept to the last bit
+    /// ([`Exact`](crate::extend::Exact)): an `f32` in one column, a [`DoubleDouble`](crate::DoubleDouble) in two, `q0` and `q0_low`. Drifts,
+    /// fields of laws and times are `f64` in a run of any scalar. CSV has all digits, a table of NumPy those of `f64`.
     ///
     /// ```no_run
     /// # #[cfg(feature = "scene")] {

@@ -20,7 +20,7 @@ impl Head {
     /// Of the numbers of a state.
     pub(super) fn of<X: Flat>(flat: &[f64]) -> Self {
         let own = if X::LISTED { 1 } else { flat.len() };
-        Head { numbers: flat[..own].to_vec(), bodies: ((flat.len() - own) / (2 * X::DIMENSION)) as u64 }
+        Head { numbers: flat[..own].to_vec(), bodies: ((flat.len() - own) / X::BODY) as u64 }
     }
 
     pub(super) fn put<X: Flat>(&self, row: &mut Writer<'_>) -> Result<(), StoreError> {
@@ -33,7 +33,7 @@ impl Head {
     }
 
     pub(super) fn read<X: Flat>(row: &mut Reader<'_>) -> Option<Self> {
-        let mut numbers = vec![0.0; if X::LISTED { 1 } else { 1 + 2 * X::DIMENSION }];
+        let mut numbers = vec![0.0; if X::LISTED { 1 } else { 1 + X::BODY }];
         row.numbers(&mut numbers)?;
         let bodies = if X::LISTED { row.count()? } else { 0 };
         Some(Head { numbers, bodies })
@@ -60,7 +60,7 @@ impl<'a> Bodies<'a> {
     /// Writes those of the n-th state of a kind.
     pub(super) fn write<X: Flat>(&mut self, k: u64, what: What, n: u64, flat: &[f64]) -> Result<(), StoreError> {
         let Some(row) = &mut self.0 else { return Ok(()) };
-        for (body, numbers) in flat[1..].chunks_exact(2 * X::DIMENSION).enumerate() {
+        for (body, numbers) in flat[1..].chunks_exact(X::BODY).enumerate() {
             row.count(k)?;
             row.put(what)?;
             row.count(n)?;
@@ -91,7 +91,7 @@ impl Placed {
     ) -> Result<Self, StoreError> {
         let body = |row: &mut Reader<'_>| {
             row.text()?;
-            let (n, body, mut numbers) = (row.count()?, row.count()?, vec![0.0; 2 * X::DIMENSION]);
+            let (n, body, mut numbers) = (row.count()?, row.count()?, vec![0.0; X::BODY]);
             row.numbers(&mut numbers)?;
             row.bits(&mut numbers)?;
             Some(Body { n, body, numbers })

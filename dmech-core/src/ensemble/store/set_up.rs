@@ -7,7 +7,7 @@ use rusqlite::types::Value;
 
 use super::layout::Layout;
 use super::places::{Bodies, Head, Placed, rows};
-use super::settings::{get, set};
+use super::settings::{get, set, unsaid};
 use super::table::{Reader, Writer};
 use crate::ensemble::Checksum;
 use crate::ensemble::told::{Named, SetUp, Told};
@@ -53,7 +53,9 @@ impl<X: Flat> dyn Told<X> + '_ {
     pub(super) fn begin(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
         database.execute_batch(&layout.create())?;
         for (key, value) in self.settings() {
-            set(database, key, &value)?;
+            if unsaid(key).as_ref() != Some(&value) {
+                set(database, key, &value)?;
+            }
         }
         let mut all = Checksum::default();
         let mut row = Writer::new(database, &layout.insert("member"))?;

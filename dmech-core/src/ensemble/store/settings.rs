@@ -23,6 +23,11 @@ pub(super) fn get(database: &Connection, key: &str) -> Result<Option<Value>, Sto
     Ok(database.query_row("SELECT value FROM sweep WHERE key = ?", [key], |row| row.get(0)).optional()?)
 }
 
+/// What is meant where a key is not there: `f64` goes without saying, as in stores of before.
+pub(super) fn unsaid(key: &str) -> Option<Value> {
+    (key == "scalar").then(|| Value::Text("f64".to_owned()))
+}
+
 /// As SQLite has it.
 fn value(said: Said) -> Value {
     match said {
@@ -45,7 +50,7 @@ impl<X: Flat> dyn Told<X> + '_ {
         let settings = self.settings();
         let said = |of| settings.iter().find(|(key, _)| *key == of).map_or(Value::Null, |(_, value)| value.clone());
         for (key, here) in &settings {
-            let store = get(database, key)?.ok_or(StoreError::Setting { key })?;
+            let store = get(database, key)?.or_else(|| unsaid(key)).ok_or(StoreError::Setting { key })?;
             let same = match (&store, here) {
                 (Value::Null, Value::Real(x)) => x.is_nan(),
                 (store, here) => store == here,
@@ -85,6 +90,9 @@ fn difference(scheme: &'static str, key: &'static str, store: &Value, here: &Val
     match (key, store, here) {
         ("format", &Value::Integer(store), &Value::Integer(here)) => StoreError::Format { store, here },
         ("members", &Value::Integer(store), &Value::Integer(here)) => StoreError::Members { store, here },
+        ("scalar", Value::Text(store), Value::Text(here)) => {
+            StoreError::Scalar { store: Name::of(&[store]), here: word(here) }
+        }
         ("dimension", &Value::Integer(store), &Value::Integer(here)) => StoreError::Dimension { store, here },
         ("scheme", Value::Text(store), _) => StoreError::Scheme { store: Name::of(&[store]), here: scheme },
         ("options" | "order", ..) => StoreError::Options { scheme },

@@ -7,8 +7,11 @@ use super::Checksum;
 use super::plan::Plan;
 use crate::checkpoint::{Fingerprint, Saved};
 use crate::error::Error;
+use crate::flat::Flat;
 use crate::run::{Attend, Restored, Run};
 use crate::span::Span;
+
+use dmech_scalar::Exact;
 
 /// Members that can be told from others, and put together from what became of them.
 pub(super) trait Told<X>: Plan<X> {
@@ -94,10 +97,10 @@ fn company<X, O: Attend<X>>() -> String {
     format!("{} events and {} watched quantities{observed}", O::EVENTS, O::QUANTITIES)
 }
 
-/// What is said of all members of so many coordinates that a scheme of a name and an order moves: they have these numbers by name, and are
-/// accompanied by something.
-fn whole(
-    (members, dimension): (usize, usize),
+/// What is said of all members, with states of a kind, that a scheme of a name and an order moves: they have these numbers by name, and
+/// are accompanied by something.
+fn whole<X: Flat>(
+    members: usize,
     span: Span,
     fields: String,
     (scheme, order): (&str, u32),
@@ -109,7 +112,8 @@ fn whole(
     };
     vec![
         ("members", Said::Count(members as u64)),
-        ("dimension", Said::Count(dimension as u64)),
+        ("scalar", Said::Words(X::Scalar::name())),
+        ("dimension", Said::Count(X::DIMENSION as u64)),
         ("fields", Said::Words(fields)),
         ("scheme", Said::Words(scheme.to_owned())),
         ("order", Said::Count(order.into())),

@@ -18,8 +18,8 @@ where
 {
     fn whole(&self) -> Vec<(&'static str, Said)> {
         let bodies = if X::State::LISTED { ", of as many bodies as it has" } else { "" };
-        let (members, fields) = ((self.members, X::State::DIMENSION), format!("each its own{bodies}"));
-        whole(members, self.span, fields, (S::NAME, S::ORDER), company::<X::State, O>())
+        let (fields, company) = (format!("each its own{bodies}"), company::<X::State, O>());
+        whole::<X::State>(self.members, self.span, fields, (S::NAME, S::ORDER), company)
     }
 
     fn columns(&self) -> Named {
@@ -30,7 +30,7 @@ where
     /// As far as it can be set up: what is refused is moved, and refused, again.
     fn set_up(&self, k: usize) -> SetUp {
         let simulation = (self.member)(k);
-        let length = simulation.step_length::<f64>();
+        let length = simulation.step_length::<<X::System as System>::Scalar>();
         let Simulation { law, start, scheme, settings, .. } = simulation;
         let numbers = [settings.dt, scheme.tolerance(), Some(start.mass(settings.mass))];
         let numbers = numbers.map(|x| x.unwrap_or(f64::NAN)).into();

@@ -15,8 +15,8 @@ impl<L: Fields<D>, S: Rides<L, D> + Sync, O: Attend<State<D>>, const D: usize> T
 {
     fn whole(&self) -> Vec<(&'static str, Said)> {
         let Simulation { scheme, settings, .. } = self.common;
-        let (members, fields) = ((self.members, D), columns::<L, D>()[1..].join(", "));
-        let mut whole = whole(members, self.span, fields, (S::NAME, S::ORDER), company::<_, O>());
+        let (fields, company) = (columns::<L, D>()[1..].join(", "), company::<State<D>, O>());
+        let mut whole = whole::<State<D>>(self.members, self.span, fields, (S::NAME, S::ORDER), company);
         whole.extend(common(settings, self.work, (scheme.tolerance(), format!("{scheme:?}")), L::INVARIANTS));
         whole
     }

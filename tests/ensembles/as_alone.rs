@@ -183,10 +183,10 @@ fn adaptive_of_few() {
 /// Matrices of many coordinates: they take long in a build without optimisations.
 #[test]
 fn adaptive_by_matrices() {
-    let short = |settings| Settings { dt: Some(0.05), end: 0.5, ..settings };
+    let short = |settings| Settings { dt: Some(0.1), end: 0.5, ..settings };
     as_alone::<Packs, _, 6>(Adaptive::new(DiscreteGradient, 1e-3), "packs", short);
     as_alone::<Tides, _, 6>(Adaptive::new(Implicit, 1e-3), "tides", short);
-    let longer = |settings| Settings { end: 1.0, ..short(settings) };
+    let longer = |settings| Settings { end: 1.1, ..short(settings) };
     as_alone::<Hung, _, 8>(Adaptive::new(Gauss::order16(), 1e-8), "hung", longer);
     as_alone::<Herds, _, 6>(Adaptive::new(Gauss::order16(), 1e-8), "herds", longer);
 }

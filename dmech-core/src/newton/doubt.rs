@@ -93,26 +93,13 @@ pub(super) fn is_continued<const D: usize, R: Real>(
 #[cold]
 #[inline(never)]
 fn may_continue<const D: usize, R: Real>(a: [[R; D]; D]) -> bool {
-    if leads(&a) {
+    // Without an exchange of rows: then leading determinants are positive, all of A among them.
+    let (_, pivots) = elimination::solve_definite(a, [R::ZERO; D]);
+    if pivots.iter().all(|&pivot| R::ZERO.less(pivot).all()) {
         return true;
     }
-    if Settled::<D, R>::MANY {
-        return false;
-    }
     let a = a.map(|row| row.map(R::to_f64));
-    if has_symmetric_form(&a) {
-        elimination::solve_definite(a, [0.0; D]).1.iter().all(|&pivot| pivot > 0.0)
-    } else {
-        elimination::orientation(a) > 0.0
-    }
-}
-
-/// Whether each diagonal entry is larger than all beside it in its row together.
-fn leads<const D: usize, R: Real>(a: &[[R; D]; D]) -> bool {
-    (0..D).all(|i| {
-        let beside = (0..D).filter(|&j| j != i).fold(R::ZERO, |sum, j| sum + a[i][j].abs());
-        beside.less(a[i][i]).all()
-    })
+    !Settled::<D, R>::MANY && !has_symmetric_form(&a) && elimination::orientation(a) > 0.0
 }
 
 /// Whether rows can be multiplied by positive numbers, as by masses, so that A is symmetric, to the rounding of what is on its

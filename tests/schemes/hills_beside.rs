@@ -74,7 +74,7 @@ const PARTS: [f64; 7] = [0.3, 0.99, 1.001, 1.4, 3.0, 10.0, 1e4];
 
 /// [`Composed::order4`](dmech::Composed).
 const STAGES: [f64; 7] = {
-    let (side, middle) = (0.23906976574232126017724705, -0.4344185944539275610634823);
+    let (side, middle) = (0.239_069_765_742_321_25, -0.434_418_594_453_927_55);
     [side, side, side, middle, side, side, side]
 };
 

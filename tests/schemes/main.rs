@@ -8,6 +8,7 @@ mod compensated;
 mod composed;
 mod double_double;
 mod hills;
+mod hills_beside;
 mod order;
 mod published;
 mod quadratic;

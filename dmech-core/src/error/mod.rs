@@ -282,7 +282,7 @@ pub enum Error {
         time: f64,
         /// The time step.
         dt: f64,
-        /// Newton corrections made; 0 where the force is linear and the one root of the equation does not continue the motion.
+        /// Newton corrections made; 0 where no root was found that continues the motion.
         iterations: u32,
         /// Largest component of the last correction (a length); infinite where that was no number.
         residual: f64,
@@ -338,8 +338,8 @@ fn in_steps(dt: f64) -> String {
 /// What became of the equation of a step.
 fn not_converged(iterations: u32, residual: f64) -> String {
     if iterations == 0 {
-        return "is too long: the equation of this linear force has no root that continues the motion, as down a hill, where its \
-                only one lies on the other side, or none that rounding leaves; take shorter steps"
+        return "is too long: no root of its equation was found that continues the motion, as down a hill, where the only one lies \
+                on the other side, or none that rounding leaves; take shorter steps"
             .into();
     }
     format!("did not converge: after {iterations} iterations the last correction was {}", Number(residual))

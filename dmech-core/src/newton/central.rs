@@ -147,11 +147,16 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
     if Settled::<D, R>::MANY {
         return Err(NotConverged { iterations: spent.into(), residual: f64::NAN });
     }
-    continuation::follow::<false, D, R>(equation, spent, |equation, delta, x| {
-        let sum = if BETWEEN { sum(equation.a, x) } else { x };
-        let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
-        rank_one(equation, delta, x, sum, c, c1 + c1)
-    })
+    continuation::follow::<false, D, R>(
+        equation,
+        spent,
+        |equation, delta, x| {
+            let sum = if BETWEEN { sum(equation.a, x) } else { x };
+            let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
+            rank_one(equation, delta, x, sum, c, c1 + c1)
+        },
+        &(),
+    )
 }
 
 /// The correction for G = c Q with J = c + k Q⊗x, by the formula of Sherman and Morrison.

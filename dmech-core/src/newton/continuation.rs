@@ -4,6 +4,7 @@ use crate::vector::by_component;
 use dmech_scalar::{Count, Real};
 
 use super::damped;
+use super::doubt::{Ask, is_continued};
 use super::settle::{largest, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
@@ -12,7 +13,7 @@ const SHORTEST: f64 = 1.0 / 16384.0;
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.
 ///
-/// θ, the part of the step, advances by as much as Newton accepts. Each Δ(θ) is predicted with the force extrapolated
+/// θ, the part of the step, advances by as much as Newton accepts and leads to roots that continue the last. Each Δ(θ) is predicted with the force extrapolated
 /// linearly in θ, so that the powers θ and θ² of the known parts are exact.
 ///
 /// The equation comes by value: were it borrowed, every step that does not come here would still lay it out in memory.
@@ -22,6 +23,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: Equation<D, R>,
     spent: u32,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+    ask: &impl Ask,
 ) -> Result<Increment<D, R>, NotConverged> {
     let mut evaluations = spent;
     let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
@@ -31,14 +33,17 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let mut theta = 0.0;
     let mut advance = 0.25;
     let mut residual = largest(&equation.guess);
+    let mut refused = false;
     while evaluations < equation.max_iterations {
         let next = f64::min(theta + advance, 1.0);
         // At the end the equation itself: a is then exact.
         let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { equation };
         let ahead = R::from_f64(next - theta);
         part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
-        match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
-            Ok(found) => {
+        let settled = settle::<ONCE_ROUNDED, D, R>(&part, &mut correct);
+        refused = settled.is_ok_and(|found| !is_continued(&part, found.delta, &mut correct, ask));
+        match settled {
+            Ok(found) if !refused => {
                 evaluations += found.evaluations.to_u64() as u32;
                 if next >= 1.0 {
                     return Ok(found.after(evaluations));
@@ -48,9 +53,13 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
                 theta = next;
                 advance *= 2.0;
             }
-            Err(astray) => {
-                evaluations += astray.iterations as u32;
-                residual = astray.residual;
+            other => {
+                let (spent, left) = match other {
+                    Ok(found) => (found.evaluations.to_u64(), 0.0),
+                    Err(astray) => (astray.iterations, astray.residual),
+                };
+                evaluations += spent as u32;
+                residual = left;
                 advance *= 0.25;
                 if advance < SHORTEST {
                     break;
@@ -60,7 +69,12 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     }
     if equation.piecewise {
         let spent = evaluations.min(equation.max_iterations / 2);
-        return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, correct);
+        let found = damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, &mut correct)?;
+        let continued = is_continued(&equation, found.delta, &mut correct, ask);
+        return if continued { Ok(found) } else { Err(NotConverged::NOT_CONTINUED) };
+    }
+    if refused {
+        return Err(NotConverged::NOT_CONTINUED);
     }
     Err(NotConverged { iterations: evaluations.into(), residual })
 }

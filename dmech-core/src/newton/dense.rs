@@ -4,7 +4,9 @@ use crate::vector::{by_component, by_entry};
 
 use dmech_scalar::Real;
 
-use super::{Correction, Equation, Increment, NotConverged, drive, drive_middle, elimination, once, once_discrete};
+use super::doubt::Doubt;
+use super::drive::asked;
+use super::{Correction, Equation, Increment, NotConverged, elimination, once, once_discrete};
 
 /// Solves Δ + g G(q + Δ) = drift − frozen, given b ↦ (G(b), J(b)) with J = ∂G/∂b.
 ///
@@ -14,10 +16,12 @@ pub fn dense<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    drive(equation, |equation, delta, b| {
+    let doubt = Doubt::none();
+    let correct = |equation: &Equation<D, R>, delta, b| {
         let (gradient, jacobian) = force(b);
-        correction(equation, delta, gradient, &jacobian)
-    })
+        correction(equation, delta, gradient, &jacobian, &doubt)
+    };
+    asked::<false, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense`], for a force (a, b) ↦ (G(a, b), ∂G/∂b) between two points.
@@ -28,10 +32,12 @@ pub fn dense_discrete<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    drive(equation, |equation, delta, b| {
+    let doubt = Doubt::none();
+    let correct = |equation: &Equation<D, R>, delta, b| {
         let (gradient, jacobian) = force(equation.a, b);
-        correction(equation, delta, gradient, &jacobian)
-    })
+        correction(equation, delta, gradient, &jacobian, &doubt)
+    };
+    asked::<false, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense`], for a force (equation, Δ, b, v′) ↦ (G, ∂G/∂b, ∂G/∂v′) that also depends on the velocity at the end of
@@ -43,13 +49,15 @@ pub fn dense_forced<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    drive(equation, |equation, delta, b| {
+    let doubt = Doubt::none();
+    let correct = |equation: &Equation<D, R>, delta: [R; D], b| {
         let Equation { v, drift, rate, .. } = equation;
         let (gradient, by_position, by_velocity) =
             force(equation, delta, b, by_component!(|i| rate.mul_add(delta[i] - drift[i], v[i])));
         let jacobian = by_entry!(|i, j| rate.mul_add(by_velocity[i][j], by_position[i][j]));
-        correction(equation, delta, gradient, &jacobian)
-    })
+        correction(equation, delta, gradient, &jacobian, &doubt)
+    };
+    asked::<false, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense_forced`], for a force that does no work: with increments rounded once; the parts of G are
@@ -61,12 +69,14 @@ pub fn dense_middle<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    drive_middle(equation, |equation, _, delta, b| {
+    let doubt = Doubt::none();
+    let correct = |equation: &Equation<D, R>, delta: [R; D], b| {
         let (slope, by_position, by_velocity) = force(equation, delta, b);
         let jacobian: [[R; D]; D] = by_entry!(|i, j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j]));
-        let change = elimination::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
+        let change = doubt.solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
         Correction::sum(change, slope, turned(&jacobian, change))
-    })
+    };
+    asked::<true, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense`], for the gradient of a quadratic potential: one correction from Δ = 0 is the solution, if it continues that of
@@ -108,8 +118,9 @@ fn correction<const D: usize, R: Real>(
     delta: [R; D],
     gradient: [R; D],
     jacobian: &[[R; D]; D],
+    doubt: &Doubt<D, R>,
 ) -> Correction<D, R> {
-    let change = elimination::solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
+    let change = doubt.solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
     Correction::in_parts(change, gradient, turned(jacobian, change))
 }
 

@@ -1,7 +1,8 @@
 //! The Newton loop that all laws share.
 
-use dmech_scalar::Real;
+use dmech_scalar::{Count, Real};
 
+use super::doubt::{Ask, is_continued};
 use super::settle::settle;
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
@@ -17,13 +18,30 @@ use super::{Correction, Equation, Increment, NotConverged, continuation};
 #[inline]
 pub fn drive<const D: usize, R: Real>(
     equation: &Equation<D, R>,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    match settle::<false, D, R>(equation, &mut correct) {
-        Ok(increment) => Ok(increment),
+    asked::<false, D, R>(equation, correct, &())
+}
+
+/// As [`drive`] and [`drive_middle`]; of the root that is found it is asked whether it continues that of a shorter step.
+#[inline(always)]
+pub(super) fn asked<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+    ask: &impl Ask,
+) -> Result<Increment<D, R>, NotConverged> {
+    match settle::<ONCE_ROUNDED, D, R>(equation, &mut correct) {
+        Ok(increment) if is_continued(equation, increment.delta, &mut correct, ask) => Ok(increment),
+        Ok(_) if Settled::<D, R>::MANY => Err(NotConverged::NOT_CONTINUED),
+        Ok(found) => {
+            let spent = found.iterations.to_u64() as u32;
+            let found = continuation::follow::<ONCE_ROUNDED, D, R>(*equation, spent, correct, ask);
+            Increment::apart(found.map_err(|_| NotConverged::NOT_CONTINUED))
+        }
         Err(astray) if Settled::<D, R>::MANY => Err(astray),
         Err(astray) => {
-            Increment::apart(continuation::follow::<false, D, R>(*equation, astray.iterations as u32, correct))
+            let spent = astray.iterations as u32;
+            Increment::apart(continuation::follow::<ONCE_ROUNDED, D, R>(*equation, spent, correct, ask))
         }
     }
 }
@@ -49,12 +67,5 @@ pub fn drive_middle<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    let mut correct = |equation: &Equation<D, R>, delta, b| correct(equation, equation.a, delta, b);
-    match settle::<true, D, R>(equation, &mut correct) {
-        Ok(increment) => Ok(increment),
-        Err(astray) if Settled::<D, R>::MANY => Err(astray),
-        Err(astray) => {
-            Increment::apart(continuation::follow::<true, D, R>(*equation, astray.iterations as u32, correct))
-        }
-    }
+    asked::<true, D, R>(equation, |equation, delta, b| correct(equation, equation.a, delta, b), &())
 }

@@ -6,24 +6,59 @@ use dmech_scalar::{Mask, Real};
 ///
 /// Rows are exchanged lane by lane with selections, so that several systems side by side each get their own pivots.
 pub(crate) fn solve<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> [R; D] {
-    eliminate::<true, D, R>(a, b).0
+    eliminate::<true, D, R>(a, b).solution
 }
 
 /// As [`solve`], without an exchange of rows, which a positive definite A does not need; beside x the pivots, all of which are
 /// positive only if A is that, its rows scaled or not.
 pub(crate) fn solve_definite<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> ([R; D], [R; D]) {
-    eliminate::<false, D, R>(a, b)
+    let Elimination { solution, pivots, .. } = eliminate::<false, D, R>(a, b);
+    (solution, pivots)
 }
 
-fn eliminate<const EXCHANGE: bool, const D: usize, R: Real>(mut a: [[R; D]; D], mut b: [R; D]) -> ([R; D], [R; D]) {
+/// −1, 0 or 1: the sign of det A.
+pub(crate) fn orientation<const D: usize>(mut a: [[f64; D]; D]) -> f64 {
+    let mut sign = 1.0;
+    for k in 0..D {
+        for i in k + 1..D {
+            if a[k][k].abs() < a[i][k].abs() {
+                a.swap(k, i);
+                sign = -sign;
+            }
+        }
+        sign *= if a[k][k] == 0.0 { 0.0 } else { a[k][k].signum() };
+        for i in k + 1..D {
+            let factor = a[i][k] / a[k][k];
+            for j in k + 1..D {
+                a[i][j] -= factor * a[k][j];
+            }
+        }
+    }
+    sign
+}
+
+/// What an elimination finds.
+pub(super) struct Elimination<const D: usize, R> {
+    pub(super) solution: [R; D],
+    pub(super) pivots: [R; D],
+    /// Rows were exchanged, in some lane.
+    pub(super) exchanged: bool,
+}
+
+pub(super) fn eliminate<const EXCHANGE: bool, const D: usize, R: Real>(
+    mut a: [[R; D]; D],
+    mut b: [R; D],
+) -> Elimination<D, R> {
+    let mut exchanged = false;
     for k in 0..D {
         for i in if EXCHANGE { k + 1..D } else { 0..0 } {
             let larger = a[k][k].abs().less(a[i][k].abs());
             if larger.any() {
+                exchanged = true;
                 for j in k..D {
-                    (a[k][j], a[i][j]) = exchanged(larger, a[k][j], a[i][j]);
+                    (a[k][j], a[i][j]) = swapped(larger, a[k][j], a[i][j]);
                 }
-                (b[k], b[i]) = exchanged(larger, b[k], b[i]);
+                (b[k], b[i]) = swapped(larger, b[k], b[i]);
             }
         }
         let inverse = a[k][k].recip();
@@ -42,10 +77,10 @@ fn eliminate<const EXCHANGE: bool, const D: usize, R: Real>(mut a: [[R; D]; D], 
         }
         b[k] = sum / a[k][k];
     }
-    (b, core::array::from_fn(|k| a[k][k]))
+    Elimination { solution: b, pivots: core::array::from_fn(|k| a[k][k]), exchanged }
 }
 
-fn exchanged<R: Real>(swap: R::Mask, x: R, y: R) -> (R, R) {
+fn swapped<R: Real>(swap: R::Mask, x: R, y: R) -> (R, R) {
     (R::select(swap, || y, || x), R::select(swap, || x, || y))
 }
 

@@ -242,6 +242,6 @@ pub struct NotConverged {
 }
 
 impl NotConverged {
-    /// The equation is linear, and its root does not continue that of a shorter step: no iteration changes that.
+    /// What root there is does not continue that of a shorter step. Of a linear equation no iteration changes that.
     pub const NOT_CONTINUED: Self = NotConverged { iterations: 0, residual: f64::INFINITY };
 }

@@ -9,6 +9,7 @@
 mod continuation;
 mod damped;
 mod dense;
+mod doubt;
 mod drive;
 pub(crate) mod elimination;
 mod equation;

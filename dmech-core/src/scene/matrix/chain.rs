@@ -1,7 +1,9 @@
 //! Consecutive bodies: block-tridiagonal.
 
 use super::Kind;
-use super::block::{Block, add, definite, invert, product, scaled, subtract, times};
+use super::block::{
+    Block, add, definite, invert, is_symmetric, mirrored, orientation, product, scaled, subtract, times,
+};
 use crate::scene::vectors::Vectors;
 use crate::vector::{self, difference};
 
@@ -25,6 +27,8 @@ pub struct ChainMatrix<const D: usize> {
     /// E_i = D_i⁻¹ and W_i = E_i U_i, with D_i the eliminated diagonal.
     inverse: Vec<Block<D>>,
     following: Vec<Block<D>>,
+    /// Each D_i is positive definite, as far as it is symmetric.
+    positive: bool,
 }
 
 impl<const D: usize> ChainMatrix<D> {
@@ -36,6 +40,7 @@ impl<const D: usize> ChainMatrix<D> {
             excess: Vec::new(),
             inverse: zeros.clone(),
             following: zeros,
+            positive: true,
         }
     }
 
@@ -105,7 +110,7 @@ impl<const D: usize> ChainMatrix<D> {
     }
 
     pub(super) fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
-        let mut regular = true;
+        let (mut regular, mut positive) = (true, true);
         let mut before = [[0.0; D]; D];
         for i in 0..self.diagonal.len() {
             let g = g.get(i);
@@ -118,11 +123,28 @@ impl<const D: usize> ChainMatrix<D> {
             }
             let inverse = invert(&pivot);
             regular &= inverse.iter().flatten().all(|x| x.is_finite());
-            regular &= must_be == Kind::Regular || definite(&pivot);
+            positive &= definite(&pivot);
             before = product(&inverse, &scaled(g, &self.upper[i]));
             (self.inverse[i], self.following[i]) = (inverse, before);
         }
-        regular
+        self.positive = positive;
+        regular && (positive || must_be == Kind::Regular)
+    }
+
+    pub(super) fn is_positive(&self) -> bool {
+        self.positive
+    }
+
+    /// As [`Matrix::continues`](super::Matrix::continues): the determinant is the product of those of the D_i.
+    pub(super) fn continues(&self) -> bool {
+        let negative = || self.inverse.iter().filter(|&block| orientation(block) < 0.0).count() % 2 == 1;
+        self.positive || !(self.is_symmetric() || negative())
+    }
+
+    fn is_symmetric(&self) -> bool {
+        let n = self.diagonal.len();
+        let alike = |i: usize| mirrored(&self.upper[i - 1], &self.lower(i), [&self.diagonal[i - 1], &self.diagonal[i]]);
+        self.diagonal.iter().all(is_symmetric) && (1..n).all(alike)
     }
 
     pub(super) fn solve(&mut self, g: &Vectors<D>, x: &mut Vectors<D>) {

@@ -1,60 +1,97 @@
 //! Whether a sparse matrix is positive definite.
 
+use std::sync::Arc;
+
 use faer::Par;
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::linalg::cholesky::{SymmetricOrdering, factorize_symbolic_cholesky};
+use faer::dyn_stack::MemStack;
+use faer::sparse::linalg::cholesky::{SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 
-/// Whether A = 1 + g J is positive definite, J symmetric with links that one end may not feel, and rows scaled by g.
-///
-/// S = √g A √g⁻¹ has the pivots of A and is symmetric: its entries are the roots of AᵢⱼAⱼᵢ, and nothing is left of a link that
-/// one end does not feel, which is in no pivot. Where each row of A has more on its diagonal than beside it, as with springs that
-/// pull, that is enough; else Cholesky's factors tell, which are made anew each time: a hill in a scene of bonds is rare.
+use super::opposite;
+use super::sparse::Workspace;
+
+/// Whether each diagonal entry is larger than all beside it in its row together, as with springs that pull.
 ///
 /// `room` is for a number of each row.
-pub(super) fn is_definite(pattern: SymbolicSparseColMatRef<'_, usize>, values: &[f64], room: &mut [f64]) -> bool {
-    leads(pattern, values, room) || has_root(pattern, values)
+pub(super) fn leads(pattern: SymbolicSparseColMatRef<'_, usize>, values: &[f64], room: &mut [f64]) -> bool {
+    room.fill(0.0);
+    for (column, row, entry) in entries(pattern) {
+        room[row] += if row == column { values[entry] } else { -values[entry].abs() };
+    }
+    room.iter().all(|&excess| excess > 0.0)
 }
 
-/// Whether each diagonal entry is larger than all beside it in its row together.
-fn leads(pattern: SymbolicSparseColMatRef<'_, usize>, values: &[f64], excess: &mut [f64]) -> bool {
-    excess.fill(0.0);
-    for (column, row, entry) in entries(pattern) {
-        excess[row] += if row == column { values[entry] } else { -values[entry].abs() };
-    }
-    excess.iter().all(|&excess| excess > 0.0)
+/// Cholesky's factors, and where they are made. Their pattern is found when they are first asked for, which is rare: a hill in a
+/// scene of bonds, and steps that do not resolve the motion.
+#[derive(Clone, Debug)]
+pub(super) struct Root {
+    symbolic: Arc<SymbolicCholesky<usize>>,
+    /// Where the entry is that is opposite to each.
+    opposite: Vec<usize>,
+    symmetric: Vec<f64>,
+    factor: Vec<f64>,
+    workspace: Workspace,
 }
 
-/// Whether S has a Cholesky factor.
-fn has_root(pattern: SymbolicSparseColMatRef<'_, usize>, values: &[f64]) -> bool {
-    let (columns, rows) = (pattern.col_ptr(), pattern.row_idx());
-    let mut roots = vec![0.0; values.len()];
-    for (column, row, entry) in entries(pattern) {
-        let first = columns[row];
-        let mirrored = rows[first..columns[row + 1]].binary_search(&column);
-        let opposite = mirrored.map_or(0.0, |place| values[first + place]);
-        roots[entry] = match row == column {
-            true => values[entry],
-            false => (values[entry].abs().sqrt() * opposite.abs().sqrt()).copysign(values[entry]),
-        };
+impl Root {
+    /// `None` if there is no memory for it.
+    pub(super) fn new(pattern: SymbolicSparseColMatRef<'_, usize>) -> Option<Self> {
+        let (columns, rows) = (pattern.col_ptr(), pattern.row_idx());
+        let ordering = SymmetricOrdering::Amd;
+        let symbolic = factorize_symbolic_cholesky(pattern, faer::Side::Lower, ordering, Default::default()).ok()?;
+        let opposite = entries(pattern).map(|(column, row, entry)| {
+            let first = columns[row];
+            // The pattern is symmetric.
+            rows[first..columns[row + 1]].binary_search(&column).map_or(entry, |place| first + place)
+        });
+        Some(Root {
+            opposite: opposite.collect(),
+            symmetric: vec![0.0; rows.len()],
+            factor: vec![0.0; symbolic.len_val()],
+            workspace: Workspace::new(symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default())),
+            symbolic: Arc::new(symbolic),
+        })
     }
-    let Ok(symbolic) =
-        factorize_symbolic_cholesky(pattern, faer::Side::Lower, SymmetricOrdering::Amd, Default::default())
-    else {
-        return false;
-    };
-    let mut factor = vec![0.0; symbolic.len_val()];
-    let room = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
-    let mut buffer = MemBuffer::new(room);
-    let matrix = SparseColMatRef::new(pattern, &roots[..]);
-    let (lower, stack) = (faer::Side::Lower, MemStack::new(&mut buffer));
-    symbolic
-        .factorize_numeric_llt(&mut factor, matrix, lower, Default::default(), Par::Seq, stack, Default::default())
-        .is_ok()
+
+    /// Whether the symmetric part of 1 + √g J √g is positive definite: then the determinant of 1 + g J is positive, and if J is
+    /// symmetric this is what decides. A link that one end does not feel is in no pivot, and nothing is left of it.
+    pub(super) fn exists(&mut self, pattern: SymbolicSparseColMatRef<'_, usize>, jacobian: &[f64], g: &[f64]) -> bool {
+        for (column, row, entry) in entries(pattern) {
+            let [x, y] = [jacobian[entry], jacobian[self.opposite[entry]]];
+            let mean = if x == 0.0 || y == 0.0 { 0.0 } else { 0.5 * (x + y) };
+            let scaled = g[row].sqrt() * g[column].sqrt() * mean;
+            self.symmetric[entry] = if row == column { 1.0 + scaled } else { scaled };
+        }
+        let matrix = SparseColMatRef::new(pattern, &self.symmetric[..]);
+        let (lower, stack) = (faer::Side::Lower, MemStack::new(&mut self.workspace.buffer));
+        let made = self.symbolic.factorize_numeric_llt(
+            &mut self.factor,
+            matrix,
+            lower,
+            Default::default(),
+            Par::Seq,
+            stack,
+            Default::default(),
+        );
+        made.is_ok()
+    }
+
+    /// Whether J is symmetric, to rounding.
+    pub(super) fn of_symmetric(&self, pattern: SymbolicSparseColMatRef<'_, usize>, jacobian: &[f64]) -> bool {
+        let mut diagonal = vec![0.0; pattern.ncols()];
+        for (column, row, entry) in entries(pattern) {
+            if column == row {
+                diagonal[row] = jacobian[entry];
+            }
+        }
+        entries(pattern).all(|(column, row, entry)| {
+            opposite([jacobian[entry], jacobian[self.opposite[entry]]], [diagonal[row], diagonal[column]])
+        })
+    }
 }
 
 /// Column, row and place of every entry.
-fn entries(pattern: SymbolicSparseColMatRef<'_, usize>) -> impl Iterator<Item = (usize, usize, usize)> {
+pub(super) fn entries(pattern: SymbolicSparseColMatRef<'_, usize>) -> impl Iterator<Item = (usize, usize, usize)> {
     let (columns, rows) = (pattern.col_ptr(), pattern.row_idx());
     columns
         .windows(2)

@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use super::Kind;
 use super::series::{SMALL, Series};
+use super::{Kind, opposite};
 use crate::scene::vectors::Vectors;
 
 /// J as a matrix of all coordinates (column after column, as in [`Vectors`]), and what solves with 1 + g J.
@@ -21,6 +21,10 @@ pub struct DenseMatrix<const D: usize> {
     /// Solve by the power series: `factors` is then −g J.
     small: bool,
     series: Series,
+    /// No rows were exchanged and all pivots are positive, or there are none.
+    positive: bool,
+    /// The determinant is negative.
+    negative: bool,
 }
 
 /// The number of coordinates from which the series is looked at.
@@ -43,6 +47,8 @@ impl<const D: usize> DenseMatrix<D> {
             pivots: vec![0; n],
             small: false,
             series: Series::new(n),
+            positive: true,
+            negative: false,
         }
     }
 
@@ -82,7 +88,34 @@ impl<const D: usize> DenseMatrix<D> {
                 column[i] += 1.0;
             }
         }
+        (self.positive, self.negative) = (true, false);
         self.small || self.eliminate(must_be)
+    }
+
+    pub(super) fn is_positive(&self) -> bool {
+        self.positive
+    }
+
+    /// As [`Matrix::continues`](super::Matrix::continues): the determinant is that of the factors, and a symmetric matrix is eliminated once more.
+    pub(super) fn continues(&self, g: &Vectors<D>) -> bool {
+        if self.positive || self.negative || self.leads(g) || !self.is_symmetric() {
+            return !self.negative;
+        }
+        self.clone().factorise(g, Kind::Definite)
+    }
+
+    /// Whether each diagonal entry of 1 + g J is larger than all beside it in its row together.
+    fn leads(&self, g: &Vectors<D>) -> bool {
+        let mut beside = vec![0.0; self.pivots.len()];
+        add_row_sums(&self.jacobian, &mut beside);
+        let diagonal = self.jacobian.as_slice().iter().step_by(beside.len() + 1);
+        diagonal.zip(&beside).zip(g.flat()).all(|((d, sum), g)| 1.0 + g * (d + d.abs() - sum) > 0.0)
+    }
+
+    fn is_symmetric(&self) -> bool {
+        let j = &self.jacobian;
+        let alike = |a, b| opposite([j[(a, b)], j[(b, a)]], [j[(a, a)], j[(b, b)]]);
+        (0..j.nrows()).all(|a| (0..a).all(|b| alike(a, b)))
     }
 
     /// Factorises with exchange of rows, which a definite matrix does not need; `false` if a pivot is zero, or there not positive.
@@ -101,6 +134,8 @@ impl<const D: usize> DenseMatrix<D> {
                 Kind::Regular => diagonal != 0.0,
                 Kind::Definite => diagonal > 0.0,
             };
+            self.positive &= pivot == i && diagonal > 0.0;
+            self.negative ^= (pivot == i) == (diagonal < 0.0);
             let (mut done, mut rest) = self.factors.columns_range_pair_mut(i, i + 1..);
             let mut multipliers = done.rows_range_mut(i + 1..);
             multipliers *= diagonal.recip();

@@ -6,6 +6,8 @@ mod chain;
 mod definite;
 mod dense;
 mod near;
+#[cfg(feature = "sparse")]
+mod orientation;
 mod series;
 #[cfg(feature = "sparse")]
 mod sparse;
@@ -27,6 +29,13 @@ pub enum Kind {
     /// For a symmetric J (that of links which one end does not feel may be 0 there): positive definite, which 1 + g J of a force
     /// that is linear is where it has not been singular for any shorter step.
     Definite,
+}
+
+/// Whether two entries of J are opposite each other in a symmetric one, to the rounding of sums as large as what is on the diagonal.
+/// So they are if one of them is 0: of a link that one end does not feel, the other entry is in no pivot.
+fn opposite([x, y]: [f64; 2], [a, b]: [f64; 2]) -> bool {
+    const ROUNDING: f64 = 1e-11;
+    x == 0.0 || y == 0.0 || (x - y).abs() <= ROUNDING * (x.abs() + y.abs() + a.abs() + b.abs())
 }
 
 /// A Jacobian in D×D blocks, and the factors of 1 + g J made of it.
@@ -132,6 +141,33 @@ impl<const D: usize> Matrix<D> {
             Matrix::Sparse(matrix) => matrix.factorise(g, must_be),
             Matrix::Near(matrix) => matrix.factorise(g, must_be),
             Matrix::Dense(matrix) => matrix.factorise(g, must_be),
+        }
+    }
+
+    /// Whether the factors of a regular matrix say at once what [`continues`](Matrix::continues) finds, which is so where the step
+    /// resolves the motion.
+    #[inline]
+    pub fn is_positive(&self) -> bool {
+        match self {
+            Matrix::Chain(matrix) => matrix.is_positive(),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.is_positive(),
+            Matrix::Near(matrix) => matrix.is_positive(),
+            Matrix::Dense(matrix) => matrix.is_positive(),
+        }
+    }
+
+    /// Whether 1 + g J, with the g that was factorised, may be that at a root which continues that of a shorter step. It grows from
+    /// the unit matrix with the step, and on the way is not singular: its determinant is positive, and where J is symmetric it is
+    /// positive definite.
+    #[cold]
+    pub fn continues(&mut self, g: &Vectors<D>) -> bool {
+        match self {
+            Matrix::Chain(matrix) => matrix.continues(),
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse(matrix) => matrix.continues(g),
+            Matrix::Near(matrix) => matrix.continues(g),
+            Matrix::Dense(matrix) => matrix.continues(g),
         }
     }
 

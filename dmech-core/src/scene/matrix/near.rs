@@ -1,6 +1,6 @@
 //! Bodies within reach of each other, which are others from step to step: the blocks as they come, and no factors.
 
-use super::block::{Block, add, times};
+use super::block::{Block, add, least, times};
 use super::series::{SMALL, Series};
 use super::{Kind, Matrix};
 use crate::scene::topology::Topology;
@@ -109,7 +109,19 @@ impl<const D: usize> NearMatrix<D> {
         let mut series = core::mem::replace(&mut self.series, Series::new(0));
         self.small = series.ends(g, SMALL, |sums| self.add_row_sums(sums));
         self.series = series;
-        self.small || must_be == Kind::Regular || self.leads() || self.has_pivots(g)
+        self.small || must_be == Kind::Regular || self.leads() || self.pulls() || self.eliminated(g, Kind::Definite).1
+    }
+
+    pub(super) fn is_positive(&self) -> bool {
+        self.small
+    }
+
+    /// As [`Matrix::continues`]: where the blocks by themselves do not tell, by elimination.
+    pub(super) fn continues(&mut self, g: &Vectors<D>) -> bool {
+        self.small || self.leads() || self.pulls() || {
+            let (mut matrix, regular) = self.eliminated(g, Kind::Regular);
+            !regular || matrix.continues(g)
+        }
     }
 
     /// Whether each diagonal entry of 1 + g J is larger than all beside it in its row together.
@@ -123,19 +135,43 @@ impl<const D: usize> NearMatrix<D> {
         leads
     }
 
-    /// Whether elimination finds 1 + g J positive definite: a hill in a scene with test bodies is rare.
-    fn has_pivots(&self, g: &Vectors<D>) -> bool {
-        let mut dense = Matrix::new(self.bodies, &Topology::Dense);
+    /// Whether no link and no body takes more from 1 than there is: x·J x ≥ Σ λ |x_a − x_b|² ≥ 2 Σ λ (|x_a|² + |x_b|²) with
+    /// the least eigenvalue λ < 0 of each link, of the part of J that is symmetric.
+    fn pulls(&mut self) -> bool {
+        if !self.others.is_empty() {
+            return false;
+        }
+        let mut lost: Vec<f64> = self.own.iter().map(|block| least(block).min(0.0)).collect();
+        for (a, b, block) in &self.links {
+            let least = 2.0 * least(block).min(0.0);
+            lost[*a] += least;
+            lost[*b] += least;
+        }
+        (0..D).all(|k| lost.iter().zip(&self.g[k * self.bodies..]).all(|(lost, g)| 1.0 + g * lost > 0.0))
+    }
+
+    /// The matrix with factors, and whether it is as it must be: of many bodies sparse ones, where there are such.
+    fn eliminated(&self, g: &Vectors<D>, must_be: Kind) -> (Matrix<D>, bool) {
+        const FEW: usize = 60;
+        let topology = if self.bodies > FEW {
+            let ends = |&(a, b, _): &(usize, usize, Block<D>)| (a, b);
+            let bonds = self.links.iter().chain(&self.others).map(ends).collect();
+            Topology::Sparse { bonds, chain: false }
+        } else {
+            Topology::Dense
+        };
+        let mut matrix = Matrix::new(self.bodies, &topology);
         for (a, &block) in self.own.iter().enumerate() {
-            dense.add_block(a, a, block);
+            matrix.add_block(a, a, block);
         }
         for &(a, b, block) in &self.links {
-            dense.add_link(a, b, block);
+            matrix.add_link(a, b, block);
         }
         for &(a, b, block) in &self.others {
-            dense.add_block(a, b, block);
+            matrix.add_block(a, b, block);
         }
-        dense.factorise(g, Kind::Definite)
+        let fits = matrix.factorise(g, must_be);
+        (matrix, fits)
     }
 
     pub(super) fn solve(&mut self, x: &mut [f64]) {

@@ -6,7 +6,8 @@ use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, MatMut, Par};
 
 use super::Kind;
-use super::definite::is_definite;
+use super::definite::{Root, leads};
+use super::orientation::is_negative;
 use super::series::{SMALL, Series};
 use crate::scene::vectors::Vectors;
 
@@ -31,6 +32,7 @@ pub struct SparseMatrix<const D: usize> {
     factors: NumericLu<usize, f64>,
     /// Whether `factors` holds any: faer has no empty ones of the right size.
     factorised: bool,
+    root: Option<Box<Root>>,
     probe: Vec<f64>,
     workspace: Workspace,
 }
@@ -71,6 +73,7 @@ impl<const D: usize> SparseMatrix<D> {
             symbolic,
             factors: NumericLu::new(),
             factorised: false,
+            root: None,
             probe: vec![0.0; n],
             workspace: Workspace::new(StackReq::any_of(&[factorise, solve])),
         })
@@ -123,7 +126,7 @@ impl<const D: usize> SparseMatrix<D> {
                 }
             }
         }
-        if must_be == Kind::Definite && !is_definite(self.pattern.as_ref(), &self.values, &mut self.probe) {
+        if must_be == Kind::Definite && !self.has_root(g) {
             return false;
         }
         let matrix = SparseColMatRef::new(self.pattern.as_ref(), &self.values[..]);
@@ -136,6 +139,32 @@ impl<const D: usize> SparseMatrix<D> {
             solve(&self.symbolic, &self.factors, &mut self.probe, &mut self.workspace);
             self.probe.iter().all(|x| x.is_finite())
         }
+    }
+
+    /// Whether the symmetric part of 1 + g J, rows of a symmetric J not scaled by g, is positive definite.
+    fn has_root(&mut self, g: &Vectors<D>) -> bool {
+        let pattern = self.pattern.as_ref();
+        if leads(pattern, &self.values, &mut self.probe) {
+            return true;
+        }
+        if self.root.is_none() {
+            self.root = Root::new(pattern).map(Box::new);
+        }
+        self.root.as_mut().is_some_and(|root| root.exists(pattern, &self.jacobian, g.flat()))
+    }
+
+    pub(super) fn is_positive(&self) -> bool {
+        self.small
+    }
+
+    /// As [`Matrix::continues`](super::Matrix::continues).
+    pub(super) fn continues(&mut self, g: &Vectors<D>) -> bool {
+        if self.small || self.has_root(g) {
+            return true;
+        }
+        let pattern = self.pattern.as_ref();
+        let symmetric = self.root.as_ref().is_none_or(|root| root.of_symmetric(pattern, &self.jacobian));
+        !symmetric && !is_negative(SparseColMatRef::new(pattern, &self.values[..]), self.symbolic.col_perm())
     }
 
     pub(super) fn solve(&mut self, x: &mut Vectors<D>) {
@@ -171,13 +200,13 @@ fn solve(symbolic: &SymbolicLu<usize>, factors: &NumericLu<usize, f64>, x: &mut 
 }
 
 /// Where faer computes; what is in it has no meaning between two calls.
-struct Workspace {
+pub(super) struct Workspace {
     size: StackReq,
-    buffer: MemBuffer,
+    pub(super) buffer: MemBuffer,
 }
 
 impl Workspace {
-    fn new(size: StackReq) -> Self {
+    pub(super) fn new(size: StackReq) -> Self {
         Workspace { size, buffer: MemBuffer::new(size) }
     }
 }

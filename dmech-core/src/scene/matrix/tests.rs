@@ -198,8 +198,44 @@ fn what_is_not_positive_definite_is_noticed() {
                 }
             }
             assert_eq!(matrix.factorise(&columns, Kind::Definite), least > 0.0, "{topology:?}, {seed}: {least}");
+            // And so they say of factors made by exchange of rows.
+            assert!(matrix.factorise(&columns, Kind::Regular), "{topology:?}, {seed}");
+            let continues = matrix.is_positive() || matrix.continues(&columns);
+            assert_eq!(continues, least > 0.0, "{topology:?}, {seed}: {least}");
         }
     }
     println!("{seen:?} matrices: definite, of a negative determinant, of a positive one");
     assert!(seen.iter().all(|&n| n >= 20));
+}
+
+/// Of a J that is not symmetric it is the sign of the determinant.
+#[test]
+fn a_negative_determinant_is_noticed() {
+    let n = 5;
+    let mut seen = [0; 2];
+    for seed in 0..200 {
+        let wave = |i: usize| 2.5 * ((seed * 53 + i * 17 + 3) as f64 * 0.7).sin();
+        let mut g = Vectors::<2>::zeros(n);
+        (0..n).for_each(|i| g.set(i, if i == seed % 9 { [0.0; 2] } else { [0.4, 0.3 + 0.05 * i as f64] }));
+        let block = |i: usize| [[wave(i), wave(i + 1)], [wave(i + 2), wave(i + 3)]];
+        let mut dense = nalgebra::DMatrix::<f64>::identity(2 * n, 2 * n);
+        let mut matrices = topologies(n).map(|topology| Matrix::<2>::new(n, &topology));
+        for (a, b) in (0..n).map(|a| (a, a)).chain((1..n).flat_map(|a| [(a - 1, a), (a, a - 1)])) {
+            let block = block(40 * a + 4 * b);
+            for (k, l) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                dense[(k * n + a, l * n + b)] += g.get(a)[k] * block[k][l];
+            }
+            matrices.iter_mut().for_each(|matrix| matrix.add_block(a, b, block));
+        }
+        let determinant = dense.determinant();
+        if determinant.abs() < 1e-6 {
+            continue;
+        }
+        seen[usize::from(determinant < 0.0)] += 1;
+        for matrix in &mut matrices {
+            assert!(matrix.factorise(&g, Kind::Regular));
+            assert_eq!(matrix.is_positive() || matrix.continues(&g), determinant > 0.0, "{matrix:?}, {seed}");
+        }
+    }
+    assert!(seen.iter().all(|&n| n >= 50), "{seen:?}");
 }

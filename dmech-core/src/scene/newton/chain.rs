@@ -4,7 +4,7 @@ use dmech_scalar::{Lanes, Real, two_sum};
 
 use super::{Equations, Progress, Solver, Unknown, Verdict, unfit};
 use crate::newton::NotConverged;
-use crate::scene::matrix::block::{Block, definite, invert, product, times};
+use crate::scene::matrix::block::{Block, invert, least_pivot, product, times};
 use crate::scene::terms::stencil::{Stencil, block, load, store};
 use crate::scene::vectors::Vectors;
 
@@ -18,11 +18,13 @@ pub(super) struct Elimination<const D: usize> {
     following: Vec<Block<D>>,
     /// drift − g (G + known) − Δ; after a step that conserves the energy, in its place what the rounding of G left out.
     residual: Vectors<D>,
+    /// Each Pᵢ is positive definite, as far as it is symmetric.
+    positive: bool,
 }
 
 impl<const D: usize> Elimination<D> {
     pub(super) fn new(bodies: usize) -> Self {
-        Elimination { following: vec![[[0.0; D]; D]; bodies], residual: Vectors::zeros(bodies) }
+        Elimination { following: vec![[[0.0; D]; D]; bodies], residual: Vectors::zeros(bodies), positive: true }
     }
 
     /// What the rounding of the last G + J δ left out.
@@ -56,7 +58,9 @@ impl<const D: usize> Solver<D> {
             };
             let [size, step] = self.back::<U>(chain, equation);
             match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
-                Verdict::Settled => return Ok(iteration),
+                Verdict::Settled if U::LINEAR || chain.positive => return Ok(iteration),
+                Verdict::Settled if self.continued_from_here(equation, unknown, 1.0) => return Ok(iteration),
+                Verdict::Settled => return Err(NotConverged::NOT_CONTINUED),
                 Verdict::GoesOn => {}
                 Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),
             }
@@ -84,7 +88,7 @@ impl<const D: usize> Solver<D> {
     ) -> Option<f64> {
         let bodies = self.delta.bodies();
         let (mut force, mut stiffness, mut place) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
-        let mut sound = true;
+        let mut least = f64::INFINITY;
         let mut before = Before { link: [0.0; D], jacobian: [[0.0; D]; D], following: [[0.0; D]; D], solved: [0.0; D] };
         self.place_block(equation, 0, guess);
         for first in (0..bodies).step_by(Lanes::COUNT) {
@@ -116,13 +120,15 @@ impl<const D: usize> Solver<D> {
                 &mut before,
                 &mut chain.following[range.clone()],
                 |lane, pivot, y| {
-                    sound &= !U::LINEAR || definite(pivot);
+                    let pivot = least_pivot(pivot);
+                    least = if pivot < least { pivot } else { least };
                     self.place.set(first + lane, y);
                 },
             );
             stiffness = stiffness.max(stiff);
         }
-        sound.then(|| largest(force) + largest(stiffness) * largest(place))
+        chain.positive = least > 0.0;
+        (chain.positive || !U::LINEAR).then(|| largest(force) + largest(stiffness) * largest(place))
     }
 
     /// δᵢ = yᵢ + (P⁻¹U)ᵢ δᵢ₊₁ from the last body to the first; Δ += δ, and G += J δ with J δ = (r − δ)/g.

@@ -185,8 +185,9 @@ impl<const D: usize> Solver<D> {
         };
         match settled {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
-            Err(astray) if astray == NotConverged::NOT_CONTINUED => Err(astray),
-            Err(astray) => self.lengthen(equation, unknown, astray.iterations as u32),
+            // Of a linear force there is no other root.
+            Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
+            Err(astray) => self.lengthen(equation, unknown, astray),
         }
     }
 
@@ -225,7 +226,7 @@ impl<const D: usize> Solver<D> {
             self.turn::<U>();
             let [size, step] = self.correct();
             match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
-                Verdict::Settled => return Ok(iteration),
+                Verdict::Settled => return self.continued(equation, unknown, theta, iteration),
                 Verdict::GoesOn => {}
                 Verdict::Slow if since_factors > 1 => since_factors = CHORD,
                 Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),
@@ -265,7 +266,40 @@ impl<const D: usize> Solver<D> {
         self.solve_linear(equation, theta);
         self.turn::<U>();
         let [size, _] = self.correct();
-        if rounding && size.is_finite() { Ok(astray.iterations as u32 + 1) } else { Err(astray) }
+        if rounding && size.is_finite() {
+            self.continued(equation, unknown, theta, astray.iterations as u32 + 1)
+        } else {
+            Err(astray)
+        }
+    }
+
+    /// The root found after so many corrections, if 1 + g J there may be that of a root which continues that of a shorter step.
+    ///
+    /// The factors in use are of a place before the last corrections. Those have shrunk, so that they are factors of a matrix with
+    /// a determinant of the same sign; but J may jump in between, and before a root is refused J is taken where it is.
+    fn continued<U: Unknown<D>>(
+        &mut self,
+        equation: &Equations<'_, D>,
+        unknown: &U,
+        theta: f64,
+        iterations: u32,
+    ) -> Result<u32, NotConverged> {
+        if U::LINEAR || self.matrix.is_positive() || self.matrix_continues(equation, theta) {
+            return Ok(iterations);
+        }
+        self.continued_from_here(equation, unknown, theta).then_some(iterations).ok_or(NotConverged::NOT_CONTINUED)
+    }
+
+    /// The same, with J at the root.
+    #[cold]
+    fn continued_from_here<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>, unknown: &U, theta: f64) -> bool {
+        self.place::<U>(equation);
+        self.take_jacobian(equation, unknown, theta) && self.matrix_continues(equation, theta)
+    }
+
+    fn matrix_continues(&mut self, equation: &Equations<'_, D>, theta: f64) -> bool {
+        let g = if theta == 1.0 { equation.g } else { &self.scaled };
+        self.matrix.continues(g)
     }
 
     /// Whether the residual is what rounding makes of the equation, for every coordinate: of h v, of the forces, of Δ, and,
@@ -290,14 +324,14 @@ impl<const D: usize> Solver<D> {
         &mut self,
         equation: &Equations<'_, D>,
         unknown: &U,
-        spent: u32,
+        astray: NotConverged,
     ) -> Result<Effort, NotConverged> {
-        let mut evaluations = spent + 1;
+        let mut evaluations = astray.iterations as u32 + 1;
         self.delta.clear();
         self.place::<U>(equation);
         unknown.gradient(0.0, &self.place, &self.velocity, &mut self.first);
         self.slope.clear();
-        let (mut theta, mut advance, mut residual) = (0.0, 0.25, f64::NAN);
+        let (mut theta, mut advance, mut ending) = (0.0, 0.25, astray);
         while evaluations < equation.newton.limit() && advance >= SHORTEST {
             let next = f64::min(theta + advance, 1.0);
             let ahead = next - theta;
@@ -320,13 +354,16 @@ impl<const D: usize> Solver<D> {
                     advance *= 2.0;
                 }
                 Err(astray) => {
-                    evaluations += astray.iterations as u32;
-                    residual = astray.residual;
+                    evaluations += u32::max(astray.iterations as u32, 1);
+                    ending = astray;
                     advance *= 0.25;
                 }
             }
         }
-        Err(NotConverged { iterations: evaluations.into(), residual })
+        if [astray, ending].contains(&NotConverged::NOT_CONTINUED) {
+            return Err(NotConverged::NOT_CONTINUED);
+        }
+        Err(NotConverged { iterations: evaluations.into(), residual: ending.residual })
     }
 
     /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.

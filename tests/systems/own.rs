@@ -100,15 +100,23 @@ fn a_scheme_of_ones_own_composes() {
     assert!(run.drift(Invariant::WorkEnergy).unwrap().max_abs() < 1e-13);
 }
 
-/// Schemes that carry a kick over the end of a step, or prepare their workspace for a length, in compositions and in
-/// compositions of those: orders, invariants, work and the way back.
+/// Schemes that carry a kick over the end of a step, or prepare their workspace for a length, in compositions: orders, invariants,
+/// work and the way back.
 #[test]
 fn what_a_scheme_carries_is_stretched_between_stages() {
     verify_scheme(Composed::order4(Steps(own(Leapfrog)))).assert();
     verify_scheme(Composed::order4(Steps(own(Nystrom::order4())))).assert();
     verify_scheme(Composed::order4(Steps(own(DiscreteGradient)))).assert();
+}
+
+#[test]
+fn so_it_is_in_compositions_of_compositions() {
     verify_scheme(Composed::order6(Steps(own(Composed::order4(DiscreteGradient))))).assert();
     verify_scheme(Composed::order6(Steps(own(Composed::order4(Steps(own(Leapfrog))))))).assert();
+}
+
+#[test]
+fn and_in_compositions_of_those() {
     verify_scheme(Composed::order6(Steps(own(Composed::order4(Steps(own(Composed::order4(DiscreteGradient))))))))
         .assert();
 }

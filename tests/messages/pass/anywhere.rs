@@ -32,7 +32,6 @@ impl physics::Elsewhere {
     }
 }
 
-
 fn main() {
     struct Spring {
         k: f64,

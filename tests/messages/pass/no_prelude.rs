@@ -26,7 +26,6 @@ struct Spring {
     k: f64,
 }
 
-
 fn main() {
     let law = Kepler { gm: 1.0 };
     let field = ::dmech::Law::<2, _>::field(&law, 2.0, 0.0);

@@ -1,6 +1,8 @@
 //! A private potential that nothing calls, under the strictest lints.
 #![deny(warnings, dead_code, missing_docs, unused, unreachable_pub, clippy::all, clippy::pedantic, rust_2018_idioms)]
 #![deny(non_camel_case_types, single_use_lifetimes, unused_qualifications, unsafe_code, trivial_numeric_casts)]
+// The author's own names.
+#![allow(clippy::many_single_char_names)]
 use dmech::prelude::*;
 
 /// A planet about a sun whose mass pulsates.

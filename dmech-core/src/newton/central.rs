@@ -147,7 +147,7 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
     if Settled::<D, R>::MANY {
         return Err(NotConverged { iterations: spent.into(), residual: f64::NAN });
     }
-    continuation::follow::<false, D, R>(
+    continuation::follow::<false, D, R, _>(
         equation,
         spent,
         |equation, delta, x| {
@@ -155,7 +155,7 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
             let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
             rank_one(equation, delta, x, sum, c, c1 + c1)
         },
-        &(),
+        (),
     )
 }
 

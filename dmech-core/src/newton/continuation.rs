@@ -19,11 +19,11 @@ const SHORTEST: f64 = 1.0 / 16384.0;
 /// The equation comes by value: were it borrowed, every step that does not come here would still lay it out in memory.
 #[cold]
 #[inline(never)]
-pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
+pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real, A: Ask>(
     equation: Equation<D, R>,
     spent: u32,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-    ask: &impl Ask,
+    ask: A,
 ) -> Result<Increment<D, R>, NotConverged> {
     let mut evaluations = spent;
     let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
@@ -41,7 +41,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         let ahead = R::from_f64(next - theta);
         part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         let settled = settle::<ONCE_ROUNDED, D, R>(&part, &mut correct);
-        refused = settled.is_ok_and(|found| !is_continued(&part, found.delta, &mut correct, ask));
+        refused = A::ASKS && settled.is_ok_and(|found| !is_continued(&part, found.delta, &mut correct, ask));
         match settled {
             Ok(found) if !refused => {
                 evaluations += found.evaluations.to_u64() as u32;
@@ -69,6 +69,9 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     }
     if equation.piecewise {
         let spent = evaluations.min(equation.max_iterations / 2);
+        if !A::ASKS {
+            return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, correct);
+        }
         let found = damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, &mut correct)?;
         let continued = is_continued(&equation, found.delta, &mut correct, ask);
         return if continued { Ok(found) } else { Err(NotConverged::NOT_CONTINUED) };

@@ -12,7 +12,10 @@ use super::settled::Settled;
 use super::{Correction, Equation};
 
 /// What is asked of a root that was found.
-pub(super) trait Ask {
+pub(super) trait Ask: Copy {
+    /// Anything is asked at all.
+    const ASKS: bool;
+
     /// The factors of the last correction show at once that the root is a continued one.
     fn sure(&self) -> bool;
     /// The matrix of the next correction is wanted.
@@ -24,6 +27,8 @@ pub(super) trait Ask {
 
 /// Nothing is asked.
 impl Ask for () {
+    const ASKS: bool = false;
+
     #[inline(always)]
     fn sure(&self) -> bool {
         true
@@ -62,7 +67,9 @@ impl<const D: usize, R: Real> Doubt<D, R> {
     }
 }
 
-impl<const D: usize, R: Real> Ask for Doubt<D, R> {
+impl<const D: usize, R: Real> Ask for &Doubt<D, R> {
+    const ASKS: bool = true;
+
     #[inline(always)]
     fn sure(&self) -> bool {
         self.sure.get()
@@ -81,7 +88,7 @@ pub(super) fn is_continued<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     delta: [R; D],
     correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-    ask: &impl Ask,
+    ask: impl Ask,
 ) -> bool {
     ask.sure() || {
         ask.open();

@@ -2,6 +2,7 @@
 //! algebra, or refused where no root continues that of a shorter step.
 
 use dmech::Interrupted;
+use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::scene::Scene;
 use nalgebra::{DMatrix, DVector};
@@ -376,6 +377,56 @@ fn charges_on_a_hill_are_stepped_as_long_as_there_is_a_root_all_the_way() {
                 Some(linear.step(h, &[1.0])),
                 true,
             );
+        }
+    }
+}
+
+/// Two bodies on a line, pushed apart by their spring in steps of several of its periods: Newton's first root is that of bodies which
+/// have changed places, and the one that continues the motion is followed.
+#[test]
+fn a_root_that_is_gone_over_to_is_left_again() {
+    let scene = || Scene::new().body(1.0, [0.0, 0.0], [0.0, 0.0]).body(1.0, [0.6, 0.0], [0.4, 0.0]);
+    for k in 1..=60 {
+        let h = 0.05 * f64::from(k);
+        // r = r₀ + h u − a (r₀ − l) − a (r − l), linear as long as r > 0.
+        let a = h * h * 20.0 / 2.0;
+        let r = (0.6 + 0.4 * h - a * (0.6 - 1.0) + a) / (1.0 + a);
+        let chain = Simulation::scene(scene().chain(Spring { k: 20.0, length: 1.0 })).scheme(Implicit).dt(h);
+        let pairs = Simulation::scene(scene().pairs(Spring { k: 20.0, length: 1.0 })).scheme(Implicit).dt(h);
+        for run in [chain.run(1), pairs.run(1)] {
+            let q = run.unwrap_or_else(|lost| panic!("steps of {h}: {lost}")).last().q.clone();
+            assert!((q[1][0] - q[0][0] - r).abs() < 1e-12, "steps of {h}: {q:?} for a distance of {r}");
+        }
+    }
+}
+
+/// A force of which each component is felt by the next, round and round: entries without an opposite make no symmetric matrix, and its
+/// determinant is positive for every step.
+#[test]
+fn a_cycle_is_not_symmetric() {
+    #[derive(Clone, Copy, Debug)]
+    struct Cycle {
+        k: f64,
+        c: f64,
+    }
+    #[dmech::law]
+    impl Cycle {
+        #[force]
+        fn force(&self, q: [f64; 3]) -> [f64; 3] {
+            [self.k * q[0] - self.c * q[1], self.k * q[1] - self.c * q[2], self.k * q[2] - self.c * q[0]]
+        }
+    }
+    let law = Cycle { k: 1.0, c: 3.0 };
+    let start = || State::new([0.3, 0.1, -0.2], [0.1, 0.0, 0.0]);
+    let scene = || Scene::new().body(1.0, start().q, start().v).field(law);
+    for h in [0.5, 1.9, 2.0, 2.05, 2.5, 4.0, 40.0] {
+        let alone = *Simulation::new(law, start()).scheme(Implicit).dt(h).run(1).unwrap().last();
+        let body = Simulation::scene(scene()).scheme(Implicit).dt(h).run(1).unwrap().last().q[0];
+        let few = scene().as_law::<1, 3>();
+        let few = Simulation::new(few, start()).scheme(Implicit).dt(h).run(1).unwrap().last().q;
+        for k in 0..3 {
+            let [body, few] = [body[k], few[k]].map(|q| (q - alone.q[k]).abs());
+            assert!(body < 1e-12 && few < 1e-12, "steps of {h}: off by {body:e} and {few:e}");
         }
     }
 }

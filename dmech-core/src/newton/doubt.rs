@@ -110,9 +110,17 @@ fn may_continue<const D: usize, R: Real>(a: [[R; D]; D]) -> bool {
 }
 
 /// Whether rows can be multiplied by positive numbers, as by masses, so that A is symmetric, to the rounding of what is on its
-/// diagonal. An entry opposite to which there is none is in no pivot.
+/// diagonal. An entry opposite to which there is none is in no pivot, unless a way along others leads back.
 fn has_symmetric_form<const D: usize>(a: &[[f64; D]; D]) -> bool {
     const ROUNDING: f64 = 1e-11;
+    let mut leads = a.map(|row| row.map(|x| x != 0.0));
+    for k in 0..D {
+        for i in 0..D {
+            for j in 0..D {
+                leads[i][j] |= leads[i][k] && leads[k][j];
+            }
+        }
+    }
     let mut factors = [0.0; D];
     for first in 0..D {
         if factors[first] == 0.0 {
@@ -134,7 +142,8 @@ fn has_symmetric_form<const D: usize>(a: &[[f64; D]; D]) -> bool {
         (0..i).all(|j| {
             let [x, y] = [factors[i] * a[i][j], factors[j] * a[j][i]];
             let sizes = x.abs() + y.abs() + factors[i] * a[i][i].abs() + factors[j] * a[j][j].abs();
-            x == 0.0 || y == 0.0 || (x - y).abs() <= ROUNDING * sizes
+            let one_way = |from: usize, to: usize| a[from][to] == 0.0 && !leads[from][to];
+            one_way(i, j) || one_way(j, i) || (x - y).abs() <= ROUNDING * sizes
         })
     })
 }

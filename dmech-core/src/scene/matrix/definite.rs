@@ -7,8 +7,8 @@ use faer::dyn_stack::MemStack;
 use faer::sparse::linalg::cholesky::{SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 
-use super::opposite;
 use super::sparse::Workspace;
+use super::{felt, in_no_pivot, opposite};
 
 /// Whether each diagonal entry is larger than all beside it in its row together, as with springs that pull.
 ///
@@ -76,8 +76,14 @@ impl Root {
         made.is_ok()
     }
 
-    /// Whether J is symmetric, to rounding.
-    pub(super) fn of_symmetric(&self, pattern: SymbolicSparseColMatRef<'_, usize>, jacobian: &[f64]) -> bool {
+    /// Whether J of so many bodies is symmetric, to rounding.
+    pub(super) fn of_symmetric(
+        &self,
+        bodies: usize,
+        pattern: SymbolicSparseColMatRef<'_, usize>,
+        jacobian: &[f64],
+    ) -> bool {
+        let felt = felt(bodies, entries(pattern).map(|(column, row, entry)| (row, column, jacobian[entry])));
         let mut diagonal = vec![0.0; pattern.ncols()];
         for (column, row, entry) in entries(pattern) {
             if column == row {
@@ -85,7 +91,8 @@ impl Root {
             }
         }
         entries(pattern).all(|(column, row, entry)| {
-            opposite([jacobian[entry], jacobian[self.opposite[entry]]], [diagonal[row], diagonal[column]])
+            let pair = [jacobian[entry], jacobian[self.opposite[entry]]];
+            opposite(pair, [diagonal[row], diagonal[column]]) || in_no_pivot([row, column], pair, &felt)
         })
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::series::{SMALL, Series};
-use super::{Kind, opposite};
+use super::{Kind, felt, in_no_pivot, opposite};
 use crate::scene::vectors::Vectors;
 
 /// J as a matrix of all coordinates (column after column, as in [`Vectors`]), and what solves with 1 + g J.
@@ -114,7 +114,12 @@ impl<const D: usize> DenseMatrix<D> {
 
     fn is_symmetric(&self) -> bool {
         let j = &self.jacobian;
-        let alike = |a, b| opposite([j[(a, b)], j[(b, a)]], [j[(a, a)], j[(b, b)]]);
+        let entries = (0..j.ncols()).flat_map(|b| (0..j.nrows()).map(move |a| (a, b, j[(a, b)])));
+        let felt = felt(self.bodies, entries);
+        let alike = |a, b| {
+            let pair = [j[(a, b)], j[(b, a)]];
+            opposite(pair, [j[(a, a)], j[(b, b)]]) || in_no_pivot([a, b], pair, &felt)
+        };
         (0..j.nrows()).all(|a| (0..a).all(|b| alike(a, b)))
     }
 

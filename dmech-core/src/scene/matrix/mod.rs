@@ -32,10 +32,25 @@ pub enum Kind {
 }
 
 /// Whether two entries of J are opposite each other in a symmetric one, to the rounding of sums as large as what is on the diagonal.
-/// So they are if one of them is 0: of a link that one end does not feel, the other entry is in no pivot.
 fn opposite([x, y]: [f64; 2], [a, b]: [f64; 2]) -> bool {
     const ROUNDING: f64 = 1e-11;
-    x == 0.0 || y == 0.0 || (x - y).abs() <= ROUNDING * (x.abs() + y.abs() + a.abs() + b.abs())
+    (x - y).abs() <= ROUNDING * (x.abs() + y.abs() + a.abs() + b.abs())
+}
+
+/// The bodies whose places others feel, by the entries of J, each with its row and column: component after component, as in
+/// [`Vectors`]. What a body feels that is not among them, as a test body, is in no pivot.
+fn felt(bodies: usize, entries: impl Iterator<Item = (usize, usize, f64)>) -> Vec<bool> {
+    let mut felt = vec![false; bodies];
+    for (row, column, entry) in entries {
+        felt[column % bodies] |= row % bodies != column % bodies && entry != 0.0;
+    }
+    felt
+}
+
+/// Whether an entry and the one opposite to it are of two bodies, and what is not 0 of them is in no pivot.
+fn in_no_pivot([row, column]: [usize; 2], [x, y]: [f64; 2], felt: &[bool]) -> bool {
+    let [a, b] = [row, column].map(|place| place % felt.len());
+    a != b && (x == 0.0 || y == 0.0) && !felt[if x == 0.0 { b } else { a }]
 }
 
 /// A Jacobian in D×D blocks, and the factors of 1 + g J made of it.

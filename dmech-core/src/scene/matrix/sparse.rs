@@ -163,7 +163,8 @@ impl<const D: usize> SparseMatrix<D> {
             return true;
         }
         let pattern = self.pattern.as_ref();
-        let symmetric = self.root.as_ref().is_none_or(|root| root.of_symmetric(pattern, &self.jacobian));
+        let symmetric =
+            self.root.as_ref().is_none_or(|root| root.of_symmetric(self.first.len() - 1, pattern, &self.jacobian));
         !symmetric && !is_negative(SparseColMatRef::new(pattern, &self.values[..]), self.symbolic.col_perm())
     }
 

@@ -28,6 +28,8 @@ const NEAR: f64 = 1e-6;
 const ROUNDINGS: f64 = 4.0;
 /// The shortest progress in θ before the path counts as ended.
 const SHORTEST: f64 = 1.0 / 4096.0;
+/// Progress in θ that does not go over to another root, as that of two bodies on a spring which have changed places.
+const SHORT: f64 = 1.0 / 64.0;
 
 /// Find Δ with  Δ + g (G(q + Δ) + known) = drift,  as for one body, with one g for each coordinate.
 ///
@@ -187,7 +189,15 @@ impl<const D: usize> Solver<D> {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
-            Err(astray) => self.lengthen(equation, unknown, astray),
+            Err(astray) => {
+                let found = self.lengthen(equation, unknown, astray, 1.0);
+                let gone_over = |lost: &NotConverged| *lost == NotConverged::NOT_CONTINUED;
+                found.or_else(
+                    |lost| {
+                        if gone_over(&lost) { self.lengthen(equation, unknown, lost, SHORT) } else { Err(lost) }
+                    },
+                )
+            }
         }
     }
 
@@ -318,20 +328,21 @@ impl<const D: usize> Solver<D> {
         })
     }
 
-    /// Follows the root from a step of length 0 to the whole step.
+    /// Follows the root from a step of length 0 to the whole step, by progress in θ of no more than `longest`.
     #[cold]
     fn lengthen<U: Unknown<D>>(
         &mut self,
         equation: &Equations<'_, D>,
         unknown: &U,
         astray: NotConverged,
+        longest: f64,
     ) -> Result<Effort, NotConverged> {
         let mut evaluations = astray.iterations as u32 + 1;
         self.delta.clear();
         self.place::<U>(equation);
         unknown.gradient(0.0, &self.place, &self.velocity, &mut self.first);
         self.slope.clear();
-        let (mut theta, mut advance, mut ending) = (0.0, 0.25, astray);
+        let (mut theta, mut advance, mut ending) = (0.0, f64::min(0.25, longest), astray);
         while evaluations < equation.newton.limit() && advance >= SHORTEST {
             let next = f64::min(theta + advance, 1.0);
             let ahead = next - theta;
@@ -351,7 +362,7 @@ impl<const D: usize> Solver<D> {
                     }
                     self.first.clone_from(&self.gradient);
                     theta = next;
-                    advance *= 2.0;
+                    advance = f64::min(2.0 * advance, longest);
                 }
                 Err(astray) => {
                     evaluations += u32::max(astray.iterations as u32, 1);

@@ -147,7 +147,7 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
     if Settled::<D, R>::MANY {
         return Err(NotConverged { iterations: spent.into(), residual: f64::NAN });
     }
-    continuation::follow::<false, D, R, _>(
+    continuation::follow::<false, D, R>(
         equation,
         spent,
         |equation, delta, x| {

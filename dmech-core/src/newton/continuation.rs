@@ -13,17 +13,17 @@ const SHORTEST: f64 = 1.0 / 16384.0;
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.
 ///
-/// θ, the part of the step, advances by as much as Newton accepts and leads to roots that continue the last. Each Δ(θ) is predicted with the force extrapolated
-/// linearly in θ, so that the powers θ and θ² of the known parts are exact.
+/// θ, the part of the step, advances by as much as Newton accepts and leads to roots that continue the last. Each Δ(θ) is predicted
+/// with the force extrapolated linearly in θ, so that the powers θ and θ² of the known parts are exact.
 ///
 /// The equation comes by value: were it borrowed, every step that does not come here would still lay it out in memory.
 #[cold]
 #[inline(never)]
-pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real, A: Ask>(
+pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: Equation<D, R>,
     spent: u32,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-    ask: A,
+    ask: impl Ask,
 ) -> Result<Increment<D, R>, NotConverged> {
     let mut evaluations = spent;
     let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
@@ -41,7 +41,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real, A: Ask>(
         let ahead = R::from_f64(next - theta);
         part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         let settled = settle::<ONCE_ROUNDED, D, R>(&part, &mut correct);
-        refused = A::ASKS && settled.is_ok_and(|found| !is_continued(&part, found.delta, &mut correct, ask));
+        refused = settled.is_ok_and(|found| !is_continued(&part, found.delta, &mut correct, ask));
         match settled {
             Ok(found) if !refused => {
                 evaluations += found.evaluations.to_u64() as u32;
@@ -69,9 +69,6 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real, A: Ask>(
     }
     if equation.piecewise {
         let spent = evaluations.min(equation.max_iterations / 2);
-        if !A::ASKS {
-            return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, correct);
-        }
         let found = damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, &mut correct)?;
         let continued = is_continued(&equation, found.delta, &mut correct, ask);
         return if continued { Ok(found) } else { Err(NotConverged::NOT_CONTINUED) };

@@ -21,7 +21,7 @@ pub fn dense<const D: usize, R: Real>(
         let (gradient, jacobian) = force(b);
         correction(equation, delta, gradient, &jacobian, &doubt)
     };
-    asked::<false, D, R, _>(equation, correct, &doubt)
+    asked::<false, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense`], for a force (a, b) ↦ (G(a, b), ∂G/∂b) between two points.
@@ -37,7 +37,7 @@ pub fn dense_discrete<const D: usize, R: Real>(
         let (gradient, jacobian) = force(equation.a, b);
         correction(equation, delta, gradient, &jacobian, &doubt)
     };
-    asked::<false, D, R, _>(equation, correct, &doubt)
+    asked::<false, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense`], for a force (equation, Δ, b, v′) ↦ (G, ∂G/∂b, ∂G/∂v′) that also depends on the velocity at the end of
@@ -57,7 +57,7 @@ pub fn dense_forced<const D: usize, R: Real>(
         let jacobian = by_entry!(|i, j| rate.mul_add(by_velocity[i][j], by_position[i][j]));
         correction(equation, delta, gradient, &jacobian, &doubt)
     };
-    asked::<false, D, R, _>(equation, correct, &doubt)
+    asked::<false, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense_forced`], for a force that does no work: with increments rounded once; the parts of G are
@@ -76,7 +76,7 @@ pub fn dense_middle<const D: usize, R: Real>(
         let change = doubt.solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
         Correction::sum(change, slope, turned(&jacobian, change))
     };
-    asked::<true, D, R, _>(equation, correct, &doubt)
+    asked::<true, D, R>(equation, correct, &doubt)
 }
 
 /// As [`dense`], for the gradient of a quadratic potential: one correction from Δ = 0 is the solution, if it continues that of

@@ -13,9 +13,6 @@ use super::{Correction, Equation};
 
 /// What is asked of a root that was found.
 pub(super) trait Ask: Copy {
-    /// Anything is asked at all.
-    const ASKS: bool;
-
     /// The factors of the last correction show at once that the root is a continued one.
     fn sure(&self) -> bool;
     /// The matrix of the next correction is wanted.
@@ -27,8 +24,6 @@ pub(super) trait Ask: Copy {
 
 /// Nothing is asked.
 impl Ask for () {
-    const ASKS: bool = false;
-
     #[inline(always)]
     fn sure(&self) -> bool {
         true
@@ -68,8 +63,6 @@ impl<const D: usize, R: Real> Doubt<D, R> {
 }
 
 impl<const D: usize, R: Real> Ask for &Doubt<D, R> {
-    const ASKS: bool = true;
-
     #[inline(always)]
     fn sure(&self) -> bool {
         self.sure.get()

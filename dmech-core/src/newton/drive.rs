@@ -20,29 +20,28 @@ pub fn drive<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    asked::<false, D, R, _>(equation, correct, ())
+    asked::<false, D, R>(equation, correct, ())
 }
 
 /// As [`drive`] and [`drive_middle`]; of the root that is found it is asked whether it continues that of a shorter step.
 #[inline(always)]
-pub(super) fn asked<const ONCE_ROUNDED: bool, const D: usize, R: Real, A: Ask>(
+pub(super) fn asked<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-    ask: A,
+    ask: impl Ask,
 ) -> Result<Increment<D, R>, NotConverged> {
     match settle::<ONCE_ROUNDED, D, R>(equation, &mut correct) {
-        Ok(increment) if !A::ASKS => Ok(increment),
         Ok(increment) if is_continued(equation, increment.delta, &mut correct, ask) => Ok(increment),
         Ok(_) if Settled::<D, R>::MANY => Err(NotConverged::NOT_CONTINUED),
         Ok(found) => {
             let spent = found.iterations.to_u64() as u32;
-            let found = continuation::follow::<ONCE_ROUNDED, D, R, _>(*equation, spent, correct, ask);
+            let found = continuation::follow::<ONCE_ROUNDED, D, R>(*equation, spent, correct, ask);
             Increment::apart(found.map_err(|_| NotConverged::NOT_CONTINUED))
         }
         Err(astray) if Settled::<D, R>::MANY => Err(astray),
         Err(astray) => {
             let spent = astray.iterations as u32;
-            Increment::apart(continuation::follow::<ONCE_ROUNDED, D, R, _>(*equation, spent, correct, ask))
+            Increment::apart(continuation::follow::<ONCE_ROUNDED, D, R>(*equation, spent, correct, ask))
         }
     }
 }
@@ -68,5 +67,5 @@ pub fn drive_middle<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    asked::<true, D, R, _>(equation, |equation, delta, b| correct(equation, equation.a, delta, b), ())
+    asked::<true, D, R>(equation, |equation, delta, b| correct(equation, equation.a, delta, b), ())
 }

@@ -189,15 +189,10 @@ impl<const D: usize> Solver<D> {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
-            Err(astray) => {
-                let found = self.lengthen(equation, unknown, astray, 1.0);
-                let gone_over = |lost: &NotConverged| *lost == NotConverged::NOT_CONTINUED;
-                found.or_else(
-                    |lost| {
-                        if gone_over(&lost) { self.lengthen(equation, unknown, lost, SHORT) } else { Err(lost) }
-                    },
-                )
-            }
+            Err(astray) => match self.lengthen(equation, unknown, astray, 1.0) {
+                Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(equation, unknown, lost, SHORT),
+                found => found,
+            },
         }
     }
 

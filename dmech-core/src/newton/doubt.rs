@@ -56,8 +56,8 @@ impl<const D: usize, R: Real> Doubt<D, R> {
         if self.wanted.take() {
             self.matrix.set(a);
         }
-        let Elimination { solution, pivots, exchanged } = elimination::eliminate::<true, D, R>(a, b);
-        self.sure.set(!exchanged && pivots.iter().all(|&pivot| R::ZERO.less(pivot).all()));
+        let Elimination { solution, pivots, exchanges } = elimination::eliminate::<true, D, R>(a, b);
+        self.sure.set(exchanges == 0 && pivots.iter().all(|&pivot| R::ZERO.less(pivot).all()));
         solution
     }
 }

@@ -17,44 +17,30 @@ pub(crate) fn solve_definite<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D])
 }
 
 /// −1, 0 or 1: the sign of det A.
-pub(crate) fn orientation<const D: usize>(mut a: [[f64; D]; D]) -> f64 {
-    let mut sign = 1.0;
-    for k in 0..D {
-        for i in k + 1..D {
-            if a[k][k].abs() < a[i][k].abs() {
-                a.swap(k, i);
-                sign = -sign;
-            }
-        }
-        sign *= if a[k][k] == 0.0 { 0.0 } else { a[k][k].signum() };
-        for i in k + 1..D {
-            let factor = a[i][k] / a[k][k];
-            for j in k + 1..D {
-                a[i][j] -= factor * a[k][j];
-            }
-        }
-    }
-    sign
+pub(crate) fn orientation<const D: usize>(a: [[f64; D]; D]) -> f64 {
+    let Elimination { pivots, exchanges, .. } = eliminate::<true, D, f64>(a, [0.0; D]);
+    let sign = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
+    pivots.into_iter().fold(if exchanges % 2 == 0 { 1.0 } else { -1.0 }, |all, pivot| all * sign(pivot))
 }
 
 /// What an elimination finds.
 pub(super) struct Elimination<const D: usize, R> {
     pub(super) solution: [R; D],
     pub(super) pivots: [R; D],
-    /// Rows were exchanged, in some lane.
-    pub(super) exchanged: bool,
+    /// How often rows were exchanged, in any lane.
+    pub(super) exchanges: u32,
 }
 
 pub(super) fn eliminate<const EXCHANGE: bool, const D: usize, R: Real>(
     mut a: [[R; D]; D],
     mut b: [R; D],
 ) -> Elimination<D, R> {
-    let mut exchanged = false;
+    let mut exchanges = 0;
     for k in 0..D {
         for i in if EXCHANGE { k + 1..D } else { 0..0 } {
             let larger = a[k][k].abs().less(a[i][k].abs());
             if larger.any() {
-                exchanged = true;
+                exchanges += 1;
                 for j in k..D {
                     (a[k][j], a[i][j]) = swapped(larger, a[k][j], a[i][j]);
                 }
@@ -77,7 +63,7 @@ pub(super) fn eliminate<const EXCHANGE: bool, const D: usize, R: Real>(
         }
         b[k] = sum / a[k][k];
     }
-    Elimination { solution: b, pivots: core::array::from_fn(|k| a[k][k]), exchanged }
+    Elimination { solution: b, pivots: core::array::from_fn(|k| a[k][k]), exchanges }
 }
 
 fn swapped<R: Real>(swap: R::Mask, x: R, y: R) -> (R, R) {

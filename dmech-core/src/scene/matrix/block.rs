@@ -104,11 +104,6 @@ pub(crate) fn least<const D: usize>(x: &Block<D>) -> f64 {
     }
 }
 
-/// −1, 0 or 1: the sign of det X.
-pub(crate) fn orientation<const D: usize>(x: &Block<D>) -> f64 {
-    elimination::orientation(*x)
-}
-
 /// X = Xᵀ, to rounding.
 pub(crate) fn is_symmetric<const D: usize>(x: &Block<D>) -> bool {
     mirrored(x, x, [x, x])

@@ -1,9 +1,8 @@
 //! Consecutive bodies: block-tridiagonal.
 
 use super::Kind;
-use super::block::{
-    Block, add, definite, invert, is_symmetric, mirrored, orientation, product, scaled, subtract, times,
-};
+use super::block::{Block, add, definite, invert, is_symmetric, mirrored, product, scaled, subtract, times};
+use crate::newton::elimination::orientation;
 use crate::scene::vectors::Vectors;
 use crate::vector::{self, difference};
 
@@ -137,7 +136,7 @@ impl<const D: usize> ChainMatrix<D> {
 
     /// As [`Matrix::continues`](super::Matrix::continues): the determinant is the product of those of the D_i.
     pub(super) fn continues(&self) -> bool {
-        let negative = || self.inverse.iter().filter(|&block| orientation(block) < 0.0).count() % 2 == 1;
+        let negative = || self.inverse.iter().filter(|&&block| orientation(block) < 0.0).count() % 2 == 1;
         self.positive || !(self.is_symmetric() || negative())
     }
 

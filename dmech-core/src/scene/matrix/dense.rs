@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::series::{SMALL, Series};
-use super::{Kind, felt, in_no_pivot, opposite};
+use super::{Kind, felt, in_no_pivot, leads, opposite};
 use crate::scene::vectors::Vectors;
 
 /// J as a matrix of all coordinates (column after column, as in [`Vectors`]), and what solves with 1 + g J.
@@ -104,12 +104,12 @@ impl<const D: usize> DenseMatrix<D> {
         self.clone().factorise(g, Kind::Definite)
     }
 
-    /// Whether each diagonal entry of 1 + g J is larger than all beside it in its row together.
+    /// Whether each diagonal entry of 1 + g J leads its row.
     fn leads(&self, g: &Vectors<D>) -> bool {
-        let mut beside = vec![0.0; self.pivots.len()];
-        add_row_sums(&self.jacobian, &mut beside);
-        let diagonal = self.jacobian.as_slice().iter().step_by(beside.len() + 1);
-        diagonal.zip(&beside).zip(g.flat()).all(|((d, sum), g)| 1.0 + g * (d + d.abs() - sum) > 0.0)
+        let mut sums = vec![0.0; self.pivots.len()];
+        add_row_sums(&self.jacobian, &mut sums);
+        let diagonal = self.jacobian.as_slice().iter().step_by(sums.len() + 1);
+        leads(diagonal.copied(), &sums, g.flat())
     }
 
     fn is_symmetric(&self) -> bool {

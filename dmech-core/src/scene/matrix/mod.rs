@@ -31,6 +31,12 @@ pub enum Kind {
     Definite,
 }
 
+/// Whether each diagonal entry of 1 + g J is larger than all beside it in its row together, by the diagonal of J, Σ |J| over each row
+/// and g.
+fn leads(diagonal: impl Iterator<Item = f64>, sums: &[f64], g: &[f64]) -> bool {
+    diagonal.zip(sums).zip(g).all(|((d, sum), g)| 1.0 + g * (d + d.abs() - sum) > 0.0)
+}
+
 /// Whether two entries of J are opposite each other in a symmetric one, to the rounding of sums as large as what is on the diagonal.
 fn opposite([x, y]: [f64; 2], [a, b]: [f64; 2]) -> bool {
     const ROUNDING: f64 = 1e-11;

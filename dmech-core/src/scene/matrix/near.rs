@@ -2,7 +2,7 @@
 
 use super::block::{Block, add, least, times};
 use super::series::{SMALL, Series};
-use super::{Kind, Matrix};
+use super::{Kind, Matrix, leads};
 use crate::scene::topology::Topology;
 use crate::scene::vectors::{Vectors, largest};
 
@@ -124,13 +124,13 @@ impl<const D: usize> NearMatrix<D> {
         }
     }
 
-    /// Whether each diagonal entry of 1 + g J is larger than all beside it in its row together.
+    /// Whether each diagonal entry of 1 + g J leads its row.
     fn leads(&mut self) -> bool {
         let mut sums = core::mem::take(&mut self.room[0]);
         sums.fill(0.0);
         self.add_row_sums(&mut sums);
         let diagonal = (0..D).flat_map(|k| self.diagonal.iter().map(move |block| block[k][k]));
-        let leads = diagonal.zip(&sums).zip(&self.g).all(|((d, sum), g)| 1.0 + g * (d + d.abs() - sum) > 0.0);
+        let leads = leads(diagonal, &sums, &self.g);
         self.room[0] = sums;
         leads
     }

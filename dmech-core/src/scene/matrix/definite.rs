@@ -54,11 +54,18 @@ impl Root {
     }
 
     /// Whether the symmetric part of 1 + √g J √g is positive definite: then the determinant of 1 + g J is positive, and if J is
-    /// symmetric this is what decides. A link that one end does not feel is in no pivot, and nothing is left of it.
-    pub(super) fn exists(&mut self, pattern: SymbolicSparseColMatRef<'_, usize>, jacobian: &[f64], g: &[f64]) -> bool {
+    /// symmetric this is what decides. Of a link to a body that nobody feels, which is in no pivot, nothing is left.
+    pub(super) fn exists(
+        &mut self,
+        bodies: usize,
+        pattern: SymbolicSparseColMatRef<'_, usize>,
+        jacobian: &[f64],
+        g: &[f64],
+    ) -> bool {
+        let felt = felt_by_others(bodies, pattern, jacobian);
         for (column, row, entry) in entries(pattern) {
             let [x, y] = [jacobian[entry], jacobian[self.opposite[entry]]];
-            let mean = if x == 0.0 || y == 0.0 { 0.0 } else { 0.5 * (x + y) };
+            let mean = if in_no_pivot([row, column], [x, y], &felt) { 0.0 } else { 0.5 * (x + y) };
             let scaled = g[row].sqrt() * g[column].sqrt() * mean;
             self.symmetric[entry] = if row == column { 1.0 + scaled } else { scaled };
         }
@@ -83,7 +90,7 @@ impl Root {
         pattern: SymbolicSparseColMatRef<'_, usize>,
         jacobian: &[f64],
     ) -> bool {
-        let felt = felt(bodies, entries(pattern).map(|(column, row, entry)| (row, column, jacobian[entry])));
+        let felt = felt_by_others(bodies, pattern, jacobian);
         let mut diagonal = vec![0.0; pattern.ncols()];
         for (column, row, entry) in entries(pattern) {
             if column == row {
@@ -95,6 +102,10 @@ impl Root {
             opposite(pair, [diagonal[row], diagonal[column]]) || in_no_pivot([row, column], pair, &felt)
         })
     }
+}
+
+fn felt_by_others(bodies: usize, pattern: SymbolicSparseColMatRef<'_, usize>, jacobian: &[f64]) -> Vec<bool> {
+    felt(bodies, entries(pattern).map(|(column, row, entry)| (row, column, jacobian[entry])))
 }
 
 /// Column, row and place of every entry.

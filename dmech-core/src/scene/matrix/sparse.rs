@@ -150,7 +150,7 @@ impl<const D: usize> SparseMatrix<D> {
         if self.root.is_none() {
             self.root = Root::new(pattern).map(Box::new);
         }
-        self.root.as_mut().is_some_and(|root| root.exists(pattern, &self.jacobian, g.flat()))
+        self.root.as_mut().is_some_and(|root| root.exists(self.first.len() - 1, pattern, &self.jacobian, g.flat()))
     }
 
     pub(super) fn is_positive(&self) -> bool {

@@ -239,3 +239,26 @@ fn a_negative_determinant_is_noticed() {
     }
     assert!(seen.iter().all(|&n| n >= 50), "{seen:?}");
 }
+
+/// Entries without an opposite that lead round in a circle, x₀ → x₁ → y₁ → y₀ → x₀: of no symmetric matrix, and with a determinant
+/// of d⁴ − c⁴ where d is on the diagonal.
+#[test]
+fn a_circle_of_entries_is_not_symmetric() {
+    let n = 4;
+    for (d, c) in [(-2.0, 1.0), (-1.0, 2.0), (1.0, 2.0), (2.0, 1.0)] {
+        let mut g = Vectors::<2>::zeros(n);
+        g.flat_mut().fill(0.5);
+        let own = (d - 1.0) / 0.5;
+        let link = c / 0.5;
+        for topology in topologies(n) {
+            let mut matrix = Matrix::<2>::new(n, &topology);
+            matrix.add_block(0, 0, [[own, 0.0], [link, own]]);
+            matrix.add_block(1, 1, [[own, link], [0.0, own]]);
+            matrix.add_block(0, 1, [[link, 0.0], [0.0, 0.0]]);
+            matrix.add_block(1, 0, [[0.0, 0.0], [0.0, link]]);
+            assert!(matrix.factorise(&g, Kind::Regular));
+            let continues = matrix.is_positive() || matrix.continues(&g);
+            assert_eq!(continues, d.abs() > c, "{topology:?}: {d}, {c}");
+        }
+    }
+}

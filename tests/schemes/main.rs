@@ -15,3 +15,4 @@ mod quadratic;
 mod relaxed;
 mod runge_kutta_nystrom;
 mod splittings;
+mod walls;

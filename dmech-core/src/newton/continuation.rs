@@ -8,8 +8,9 @@ use super::doubt::{Ask, is_continued};
 use super::settle::{largest, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
-/// The shortest progress in θ before the path counts as ended (a fold: beyond it no continuous root exists).
-const SHORTEST: f64 = 1.0 / 16384.0;
+/// The shortest progress in θ before the path counts as ended (a fold: beyond it no continuous root exists). Near a singularity the
+/// first may have to be as short.
+const SHORTEST: f64 = 1.0 / 16_777_216.0;
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.
 ///

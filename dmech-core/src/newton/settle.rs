@@ -4,6 +4,7 @@ use dmech_scalar::{Count, Mask, Real};
 
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged};
+use crate::vector::by_component;
 
 /// Corrections before the loop gives up on a starting point; quadratic convergence needs 3 to 6.
 const PATIENCE: u32 = 12;
@@ -21,6 +22,9 @@ const ROUNDINGS: f64 = 64.0;
 /// A piecewise force may bend between one iterate and the next, so that neither estimate holds: there the last correction
 /// itself must be below rounding.
 ///
+/// In a steep wall G may be 10²⁰ times what it is at the root. Then G + J δ cancels, and the Δ that is formed of it is rounding;
+/// what tells is that it is not the last one plus δ.
+///
 /// The guess is left behind when the first correction is larger than the whole step, or when corrections do not halve
 /// (the affine-invariant monotonicity test; P. Deuflhard, Newton Methods for Nonlinear Problems, §3.2).
 #[inline]
@@ -36,34 +40,46 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let half = R::from_f64(0.5);
     // What a correction may be by rounding alone, however small all numbers are: a motion that dies away comes to rest.
     let grains = R::from_f64(ROUNDINGS) * grain::<R>();
+    let roundings = R::from_f64(ROUNDINGS) * R::EPSILON;
     let mut delta = equation.guess;
     let mut last = R::ZERO;
     let mut all = Settled::<D, R>::none();
     let patience = if equation.piecewise { 3 * PATIENCE } else { PATIENCE }.min(equation.max_iterations);
     for iteration in 1..=patience {
         let Correction { delta: change, gradient, parts } = correct(equation, delta, equation.end(delta));
+        let before = delta;
         delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let size = length(&change);
         let step = length(&delta);
-        let settled;
+        let mut settled;
         let astray;
         if iteration == 1 {
             let small = if equation.piecewise { margin } else { root_of_margin };
             settled = size.less_or_equal(small * step);
             let scale = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
-            astray = (scale + length(&equation.guess) + grains).less(size);
+            astray = size.less_or_equal(scale + length(&equation.guess) + grains).not();
         } else {
             let pull = equation.g.abs() * length(&gradient);
             let halved = size.less_or_equal(half * last);
-            // What no longer shrinks is the rounding of b and of the known side.
-            let numbers = step + length(&equation.q) + length(&equation.drift);
-            let noise = R::from_f64(ROUNDINGS) * R::EPSILON * numbers + grains;
-            let at_rest = halved.not().and(size.less_or_equal(noise));
             let rate = if equation.piecewise { R::ONE } else { size / last };
-            let small = (size * rate * rate).less_or_equal(margin * pull).or(size.equal(R::ZERO));
-            settled = small.or(at_rest);
+            settled = (size * rate * rate).less_or_equal(margin * pull);
+            if !all.or(settled).all() {
+                // What no longer shrinks is the rounding of b and of the known side.
+                let numbers = step + length(&equation.q) + length(&equation.drift);
+                let at_rest = halved.not().and(size.less_or_equal(roundings * numbers + grains));
+                settled = settled.or(size.equal(R::ZERO)).or(at_rest);
+            }
             // Past a seam the slope is another, and a correction may be longer than the last for once.
-            astray = if equation.piecewise { (last + last).less(size) } else { halved.not() };
+            astray = if equation.piecewise { size.less_or_equal(last + last).not() } else { halved.not() };
+        }
+        if settled.any() {
+            let apart = length(&by_component!(|i| (delta[i] - before[i]) - change[i]));
+            let mut agree = apart.less_or_equal(roundings * step);
+            if !all.or(agree).all() {
+                let numbers = step + length(&equation.drift) + length(&equation.frozen);
+                agree = apart.less_or_equal(roundings * numbers + grains);
+            }
+            settled = settled.and(agree);
         }
         let settled = all.or(settled);
         let made = Count::of(iteration);
@@ -71,7 +87,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         if let Some(found) = all.add(settled, next) {
             return Ok(found);
         }
-        if astray.and(settled.not()).any() || !all.or(size.finite()).all() {
+        if astray.and(settled.not()).any() {
             return Err(NotConverged { iterations: iteration.into(), residual: largest(&change) });
         }
         last = size;

@@ -77,7 +77,8 @@ impl<const D: usize> Solver<D> {
     /// with L the Jacobian of the link to the next body and L₋ that of the one before.
     ///
     /// max |g G| + max |g J| max |b| comes back: as positions are rounded, G is not known better than to a rounding error of
-    /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger. Nothing comes back where a
+    /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger. |g G| counts for no more than in
+    /// [`Solver::residual`], and |g J| for no more than 1, as Δ is off by g J/(1 + g J) of what b is. Nothing comes back where a
     /// linear force has a matrix that is not positive definite.
     fn along<U: Unknown<D>>(
         &mut self,
@@ -107,9 +108,9 @@ impl<const D: usize> Solver<D> {
                 g[k] = of(equation.g);
                 let known = equation.known.map_or(Lanes::ZERO, of);
                 let pull = g[k] * gradient;
-                force = force.max(pull.abs());
                 place = place.max(of(&self.place).abs());
                 residual[k] = equation.drifts(column()) - (pull + g[k] * known) - of(&self.delta);
+                force = force.max(pull.abs().min((pull + residual[k]).abs()));
                 store(gradient, self.gradient.flat_mut(), column());
                 store(residual[k], chain.residual.flat_mut(), column());
             }
@@ -128,7 +129,7 @@ impl<const D: usize> Solver<D> {
             stiffness = stiffness.max(stiff);
         }
         chain.positive = least > 0.0;
-        (chain.positive || !U::LINEAR).then(|| largest(force) + largest(stiffness) * largest(place))
+        (chain.positive || !U::LINEAR).then(|| largest(force) + f64::min(largest(stiffness), 1.0) * largest(place))
     }
 
     /// δᵢ = yᵢ + (P⁻¹U)ᵢ δᵢ₊₁ from the last body to the first; Δ += δ, and G += J δ with J δ = (r − δ)/g.

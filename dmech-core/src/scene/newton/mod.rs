@@ -20,14 +20,17 @@ use crate::system::{Effort, Guess, Newton};
 
 /// Corrections with one factorisation before the Jacobian is taken anew.
 const CHORD: u32 = 6;
+/// The same where the root of a shorter step is followed: the Jacobian varies fastest there.
+const CHORD_FOLLOWED: u32 = 1;
 /// Corrections before a starting point is given up.
 const PATIENCE: u32 = 30;
 /// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
 const NEAR: f64 = 1e-6;
 /// A residual of so many units in the last place of the parts of the equation is rounding.
 const ROUNDINGS: f64 = 4.0;
-/// The shortest progress in θ before the path counts as ended.
-const SHORTEST: f64 = 1.0 / 4096.0;
+/// The shortest progress in θ before the path counts as ended: forces may push bodies out of one another 10⁶ times as far as they
+/// are apart.
+const SHORTEST: f64 = 1.0 / 16_777_216.0;
 /// Progress in θ that does not go over to another root, as that of two bodies on a spring which have changed places.
 const SHORT: f64 = 1.0 / 64.0;
 
@@ -182,7 +185,7 @@ impl<const D: usize> Solver<D> {
             chain => {
                 self.chain = chain;
                 self.guess(equation);
-                self.settle(equation, unknown, 1.0)
+                self.settle(equation, unknown, 1.0, CHORD)
             }
         };
         match settled {
@@ -196,14 +199,15 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    /// Newton with one factorisation for several corrections, for a part θ of the step.
+    /// Newton with one factorisation for as many corrections as `chord`, for a part θ of the step.
     fn settle<U: Unknown<D>>(
         &mut self,
         equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
+        chord: u32,
     ) -> Result<u32, NotConverged> {
-        let settled = self.approach(equation, unknown, theta);
+        let settled = self.approach(equation, unknown, theta, chord);
         settled.or_else(|astray| self.finish(equation, unknown, theta, astray))
     }
 
@@ -213,13 +217,14 @@ impl<const D: usize> Solver<D> {
         equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
+        chord: u32,
     ) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
         let mut since_factors = 0;
         for iteration in 1..=equation.limit() {
             self.place::<U>(equation);
             unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
-            if iteration == 1 || since_factors == CHORD {
+            if iteration == 1 || since_factors == chord {
                 if !self.take_jacobian(equation, unknown, theta) {
                     return Err(unfit::<U, D>(iteration));
                 }
@@ -233,7 +238,7 @@ impl<const D: usize> Solver<D> {
             match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
                 Verdict::Settled => return self.continued(equation, unknown, theta, iteration),
                 Verdict::GoesOn => {}
-                Verdict::Slow if since_factors > 1 => since_factors = CHORD,
+                Verdict::Slow if since_factors > 1 => since_factors = chord,
                 Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),
             }
         }
@@ -346,7 +351,7 @@ impl<const D: usize> Solver<D> {
                 let force = known + ahead * self.slope.flat()[i] + self.first.flat()[i];
                 self.delta.flat_mut()[i] = next * equation.drift(i) - next * next * equation.g.flat()[i] * force;
             }
-            match self.settle(equation, unknown, next) {
+            match self.settle(equation, unknown, next, CHORD_FOLLOWED) {
                 Ok(iterations) => {
                     evaluations += iterations;
                     if next >= 1.0 {
@@ -395,7 +400,8 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    /// drift − g (G + known) − Δ, in the place of the position; the largest |g G| comes back.
+    /// drift − g (G + known) − Δ, in the place of the position. What comes back is the largest |g G|, of no coordinate more than
+    /// what is wanted of it, drift − g known − Δ: at one end of a correction that leads out of a wall the force may be 10²⁰ times that.
     fn residual(&mut self, equation: &Equations<'_, D>, theta: f64) -> f64 {
         let square = theta * theta;
         let mut force = 0.0_f64;
@@ -404,9 +410,9 @@ impl<const D: usize> Solver<D> {
         for ((residual, delta), (i, (g, gradient))) in out.zip(forces) {
             let g = square * g;
             let pull = g * gradient;
-            force = force.max(pull.abs());
             let known = equation.known.map_or(0.0, |known| g * known.flat()[i]);
             *residual = theta * equation.drift(i) - (pull + known) - delta;
+            force = force.max(pull.abs().min((pull + *residual).abs()));
         }
         force
     }

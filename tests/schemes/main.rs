@@ -6,6 +6,7 @@ mod at_rest;
 mod bodies;
 mod compensated;
 mod composed;
+mod continued;
 mod double_double;
 mod hills;
 mod hills_beside;

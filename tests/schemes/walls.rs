@@ -171,12 +171,14 @@ fn laws() {
     for speed in [2.0, 7.0] {
         assert_eq!(law_steps!(Wall { depth }, State::new([2.0], [-speed])), all);
         assert_eq!(law_steps!(Apart { depth }, State::new([2.0, 0.1], [-0.5 * speed, 0.4 * speed])), all);
-        assert_eq!(law_steps!(Centre { depth }, State::new([2.0, 0.0], [-speed, 0.0])), all);
     }
-    // Past a body that is not met head-on the root of a step of the trapezoid may end.
-    let mut beside = law_steps!(Centre { depth }, State::new([2.0, 0.1], [-2.0, 0.0]));
-    beside += law_steps!(Oblong { depth }, State::new([1.4, 1.1], [-1.3, -1.1]));
-    assert!(beside > all, "{beside}");
+    // In the plane the root of a long step of the trapezoid ends, or leaves the line: across it the wall is a hill.
+    let mut taken = 0;
+    for start in [State::new([2.0, 0.0], [-2.0, 0.0]), State::new([2.0, 0.1], [-2.0, 0.0])] {
+        taken += law_steps!(Centre { depth }, start);
+    }
+    taken += law_steps!(Oblong { depth }, State::new([1.4, 1.1], [-1.3, -1.1]));
+    assert!(taken > 3 * all / 2, "{taken}");
 }
 
 /// Bodies that fly at one another.

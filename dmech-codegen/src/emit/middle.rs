@@ -14,11 +14,9 @@ impl Printer<'_> {
     /// ```text
     /// let slope = { … [G] };
     /// let [rhs0, rhs1] = equation.residual(delta, slope);
-    /// let (change, turned) = { … ([δ], [J δ]) };
-    /// Correction::sum(change, slope, turned)
+    /// let (change, turned, positive) = { … ([δ], [J δ], […]) };
+    /// Correction::sum(change, slope, turned).if_positive(positive)
     /// ```
-    ///
-    /// A linear step adds what has to be positive to the second block and to the result.
     pub(super) fn middle_step(&self, slope: &Program, change: &Program, linear: bool) -> TokenStream {
         let Self { scalar, runtime, variables, dimension: d, .. } = self;
         let [equation, a, delta, b] = ["equation", "a", "delta", "b"].map(ident);
@@ -45,12 +43,8 @@ impl Printer<'_> {
         let Printed { statements: solve, outputs: solution } = body(change, &self.names, scalar);
         let (changes, rest) = solution.split_at(variables.q.len());
         let (turns, positive) = rest.split_at(variables.q.len());
-        let [positive_pattern, positive] = match linear {
-            true => [quote!(, #grown), quote!(, [#(#positive),*])],
-            false => [quote!(), quote!()],
-        };
         let correction = quote!(#runtime::newton::Correction::sum(#moved, #first, #turned));
-        let result = if linear { quote!((#correction, #grown)) } else { correction };
+        let result = if linear { quote!((#correction, #grown)) } else { quote!(#correction.if_positive(#grown)) };
         let solver = ident(if linear { "once_middle" } else { "drive_middle" });
         let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };
         let doc = format!(
@@ -70,7 +64,7 @@ impl Printer<'_> {
                     #(#scalars)*
                     let #first = { #statements [#(#outputs),*] };
                     #residual
-                    let (#moved, #turned #positive_pattern) = { #solve ([#(#changes),*], [#(#turns),*] #positive) };
+                    let (#moved, #turned, #grown) = { #solve ([#(#changes),*], [#(#turns),*], [#(#positive),*]) };
                     #result
                 })
             }

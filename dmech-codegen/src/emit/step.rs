@@ -49,7 +49,7 @@ impl Printer<'_> {
             });
             let needs_equation = known.is_some() || velocities.iter().chain(&scalars).any(Option::is_some);
             let closure_equation = underscored(&equation, needs_equation);
-            // δ, then G + J δ or both apart; of a linear step, what has to be positive.
+            // δ, then G + J δ or both apart, then what has to be positive.
             let (constructor, vectors) = if between { ("in_parts", 3) } else { ("rounded", 2) };
             let constructor = ident(constructor);
             let (vectors, positive) = outputs.split_at(vectors * variables.q.len());
@@ -57,7 +57,8 @@ impl Printer<'_> {
             let correction = quote!(#runtime::newton::Correction::#constructor(#([#(#vectors),*]),*));
             let result = match step {
                 Step::Linear(_) => quote!((#correction, [#(#positive),*])),
-                _ => correction,
+                _ if positive.is_empty() => correction,
+                _ => quote!(#correction.if_positive([#(#positive),*])),
             };
             quote! {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {

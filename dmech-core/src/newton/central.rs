@@ -12,6 +12,7 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
+use super::settle::Astray;
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
 use crate::vector::{by_component, difference, dot, scaled, sum};
@@ -147,16 +148,12 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
     if Settled::<D, R>::MANY {
         return Err(NotConverged { iterations: spent.into(), residual: f64::NAN });
     }
-    continuation::follow::<false, D, R>(
-        equation,
-        spent,
-        |equation, delta, x| {
-            let sum = if BETWEEN { sum(equation.a, x) } else { x };
-            let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
-            rank_one(equation, delta, x, sum, c, c1 + c1)
-        },
-        (),
-    )
+    let astray = Astray { evaluations: spent, residual: f64::NAN, elsewhere: false };
+    continuation::follow::<false, D, R>(equation, astray, |equation, delta, x| {
+        let sum = if BETWEEN { sum(equation.a, x) } else { x };
+        let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));
+        rank_one(equation, delta, x, sum, c, c1 + c1)
+    })
 }
 
 /// The correction for G = c Q with J = c + k Q⊗x, by the formula of Sherman and Morrison.
@@ -173,7 +170,9 @@ fn rank_one<const D: usize, R: Real>(
     let wanted = equation.increment(gradient);
     let residual = difference(wanted, delta);
     let p = R::ONE + g * c;
-    let along = dot(x, residual) / (p + g * k * dot(x, sum));
+    let across = p + g * k * dot(x, sum);
+    let along = dot(x, residual) / across;
     let change = by_component!(|i| (residual[i] - g * k * along * sum[i]) / p);
-    Correction::in_parts(change, gradient, by_component!(|i| c * change[i] + k * along * sum[i]))
+    let turned = by_component!(|i| c * change[i] + k * along * sum[i]);
+    Correction::in_parts(change, gradient, turned).if_positive([p, across])
 }

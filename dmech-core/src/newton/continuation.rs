@@ -4,8 +4,7 @@ use crate::vector::by_component;
 use dmech_scalar::{Count, Real};
 
 use super::damped;
-use super::doubt::{Ask, is_continued};
-use super::settle::{largest, settle};
+use super::settle::{Astray, largest, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
 /// The shortest progress in θ before the path counts as ended (a fold: beyond it no continuous root exists). Near a singularity the
@@ -22,29 +21,25 @@ const SHORTEST: f64 = 1.0 / 16_777_216.0;
 #[inline(never)]
 pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: Equation<D, R>,
-    spent: u32,
+    astray: Astray,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-    ask: impl Ask,
 ) -> Result<Increment<D, R>, NotConverged> {
-    let mut evaluations = spent;
+    let mut evaluations = astray.evaluations;
     let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
     let mut gradient = correct(&start, start.guess, equation.q).gradient;
     evaluations += 1;
     let mut slope = [R::ZERO; D];
     let mut theta = 0.0;
     let mut advance = 0.25;
-    let mut residual = largest(&equation.guess);
-    let mut refused = false;
+    let mut last = Astray { residual: largest(&equation.guess), ..astray };
     while evaluations < equation.max_iterations {
         let next = f64::min(theta + advance, 1.0);
         // At the end the equation itself: a is then exact.
         let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { equation };
         let ahead = R::from_f64(next - theta);
         part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
-        let settled = settle::<ONCE_ROUNDED, D, R>(&part, &mut correct);
-        refused = settled.is_ok_and(|found| !is_continued(&part, found.delta, &mut correct, ask));
-        match settled {
-            Ok(found) if !refused => {
+        match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
+            Ok(found) => {
                 evaluations += found.evaluations.to_u64() as u32;
                 if next >= 1.0 {
                     return Ok(found.after(evaluations));
@@ -54,13 +49,9 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
                 theta = next;
                 advance *= 2.0;
             }
-            other => {
-                let (spent, left) = match other {
-                    Ok(found) => (found.evaluations.to_u64(), 0.0),
-                    Err(astray) => (astray.iterations, astray.residual),
-                };
-                evaluations += spent as u32;
-                residual = left;
+            Err(astray) => {
+                evaluations += astray.evaluations;
+                last = astray;
                 advance *= 0.25;
                 if advance < SHORTEST {
                     break;
@@ -70,12 +61,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     }
     if equation.piecewise {
         let spent = evaluations.min(equation.max_iterations / 2);
-        let found = damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, &mut correct)?;
-        let continued = is_continued(&equation, found.delta, &mut correct, ask);
-        return if continued { Ok(found) } else { Err(NotConverged::NOT_CONTINUED) };
+        return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, &mut correct);
     }
-    if refused {
-        return Err(NotConverged::NOT_CONTINUED);
-    }
-    Err(NotConverged { iterations: evaluations.into(), residual })
+    Err(Astray { evaluations, elsewhere: astray.elsewhere || last.elsewhere, ..last }.into())
 }

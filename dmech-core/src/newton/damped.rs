@@ -44,11 +44,15 @@ pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         if remains < (1.0 - SUFFICIENT * part) * left {
             let near = part == 1.0 && remains < 0.1 * left;
             (delta, made, left) = (shorter, next, remains);
-            if near
-                && let Ok(found) = settle::<ONCE_ROUNDED, D, R>(&Equation { guess: delta, ..equation }, &mut correct)
-            {
-                evaluations += found.evaluations.to_u64() as u32;
-                return Ok(found.after(evaluations));
+            if near {
+                match settle::<ONCE_ROUNDED, D, R>(&Equation { guess: delta, ..equation }, &mut correct) {
+                    Ok(found) => {
+                        evaluations += found.evaluations.to_u64() as u32;
+                        return Ok(found.after(evaluations));
+                    }
+                    Err(astray) if astray.elsewhere => return Err(astray.into()),
+                    Err(_) => {}
+                }
             }
             part = f64::min(1.0, 2.0 * part);
         } else {

@@ -4,9 +4,8 @@ use crate::vector::{by_component, by_entry};
 
 use dmech_scalar::Real;
 
-use super::doubt::Doubt;
-use super::drive::asked;
-use super::{Correction, Equation, Increment, NotConverged, elimination, once, once_discrete};
+use super::drive::solve;
+use super::{Correction, Equation, Increment, NotConverged, doubt, elimination, once, once_discrete};
 
 /// Solves Δ + g G(q + Δ) = drift − frozen, given b ↦ (G(b), J(b)) with J = ∂G/∂b.
 ///
@@ -16,12 +15,11 @@ pub fn dense<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let doubt = Doubt::none();
     let correct = |equation: &Equation<D, R>, delta, b| {
         let (gradient, jacobian) = force(b);
-        correction(equation, delta, gradient, &jacobian, &doubt)
+        correction(equation, delta, gradient, &jacobian)
     };
-    asked::<false, D, R>(equation, correct, &doubt)
+    solve::<false, D, R>(equation, correct)
 }
 
 /// As [`dense`], for a force (a, b) ↦ (G(a, b), ∂G/∂b) between two points.
@@ -32,12 +30,11 @@ pub fn dense_discrete<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let doubt = Doubt::none();
     let correct = |equation: &Equation<D, R>, delta, b| {
         let (gradient, jacobian) = force(equation.a, b);
-        correction(equation, delta, gradient, &jacobian, &doubt)
+        correction(equation, delta, gradient, &jacobian)
     };
-    asked::<false, D, R>(equation, correct, &doubt)
+    solve::<false, D, R>(equation, correct)
 }
 
 /// As [`dense`], for a force (equation, Δ, b, v′) ↦ (G, ∂G/∂b, ∂G/∂v′) that also depends on the velocity at the end of
@@ -49,15 +46,14 @@ pub fn dense_forced<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let doubt = Doubt::none();
     let correct = |equation: &Equation<D, R>, delta: [R; D], b| {
         let Equation { v, drift, rate, .. } = equation;
         let (gradient, by_position, by_velocity) =
             force(equation, delta, b, by_component!(|i| rate.mul_add(delta[i] - drift[i], v[i])));
         let jacobian = by_entry!(|i, j| rate.mul_add(by_velocity[i][j], by_position[i][j]));
-        correction(equation, delta, gradient, &jacobian, &doubt)
+        correction(equation, delta, gradient, &jacobian)
     };
-    asked::<false, D, R>(equation, correct, &doubt)
+    solve::<false, D, R>(equation, correct)
 }
 
 /// As [`dense_forced`], for a force that does no work: with increments rounded once; the parts of G are
@@ -69,14 +65,13 @@ pub fn dense_middle<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> ([R; D], [[R; D]; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let doubt = Doubt::none();
     let correct = |equation: &Equation<D, R>, delta: [R; D], b| {
         let (slope, by_position, by_velocity) = force(equation, delta, b);
         let jacobian: [[R; D]; D] = by_entry!(|i, j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j]));
-        let change = doubt.solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
-        Correction::sum(change, slope, turned(&jacobian, change))
+        let (change, continued) = doubt::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
+        Correction { continued, ..Correction::sum(change, slope, turned(&jacobian, change)) }
     };
-    asked::<true, D, R>(equation, correct, &doubt)
+    solve::<true, D, R>(equation, correct)
 }
 
 /// As [`dense`], for the gradient of a quadratic potential: one correction from Δ = 0 is the solution, if it continues that of
@@ -118,10 +113,9 @@ fn correction<const D: usize, R: Real>(
     delta: [R; D],
     gradient: [R; D],
     jacobian: &[[R; D]; D],
-    doubt: &Doubt<D, R>,
 ) -> Correction<D, R> {
-    let change = doubt.solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
-    Correction::in_parts(change, gradient, turned(jacobian, change))
+    let (change, continued) = doubt::solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
+    Correction { continued, ..Correction::in_parts(change, gradient, turned(jacobian, change)) }
 }
 
 /// drift − frozen − g G − Δ.

@@ -3,91 +3,21 @@
 //! It grows from the unit matrix with the step, and on the way is not singular: its determinant is positive, and where J is symmetric, its
 //! rows divided by masses or not, it is positive definite.
 
-use core::cell::Cell;
-
 use dmech_scalar::{Mask, Real};
 
 use super::elimination::{self, Elimination};
 use super::settled::Settled;
-use super::{Correction, Equation};
 
-/// What is asked of a root that was found.
-pub(super) trait Ask: Copy {
-    /// The factors of the last correction show at once that the root is a continued one.
-    fn sure(&self) -> bool;
-    /// The matrix of the next correction is wanted.
-    fn open(&self);
-    /// Whether it may be that at a root which continues that of a shorter step. Of several side by side only what is plain is said;
-    /// the others are left to each alone.
-    fn continues(&self) -> bool;
-}
-
-/// Nothing is asked.
-impl Ask for () {
-    #[inline(always)]
-    fn sure(&self) -> bool {
-        true
-    }
-    #[inline(always)]
-    fn open(&self) {}
-    #[inline(always)]
-    fn continues(&self) -> bool {
-        true
-    }
-}
-
-/// As long as steps resolve the motion no rows are exchanged, all pivots are positive, and there is no doubt. Where there is, the
-/// matrix at the root tells.
-pub(super) struct Doubt<const D: usize, R: Real> {
-    sure: Cell<bool>,
-    wanted: Cell<bool>,
-    matrix: Cell<[[R; D]; D]>,
-}
-
-impl<const D: usize, R: Real> Doubt<D, R> {
-    #[inline(always)]
-    pub(super) fn none() -> Self {
-        Doubt { sure: Cell::new(true), wanted: Cell::new(false), matrix: Cell::new([[R::ZERO; D]; D]) }
-    }
-
-    /// A x = b, and whether there is a doubt about A.
-    #[inline(always)]
-    pub(super) fn solve(&self, a: [[R; D]; D], b: [R; D]) -> [R; D] {
-        if self.wanted.take() {
-            self.matrix.set(a);
-        }
-        let Elimination { solution, pivots, exchanges } = elimination::eliminate::<true, D, R>(a, b);
-        self.sure.set(exchanges == 0 && pivots.iter().all(|&pivot| R::ZERO.less(pivot).all()));
-        solution
-    }
-}
-
-impl<const D: usize, R: Real> Ask for &Doubt<D, R> {
-    #[inline(always)]
-    fn sure(&self) -> bool {
-        self.sure.get()
-    }
-    fn open(&self) {
-        self.wanted.set(true);
-    }
-    fn continues(&self) -> bool {
-        may_continue(self.matrix.get())
-    }
-}
-
-/// Whether the root Δ is a continued one, as far as the matrix tells.
+/// x with A x = b, and whether A may be that at a root which continues that of a shorter step. Of several side by side only what is
+/// plain is said; the others are left to each alone.
+///
+/// As long as steps resolve the motion no rows are exchanged and all pivots are positive. Then there is no doubt.
 #[inline(always)]
-pub(super) fn is_continued<const D: usize, R: Real>(
-    equation: &Equation<D, R>,
-    delta: [R; D],
-    correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-    ask: impl Ask,
-) -> bool {
-    ask.sure() || {
-        ask.open();
-        correct(equation, delta, equation.end(delta));
-        ask.continues()
-    }
+pub(super) fn solve<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> ([R; D], R::Mask) {
+    let Elimination { solution, pivots, exchanges } = elimination::eliminate::<true, D, R>(a, b);
+    let sure = exchanges == 0 && pivots.iter().all(|&pivot| R::ZERO.less(pivot).all());
+    let (yes, no) = (R::ZERO.less(R::ONE), R::ONE.less(R::ZERO));
+    (solution, if sure || may_continue(a) { yes } else { no })
 }
 
 #[cold]

@@ -1,8 +1,7 @@
 //! The Newton loop that all laws share.
 
-use dmech_scalar::{Count, Real};
+use dmech_scalar::Real;
 
-use super::doubt::{Ask, is_continued};
 use super::settle::settle;
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged, continuation};
@@ -20,29 +19,19 @@ pub fn drive<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    asked::<false, D, R>(equation, correct, ())
+    solve::<false, D, R>(equation, correct)
 }
 
-/// As [`drive`] and [`drive_middle`]; of the root that is found it is asked whether it continues that of a shorter step.
+/// As [`drive`] and [`drive_middle`].
 #[inline(always)]
-pub(super) fn asked<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
+pub(super) fn solve<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-    ask: impl Ask,
 ) -> Result<Increment<D, R>, NotConverged> {
     match settle::<ONCE_ROUNDED, D, R>(equation, &mut correct) {
-        Ok(increment) if is_continued(equation, increment.delta, &mut correct, ask) => Ok(increment),
-        Ok(_) if Settled::<D, R>::MANY => Err(NotConverged::NOT_CONTINUED),
-        Ok(found) => {
-            let spent = found.iterations.to_u64() as u32;
-            let found = continuation::follow::<ONCE_ROUNDED, D, R>(*equation, spent, correct, ask);
-            Increment::apart(found.map_err(|_| NotConverged::NOT_CONTINUED))
-        }
-        Err(astray) if Settled::<D, R>::MANY => Err(astray),
-        Err(astray) => {
-            let spent = astray.iterations as u32;
-            Increment::apart(continuation::follow::<ONCE_ROUNDED, D, R>(*equation, spent, correct, ask))
-        }
+        Ok(found) => Ok(found),
+        Err(astray) if Settled::<D, R>::MANY => Err(astray.into()),
+        Err(astray) => Increment::apart(continuation::follow::<ONCE_ROUNDED, D, R>(*equation, astray, correct)),
     }
 }
 
@@ -67,5 +56,5 @@ pub fn drive_middle<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    asked::<true, D, R>(equation, |equation, delta, b| correct(equation, equation.a, delta, b), ())
+    solve::<true, D, R>(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
 }

@@ -204,20 +204,32 @@ pub struct Correction<const D: usize, R: Real> {
     pub gradient: [R; D],
     /// G and J δ.
     pub parts: [[R; D]; 2],
+    /// Whether a root there may continue that of a shorter step, as far as 1 + g J tells: from the unit matrix it grows with the
+    /// step, and on the way is not singular.
+    pub continued: R::Mask,
 }
 
 impl<const D: usize, R: Real> Correction<D, R> {
     /// The correction δ = `change` with G + J δ, for steps to which the rounding of that sum does not matter.
     #[inline(always)]
     pub fn rounded(change: [R; D], gradient: [R; D]) -> Self {
-        Correction { delta: change, gradient, parts: [gradient, [R::ZERO; D]] }
+        Correction { delta: change, gradient, parts: [gradient, [R::ZERO; D]], continued: R::ZERO.less(R::ONE) }
+    }
+
+    /// The same, with numbers that are all positive where 1 + g J has never been singular: pivots or leading minors of a
+    /// symmetric J, the determinant of another.
+    #[inline(always)]
+    #[must_use]
+    pub fn if_positive<const N: usize>(self, numbers: [R; N]) -> Self {
+        let continued = numbers.iter().fold(self.continued, |all, &x| all.and(R::ZERO.less(x)));
+        Correction { continued, ..self }
     }
 
     /// The correction δ = `change` with G and J δ, for steps that conserve the energy.
     #[inline(always)]
     pub fn in_parts(change: [R; D], slope: [R; D], turned: [R; D]) -> Self {
         let gradient = by_component!(|i| slope[i] + turned[i]);
-        Correction { delta: change, gradient, parts: [slope, turned] }
+        Correction { parts: [slope, turned], ..Correction::rounded(change, gradient) }
     }
 
     /// The correction δ = `change` with G + J δ rounded, and what the rounding of that sum leaves out: for forces that do no work.
@@ -227,7 +239,7 @@ impl<const D: usize, R: Real> Correction<D, R> {
         for i in 0..D {
             (gradient[i], rest[i]) = two_sum(slope[i], turned[i]);
         }
-        Correction { delta: change, gradient, parts: [gradient, rest] }
+        Correction { parts: [gradient, rest], ..Correction::rounded(change, gradient) }
     }
 }
 

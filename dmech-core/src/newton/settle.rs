@@ -12,6 +12,27 @@ const PATIENCE: u32 = 12;
 /// So many roundings may be in a correction.
 const ROUNDINGS: f64 = 64.0;
 
+/// Newton's iteration has left the neighbourhood of the guess.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Astray {
+    /// Evaluations that it took.
+    pub(super) evaluations: u32,
+    /// Largest component of the last correction.
+    pub(super) residual: f64,
+    /// It has found a root, which does not continue that of a shorter step.
+    pub(super) elsewhere: bool,
+}
+
+impl From<Astray> for NotConverged {
+    fn from(astray: Astray) -> Self {
+        let Astray { evaluations, residual, elsewhere } = astray;
+        if elsewhere {
+            return NotConverged::NOT_CONTINUED;
+        }
+        NotConverged { iterations: evaluations.into(), residual }
+    }
+}
+
 /// Newton from the equation's guess, given up as soon as it leaves the neighbourhood of the guess.
 ///
 /// What must be right to round-off is the force: for a short step Δ is known to an ulp long before G = (known − Δ)/g is.
@@ -31,7 +52,7 @@ const ROUNDINGS: f64 = 64.0;
 pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
     correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-) -> Result<Increment<D, R>, NotConverged> {
+) -> Result<Increment<D, R>, Astray> {
     // Below rounding, and by a margin: an error of half an ulp that always has the same sign is a drift.
     let margin = R::from_f64(1.0 / 64.0) * R::EPSILON;
     // No squares of lengths below: in units in which the motion measures 10⁻¹⁵⁰ or 10¹⁵⁰ they are 0 or infinite, and
@@ -46,7 +67,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let mut all = Settled::<D, R>::none();
     let patience = if equation.piecewise { 3 * PATIENCE } else { PATIENCE }.min(equation.max_iterations);
     for iteration in 1..=patience {
-        let Correction { delta: change, gradient, parts } = correct(equation, delta, equation.end(delta));
+        let Correction { delta: change, gradient, parts, continued } = correct(equation, delta, equation.end(delta));
         let before = delta;
         delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let size = length(&change);
@@ -75,9 +96,12 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         if settled.any() {
             let apart = length(&by_component!(|i| (delta[i] - before[i]) - change[i]));
             let mut agree = apart.less_or_equal(roundings * step);
-            if !all.or(agree).all() {
+            if !all.or(agree.and(continued)).all() {
                 let numbers = step + length(&equation.drift) + length(&equation.frozen);
                 agree = apart.less_or_equal(roundings * numbers + grains);
+                if !all.or(settled.and(agree).not().or(continued)).all() {
+                    return Err(Astray { evaluations: iteration, residual: largest(&change), elsewhere: true });
+                }
             }
             settled = settled.and(agree);
         }
@@ -88,11 +112,11 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             return Ok(found);
         }
         if astray.and(settled.not()).any() {
-            return Err(NotConverged { iterations: iteration.into(), residual: largest(&change) });
+            return Err(Astray { evaluations: iteration, residual: largest(&change), elsewhere: false });
         }
         last = size;
     }
-    Err(NotConverged { iterations: patience.into(), residual: last.to_f64() })
+    Err(Astray { evaluations: patience, residual: last.to_f64(), elsewhere: false })
 }
 
 /// The smallest number above 0, by which the smallest differ.

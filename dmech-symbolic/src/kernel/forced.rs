@@ -65,7 +65,7 @@ pub enum ForcedStep {
     Middle {
         /// G.
         slope: Program,
-        /// From the residual as `rhs`: δ, J δ; and, where the step is linear, what is positive only where the solution has
+        /// From the residual as `rhs`: δ, J δ, and what is positive only where the solution has
         /// [grown](linear::Solution::positive) from a step of no length.
         change: Program,
     },
@@ -233,15 +233,13 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
     (jacobian, linear)
 }
 
-/// δ and J δ with (1 + g J) δ = rhs, and for a constant J what is positive only where the solution has grown from a step of no
-/// length.
+/// δ and J δ with (1 + g J) δ = rhs, and what is positive only where the solution has grown from a step of no length.
 fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], known: Known, variables: &Variables) -> Program {
     let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
     let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, known.matrix());
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
-    let grown = if known.constant { positive } else { vec![] };
-    Program::schedule(graph, &[delta, turned, grown].concat())
+    Program::schedule(graph, &[delta, turned, positive].concat())
 }
 
 /// Whether F·v vanishes identically: decided on the expression, products over sums expanded.

@@ -22,11 +22,11 @@ use newton::{Force, Known, correction, dot};
 /// How an implicit step is solved.
 #[derive(Clone, Debug)]
 pub enum Step {
-    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: as of Newton's method, and then what is positive
-    /// only where the solution [has grown](crate::linear::Solution::positive) from that of a step of no length.
+    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: as of Newton's method.
     Linear(Program),
     /// Newton's method in all coordinates. Outputs of one correction: δ, G + J δ of the trapezoidal step; δ, G, J δ of the
-    /// energy-exact steps.
+    /// energy-exact steps; and then what is positive only where the solution [has grown](crate::linear::Solution::positive) from
+    /// that of a step of no length.
     Newton(Program),
     /// One scalar unknown. Outputs: the coefficient of the force and its first two derivatives.
     Central(Program),

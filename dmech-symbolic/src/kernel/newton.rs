@@ -51,8 +51,8 @@ impl Known {
     }
 }
 
-/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, and the force after it; for a constant J also what
-/// is positive only where the solution has [grown from a step of no length](linear::Solution::positive).
+/// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, the force after it, and what is positive only where
+/// the solution has [grown from a step of no length](linear::Solution::positive).
 pub(super) fn correction(
     graph: &mut Graph,
     force: &[Expr],
@@ -81,9 +81,7 @@ pub(super) fn correction(
             [delta, updated].concat()
         }
     };
-    if known.constant {
-        outputs.extend(positive);
-    }
+    outputs.extend(positive);
     Program::schedule(graph, &outputs)
 }
 

@@ -53,6 +53,49 @@ macro_rules! dies {
     }};
 }
 
+/// A pendulum of some mass in a medium, each coordinate by itself.
+#[derive(Clone, Copy, Debug)]
+struct Light {
+    mass: f64,
+}
+
+#[dmech::law]
+impl Light {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -self.mass * (q[0].cos() + 1.3 * q[1].cos())
+    }
+
+    #[force]
+    fn drag(&self, v: [f64; 2]) -> [f64; 2] {
+        v.map(|v| -self.mass * v)
+    }
+}
+
+/// Forces of light bodies are below the smallest number long before their positions are.
+#[test]
+fn light_bodies_come_to_rest() {
+    for mass in [1e-3, 1e-6, 1e-12] {
+        for dt in [0.05, 0.2] {
+            let law = Light { mass };
+            let alone = || {
+                Simulation::new(law, State::new([1e-290, 3e-291], [0.0, 1e-291])).mass(mass).dt(dt).record_every(9000)
+            };
+            let bodies = || {
+                let one = Scene::new().body(mass, [1e-290, 3e-291], [0.0, 1e-291]);
+                let two = one.body(1.7 * mass, [5e-291, -2e-291], [3e-291, 0.0]);
+                Simulation::scene(two.field(law)).dt(dt).record_every(9000)
+            };
+            let laws = [alone().scheme(DiscreteGradient).run(3000), alone().scheme(Implicit).run(3000)];
+            let scenes = [bodies().scheme(DiscreteGradient).run(3000), bodies().scheme(Implicit).run(3000)];
+            let left = laws.map(|run| run.unwrap_or_else(|e| panic!("{mass}, {dt}: {e}")).last().q[0].abs());
+            assert!(left.iter().all(|left| left * mass < 1e-320), "{mass}, {dt}: {left:?}");
+            let left = scenes.map(|run| run.unwrap_or_else(|e| panic!("{mass}, {dt}: {e}")).last().q[0][0].abs());
+            assert!(left.iter().all(|left| left * mass < 1e-320), "{mass}, {dt}: {left:?}");
+        }
+    }
+}
+
 /// An implicit step has a root where all of its numbers are the smallest that there are.
 #[test]
 fn implicit_steps_of_laws_come_to_rest() {

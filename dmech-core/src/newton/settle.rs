@@ -62,6 +62,8 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     // What a correction may be by rounding alone, however small all numbers are: a motion that dies away comes to rest.
     let grains = R::from_f64(ROUNDINGS) * grain::<R>();
     let roundings = R::from_f64(ROUNDINGS) * R::EPSILON;
+    // A force that is below the smallest number by which numbers differ is not known, and Δ is not by g times that.
+    let least = || grains + equation.g.abs() * grains;
     let mut delta = equation.guess;
     let mut last = R::ZERO;
     let mut all = Settled::<D, R>::none();
@@ -87,7 +89,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             if !all.or(settled).all() {
                 // What no longer shrinks is the rounding of b and of the known side.
                 let numbers = step + length(&equation.q) + length(&equation.drift);
-                let at_rest = halved.not().and(size.less_or_equal(roundings * numbers + grains));
+                let at_rest = halved.not().and(size.less_or_equal(roundings * numbers + least()));
                 settled = settled.or(size.equal(R::ZERO)).or(at_rest);
             }
             // Past a seam the slope is another, and a correction may be longer than the last for once.
@@ -98,7 +100,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             let mut agree = apart.less_or_equal(roundings * step);
             if !all.or(agree.and(continued)).all() {
                 let numbers = step + length(&equation.drift) + length(&equation.frozen);
-                agree = apart.less_or_equal(roundings * numbers + grains);
+                agree = apart.less_or_equal(roundings * numbers + least());
                 if !all.or(settled.and(agree).not().or(continued)).all() {
                     return Err(Astray { evaluations: iteration, residual: largest(&change), elsewhere: true });
                 }

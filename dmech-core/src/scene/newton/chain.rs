@@ -2,11 +2,14 @@
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use super::{Equations, Progress, Solver, Unknown, Verdict, unfit};
+use super::{Equations, MORE, Progress, Solver, Unknown, Verdict, unfit};
 use crate::newton::NotConverged;
 use crate::scene::matrix::block::{Block, invert, least_pivot, product, times};
 use crate::scene::terms::stencil::{Stencil, block, load, store};
 use crate::scene::vectors::Vectors;
+
+/// Beyond it a link is a wall, and what is known of Δ is what is known of b.
+const STIFFEST: f64 = 1024.0;
 
 /// What the sweep back needs of the sweep along the chain.
 ///
@@ -78,7 +81,7 @@ impl<const D: usize> Solver<D> {
     ///
     /// max |g G| + max |g J| max |b| comes back: as positions are rounded, G is not known better than to a rounding error of
     /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger. |g G| counts for no more than in
-    /// [`Solver::residual`], and |g J| for no more than 1, as Δ is off by g J/(1 + g J) of what b is. Nothing comes back where a
+    /// [`Solver::residual`], and |g J| for no more than [`STIFFEST`], as Δ is off by g J/(1 + g J) of what b is. Nothing comes back where a
     /// linear force has a matrix that is not positive definite.
     fn along<U: Unknown<D>>(
         &mut self,
@@ -110,7 +113,7 @@ impl<const D: usize> Solver<D> {
                 let pull = g[k] * gradient;
                 place = place.max(of(&self.place).abs());
                 residual[k] = equation.drifts(column()) - (pull + g[k] * known) - of(&self.delta);
-                force = force.max(pull.abs().min((pull + residual[k]).abs()));
+                force = force.max(pull.abs().min(Lanes::splat(MORE) * (pull + residual[k]).abs()));
                 store(gradient, self.gradient.flat_mut(), column());
                 store(residual[k], chain.residual.flat_mut(), column());
             }
@@ -129,7 +132,7 @@ impl<const D: usize> Solver<D> {
             stiffness = stiffness.max(stiff);
         }
         chain.positive = least > 0.0;
-        (chain.positive || !U::LINEAR).then(|| largest(force) + f64::min(largest(stiffness), 1.0) * largest(place))
+        (chain.positive || !U::LINEAR).then(|| largest(force) + f64::min(largest(stiffness), STIFFEST) * largest(place))
     }
 
     /// δᵢ = yᵢ + (P⁻¹U)ᵢ δᵢ₊₁ from the last body to the first; Δ += δ, and G += J δ with J δ = (r − δ)/g.

@@ -26,6 +26,8 @@ const CHORD_FOLLOWED: u32 = 1;
 const PATIENCE: u32 = 30;
 /// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
 const NEAR: f64 = 1e-6;
+/// A force that is so many times what is wanted is far from it.
+const MORE: f64 = 4.0;
 /// A residual of so many units in the last place of the parts of the equation is rounding.
 const ROUNDINGS: f64 = 4.0;
 /// The shortest progress in θ before the path counts as ended: forces may push bodies out of one another 10⁶ times as far as they
@@ -401,7 +403,7 @@ impl<const D: usize> Solver<D> {
     }
 
     /// drift − g (G + known) − Δ, in the place of the position. What comes back is the largest |g G|, of no coordinate more than
-    /// what is wanted of it, drift − g known − Δ: at one end of a correction that leads out of a wall the force may be 10²⁰ times that.
+    /// [`MORE`] times what is wanted of it, drift − g known − Δ: at one end of a correction that leads out of a wall it may be 10²⁰ times.
     fn residual(&mut self, equation: &Equations<'_, D>, theta: f64) -> f64 {
         let square = theta * theta;
         let mut force = 0.0_f64;
@@ -412,7 +414,7 @@ impl<const D: usize> Solver<D> {
             let pull = g * gradient;
             let known = equation.known.map_or(0.0, |known| g * known.flat()[i]);
             *residual = theta * equation.drift(i) - (pull + known) - delta;
-            force = force.max(pull.abs().min((pull + *residual).abs()));
+            force = force.max(pull.abs().min(MORE * (pull + *residual).abs()));
         }
         force
     }

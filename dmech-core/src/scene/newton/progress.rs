@@ -6,9 +6,11 @@ use crate::newton::NotConverged;
 /// Of the force, what may be neglected. Below rounding by a margin, as neglected terms keep their sign and add up.
 const MARGIN: f64 = f64::EPSILON / 64.0;
 
-/// What a correction may be by rounding alone, however small all numbers are: a few of the smallest number above 0. Bodies
-/// that are damped come to rest.
+/// What a force may be off by rounding alone, however small all numbers are: a few of the smallest number above 0. Bodies that are
+/// damped come to rest.
 const GRAINS: f64 = f64::from_bits(4);
+/// No mass lets a correction be larger than this by rounding alone.
+const SMALL: f64 = 1e-200;
 
 /// The size of the correction before.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +51,9 @@ impl Progress {
         [size, step, force]: [f64; 3],
     ) -> Result<Verdict, NotConverged> {
         let finite = size.is_finite() && step.is_finite();
-        if !finite || (!U::LINEAR && iteration == 1 && size > step + GRAINS) {
+        // Δ is known to g times what the force is.
+        let grains = || if size < SMALL { GRAINS + equation.g.largest() * GRAINS } else { 0.0 };
+        if !finite || (!U::LINEAR && iteration == 1 && size > step && size > step + grains()) {
             return Err(NotConverged { iterations: iteration.into(), residual: size });
         }
         if U::LINEAR {
@@ -60,7 +64,7 @@ impl Progress {
         let rate = if iteration == 1 { size / step } else { size / self.last };
         self.last = size;
         let neglected = if U::PIECEWISE { size } else { rate * size };
-        let settled = size <= GRAINS || neglected <= MARGIN * force;
+        let settled = neglected <= MARGIN * force || size <= grains();
         // Corrections that no longer shrink and that a position can no longer show: forces that cancel, as in an
         // equilibrium, are not known better.
         let at_rounding =

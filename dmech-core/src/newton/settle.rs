@@ -62,8 +62,10 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     // What a correction may be by rounding alone, however small all numbers are: a motion that dies away comes to rest.
     let grains = R::from_f64(ROUNDINGS) * grain::<R>();
     let roundings = R::from_f64(ROUNDINGS) * R::EPSILON;
-    // A force that is below the smallest number by which numbers differ is not known, and Δ is not by g times that.
-    let least = || grains + equation.g.abs() * grains;
+    // Whether `x` is rounding of such numbers. A force that is below the smallest number is not known, and Δ is not by g times that.
+    // As a quotient: a product with the smallest number would be made before every step, and takes longer than the step.
+    let is_rounding =
+        |x: R, numbers: R| ((x - roundings * numbers) / (R::ONE + equation.g.abs())).less_or_equal(grains);
     let mut delta = equation.guess;
     let mut last = R::ZERO;
     let mut all = Settled::<D, R>::none();
@@ -89,32 +91,31 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             if !all.or(settled).all() {
                 // What no longer shrinks is the rounding of b and of the known side.
                 let numbers = step + length(&equation.q) + length(&equation.drift);
-                let at_rest = halved.not().and(size.less_or_equal(roundings * numbers + least()));
+                let at_rest = halved.not().and(is_rounding(size, numbers));
                 settled = settled.or(size.equal(R::ZERO)).or(at_rest);
             }
             // Past a seam the slope is another, and a correction may be longer than the last for once.
             astray = if equation.piecewise { size.less_or_equal(last + last).not() } else { halved.not() };
         }
+        let mut elsewhere = false;
         if settled.any() {
             let apart = length(&by_component!(|i| (delta[i] - before[i]) - change[i]));
             let mut agree = apart.less_or_equal(roundings * step);
             if !all.or(agree.and(continued)).all() {
                 let numbers = step + length(&equation.drift) + length(&equation.frozen);
-                agree = apart.less_or_equal(roundings * numbers + least());
-                if !all.or(settled.and(agree).not().or(continued)).all() {
-                    return Err(Astray { evaluations: iteration, residual: largest(&change), elsewhere: true });
-                }
+                agree = is_rounding(apart, numbers);
+                elsewhere = !all.or(settled.and(agree).not().or(continued)).all();
             }
             settled = settled.and(agree);
         }
         let settled = all.or(settled);
         let made = Count::of(iteration);
         let next = Increment { delta, gradient, parts, evaluations: made, iterations: made };
+        if elsewhere || astray.and(settled.not()).any() {
+            return Err(Astray { evaluations: iteration, residual: largest(&change), elsewhere });
+        }
         if let Some(found) = all.add(settled, next) {
             return Ok(found);
-        }
-        if astray.and(settled.not()).any() {
-            return Err(Astray { evaluations: iteration, residual: largest(&change), elsewhere: false });
         }
         last = size;
     }

@@ -53,31 +53,15 @@ macro_rules! dies {
     }};
 }
 
-/// A pendulum of some mass in a medium, each coordinate by itself.
-#[derive(Clone, Copy, Debug)]
-struct Light {
-    mass: f64,
-}
-
-#[dmech::law]
-impl Light {
-    #[potential]
-    fn energy(&self, q: [f64; 2]) -> f64 {
-        -self.mass * (q[0].cos() + 1.3 * q[1].cos())
-    }
-
-    #[force]
-    fn drag(&self, v: [f64; 2]) -> [f64; 2] {
-        v.map(|v| -self.mass * v)
-    }
-}
+// A pendulum of some mass in a medium, each coordinate by itself.
+law!(Light, 2, |self, q| -self.k * (q[0].cos() + 1.3 * q[1].cos()), |v| v.map(|v| -self.k * v));
 
 /// Forces of light bodies are below the smallest number long before their positions are.
 #[test]
 fn light_bodies_come_to_rest() {
     for mass in [1e-3, 1e-6, 1e-12] {
         for dt in [0.05, 0.2] {
-            let law = Light { mass };
+            let law = Light { k: mass };
             let alone = || {
                 Simulation::new(law, State::new([1e-290, 3e-291], [0.0, 1e-291])).mass(mass).dt(dt).record_every(9000)
             };

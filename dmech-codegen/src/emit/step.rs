@@ -57,7 +57,6 @@ impl Printer<'_> {
             let correction = quote!(#runtime::newton::Correction::#constructor(#([#(#vectors),*]),*));
             let result = match step {
                 Step::Linear(_) => quote!((#correction, [#(#positive),*])),
-                _ if positive.is_empty() => correction,
                 _ => quote!(#correction.if_positive([#(#positive),*])),
             };
             quote! {

@@ -145,10 +145,10 @@ fn lengthen<const BETWEEN: bool, const D: usize, R: Real>(
     spent: u32,
     mut factor: impl FnMut(R, R) -> [R; 3],
 ) -> Result<Increment<D, R>, NotConverged> {
-    if Settled::<D, R>::MANY {
-        return Err(NotConverged { iterations: spent.into(), residual: f64::NAN });
-    }
     let astray = Astray { evaluations: spent, residual: f64::NAN, elsewhere: false };
+    if Settled::<D, R>::MANY {
+        return Err(astray.into());
+    }
     continuation::follow::<false, D, R>(equation, astray, |equation, delta, x| {
         let sum = if BETWEEN { sum(equation.a, x) } else { x };
         let [c, c1, _] = factor(dot(equation.a, equation.a), dot(x, x));

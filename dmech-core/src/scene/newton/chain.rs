@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use super::{Equations, MORE, Progress, Solver, Unknown, Verdict, unfit};
+use super::{Equations, Progress, Solver, Unknown, Verdict, counted, unfit};
 use crate::newton::NotConverged;
 use crate::scene::matrix::block::{Block, invert, least_pivot, product, times};
 use crate::scene::terms::stencil::{Stencil, block, load, store};
@@ -80,8 +80,7 @@ impl<const D: usize> Solver<D> {
     /// with L the Jacobian of the link to the next body and L₋ that of the one before.
     ///
     /// max |g G| + max |g J| max |b| comes back: as positions are rounded, G is not known better than to a rounding error of
-    /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger. |g G| counts for no more than in
-    /// [`Solver::residual`], and |g J| for no more than [`STIFFEST`], as Δ is off by g J/(1 + g J) of what b is. Nothing comes back where a
+    /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger. |g G| is [as it counts](counted), and |g J| for no more than [`STIFFEST`], as Δ is off by g J/(1 + g J) of what b is. Nothing comes back where a
     /// linear force has a matrix that is not positive definite.
     fn along<U: Unknown<D>>(
         &mut self,
@@ -113,7 +112,7 @@ impl<const D: usize> Solver<D> {
                 let pull = g[k] * gradient;
                 place = place.max(of(&self.place).abs());
                 residual[k] = equation.drifts(column()) - (pull + g[k] * known) - of(&self.delta);
-                force = force.max(pull.abs().min(Lanes::splat(MORE) * (pull + residual[k]).abs()));
+                force = force.max(counted(pull, residual[k]));
                 store(gradient, self.gradient.flat_mut(), column());
                 store(residual[k], chain.residual.flat_mut(), column());
             }

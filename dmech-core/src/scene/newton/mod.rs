@@ -26,8 +26,6 @@ const CHORD_FOLLOWED: u32 = 1;
 const PATIENCE: u32 = 30;
 /// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
 const NEAR: f64 = 1e-6;
-/// A force that is so many times what is wanted is far from it.
-const MORE: f64 = 4.0;
 /// A residual of so many units in the last place of the parts of the equation is rounding.
 const ROUNDINGS: f64 = 4.0;
 /// The shortest progress in θ before the path counts as ended: forces may push bodies out of one another 10⁶ times as far as they
@@ -113,6 +111,13 @@ pub(super) trait Unknown<const D: usize> {
     fn jacobian(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>);
     /// Both for the bodies of a chain from `first` on, for the whole step and a G that does not depend on the velocity.
     fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>);
+}
+
+/// |g G|, which counts for no more than some times what is wanted of it, drift − g known − Δ: at one end of a correction that leads out
+/// of a wall it may be 10²⁰ times that.
+#[inline(always)]
+fn counted<R: Real>(pull: R, residual: R) -> R {
+    pull.abs().min(R::from_f64(4.0) * (pull + residual).abs())
 }
 
 /// What 1 + g J must be. Of a linear force one correction leads to the root wherever it is, so that the matrix has to tell
@@ -402,8 +407,7 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    /// drift − g (G + known) − Δ, in the place of the position. What comes back is the largest |g G|, of no coordinate more than
-    /// [`MORE`] times what is wanted of it, drift − g known − Δ: at one end of a correction that leads out of a wall it may be 10²⁰ times.
+    /// drift − g (G + known) − Δ, in the place of the position; the largest |g G| comes back, [as it counts](counted).
     fn residual(&mut self, equation: &Equations<'_, D>, theta: f64) -> f64 {
         let square = theta * theta;
         let mut force = 0.0_f64;
@@ -414,7 +418,7 @@ impl<const D: usize> Solver<D> {
             let pull = g * gradient;
             let known = equation.known.map_or(0.0, |known| g * known.flat()[i]);
             *residual = theta * equation.drift(i) - (pull + known) - delta;
-            force = force.max(pull.abs().min(MORE * (pull + *residual).abs()));
+            force = force.max(counted(pull, *residual));
         }
         force
     }

@@ -53,7 +53,7 @@ impl Progress {
         let finite = size.is_finite() && step.is_finite();
         // Δ is known to g times what the force is.
         let grains = || if size < SMALL { GRAINS + equation.g.largest() * GRAINS } else { 0.0 };
-        if !finite || (!U::LINEAR && iteration == 1 && size > step && size > step + grains()) {
+        if !finite || (!U::LINEAR && iteration == 1 && size > step + grains()) {
             return Err(NotConverged { iterations: iteration.into(), residual: size });
         }
         if U::LINEAR {

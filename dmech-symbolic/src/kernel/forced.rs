@@ -9,7 +9,7 @@ use crate::linear::{self, Solution};
 use crate::program::Program;
 
 use super::mean::{KickByMean, LinearForce};
-use super::newton::{Force, Known, correction, dot, newton_matrix};
+use super::newton::{Force, correction, dot, newton_matrix};
 use super::vanishes::vanishes;
 use super::variables::Variables;
 
@@ -111,8 +111,7 @@ impl ForcedKernels {
         let (implicit, implicit_is_linear) = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
             let (jacobian, linear) = by_increment(graph, &here, variables);
-            let known = Known { symmetric: false, constant: linear && !piecewise };
-            (correction(graph, &here, &jacobian, known, Force::Rounded, variables), known.constant)
+            (correction(graph, &here, &jacobian, Force::Rounded, variables), linear && !piecewise)
         };
         let (discrete, discrete_is_linear) = {
             let mut ends = TwoPoints::new(graph, q, a, b);
@@ -132,14 +131,13 @@ impl ForcedKernels {
                 })
                 .collect();
             let (jacobian, linear) = by_increment(graph, &total, variables);
-            let known = Known { symmetric: false, constant: linear && !piecewise };
             let step = if workless {
-                let change = change(graph, &jacobian, known, variables);
+                let change = change(graph, &jacobian, variables);
                 ForcedStep::Middle { slope: Program::schedule(graph, &total), change }
             } else {
-                ForcedStep::Mean(correction(graph, &total, &jacobian, known, Force::InParts, variables))
+                ForcedStep::Mean(correction(graph, &total, &jacobian, Force::InParts, variables))
             };
-            (step, known.constant)
+            (step, linear && !piecewise)
         };
         Self {
             force: Program::schedule(graph, force),
@@ -234,10 +232,10 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
 }
 
 /// δ and J δ with (1 + g J) δ = rhs, and what is positive only where the solution has grown from a step of no length.
-fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], known: Known, variables: &Variables) -> Program {
+fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
     let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, known.matrix());
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     Program::schedule(graph, &[delta, turned, positive].concat())
 }

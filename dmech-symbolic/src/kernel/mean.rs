@@ -9,7 +9,7 @@
 
 use crate::calculus;
 use crate::expression::{Expr, Graph, Node, Substitution, Symbol};
-use crate::linear::{self, Matrix};
+use crate::linear;
 use crate::program::Program;
 
 use super::newton::dot;
@@ -80,7 +80,7 @@ impl LinearForce {
             })
             .collect();
         let matrix = one_less(graph, &a);
-        let change = linear::solve(graph, &matrix, &change, Matrix::General).x;
+        let change = linear::solve(graph, &matrix, &change).x;
         let kicked: Vec<_> = v.iter().zip(&change).map(|(&v, &change)| graph.add(&[v, change])).collect();
         KickByMean::Solved(Program::schedule(graph, &kicked))
     }

@@ -17,7 +17,7 @@ use crate::expression::{Expr, Graph, Substitution, Symbol};
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
-use newton::{Force, Known, correction, dot};
+use newton::{Force, correction, dot};
 
 /// How an implicit step is solved.
 #[derive(Clone, Debug)]
@@ -218,8 +218,7 @@ fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
     let force: Vec<_> = formulas.gradient.iter().map(|&e| moved.apply(graph, e)).collect();
     let jacobian: Vec<Vec<_>> =
         formulas.hessian.iter().map(|row| row.iter().map(|&e| moved.apply(graph, e)).collect()).collect();
-    let known = Known { symmetric: true, constant: structure.constant_hessian };
-    let program = correction(graph, &force, &jacobian, known, Force::Rounded, variables);
+    let program = correction(graph, &force, &jacobian, Force::Rounded, variables);
     if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
 }
 
@@ -228,9 +227,8 @@ fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
         let coefficient = central.discrete_coefficient(graph, variables.s_a, variables.s_b);
         return Step::Central(with_two_derivatives(graph, coefficient, variables.s_b, variables.s_b));
     }
-    let known = Known { symmetric: structure.constant_hessian, constant: structure.constant_hessian };
     let (force, jacobian) = (&formulas.discrete_gradient, &formulas.discrete_gradient_jacobian);
-    let program = correction(graph, force, jacobian, known, Force::InParts, variables);
+    let program = correction(graph, force, jacobian, Force::InParts, variables);
     if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
 }
 

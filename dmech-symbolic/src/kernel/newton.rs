@@ -1,7 +1,7 @@
 //! One correction of Newton's method.
 
 use crate::expression::{Expr, Graph};
-use crate::linear::{self, Matrix, Solution};
+use crate::linear::{self, Solution};
 use crate::program::Program;
 
 use super::variables::Variables;
@@ -32,32 +32,12 @@ pub(super) enum Force {
     InParts,
 }
 
-/// What is known of the Jacobian of a force.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Known {
-    pub(super) symmetric: bool,
-    /// It does not depend on the increment: one correction is the solution, if it has grown from a step of no length.
-    pub(super) constant: bool,
-}
-
-impl Known {
-    /// What follows for 1 + g J.
-    pub(super) fn matrix(self) -> Matrix {
-        match (self.symmetric, self.constant) {
-            (true, true) => Matrix::Definite,
-            (true, false) => Matrix::Symmetric,
-            (false, _) => Matrix::General,
-        }
-    }
-}
-
 /// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, the force after it, and what is positive only where
 /// the solution has [grown from a step of no length](linear::Solution::positive).
 pub(super) fn correction(
     graph: &mut Graph,
     force: &[Expr],
     jacobian: &[Vec<Expr>],
-    known: Known,
     given: Force,
     variables: &Variables,
 ) -> Program {
@@ -72,7 +52,7 @@ pub(super) fn correction(
             graph.sub(difference, delta)
         })
         .collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, known.matrix());
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     let mut outputs = match given {
         Force::InParts => [delta, force.to_vec(), turned].concat(),

@@ -1,8 +1,8 @@
 //! Symbolic solution of A x = r by elimination without exchange of rows.
 //!
 //! The matrices are 1 + g H of implicit steps, near the unit matrix when the step resolves the motion. Zeros cost
-//! nothing: products with 0 vanish as they are built. No determinants of Cramer's rule: they lose the digits that a stiff and a soft
-//! direction have in common, and in small units leave the range of the numbers.
+//! nothing: products with 0 vanish as they are built. Cramer's rule loses the digits that a stiff and a soft direction have in
+//! common; it is for what has no symmetry and one chance only.
 
 use crate::expression::{Expr, Graph};
 
@@ -17,43 +17,78 @@ pub struct Solution {
     pub positive: Vec<Expr>,
 }
 
-/// x with A x = r: A = L D Lᵀ where A is symmetric, A = L U otherwise.
-pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr]) -> Solution {
+/// How often a correction is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Corrections {
+    /// One leads to the root, whatever the matrix is: a pivot near 0 must not spoil it.
+    One,
+    /// Each puts the last one right.
+    Several,
+}
+
+impl Corrections {
+    /// Of an equation that is linear, or not.
+    pub(crate) fn of(linear: bool) -> Self {
+        if linear { Self::One } else { Self::Several }
+    }
+}
+
+/// x with A x = r: A = L D Lᵀ where A is symmetric, Cramer's rule for one correction with two or three unknowns where it is not,
+/// A = L U otherwise.
+pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], corrections: Corrections) -> Solution {
     let n = r.len();
-    // Equal expressions are one expression.
-    let symmetric = (0..n).all(|i| (0..i).all(|j| a[i][j] == a[j][i]));
+    // The last two unknowns without a quotient between them, times the pivot, are one division less to wait for; but what rounding does
+    // then is not for the only correction.
+    let several = corrections == Corrections::Several;
+    let symmetric = is_symmetric(a);
+    if !symmetric && n <= 3 && !several {
+        return cramer(g, a, r);
+    }
     let (mut a, mut r) = (a.to_vec(), r.to_vec());
     for k in 0..n {
+        let last = k + 2 == n && several;
         for i in k + 1..n {
             if g.is_zero(a[i][k]) {
                 continue;
             }
-            let multiplier = g.div(a[i][k], a[k][k]);
+            let [multiplier, scale] = if last { [a[i][k], a[k][k]] } else { [g.div(a[i][k], a[k][k]), g.one()] };
+            let mut less = |g: &mut Graph, x: Expr, y: Expr| {
+                let [x, y] = [g.mul(&[scale, x]), g.mul(&[multiplier, y])];
+                g.sub(x, y)
+            };
             // Below the diagonal of a symmetric remainder stands what is above it.
             let columns = if symmetric { i..n } else { k + 1..n };
             for j in columns {
-                let product = g.mul(&[multiplier, a[k][j]]);
-                a[i][j] = g.sub(a[i][j], product);
+                a[i][j] = less(g, a[i][j], a[k][j]);
                 if symmetric {
                     a[j][i] = a[i][j];
                 }
             }
-            let product = g.mul(&[multiplier, r[k]]);
-            r[i] = g.sub(r[i], product);
+            r[i] = less(g, r[i], r[k]);
         }
     }
     let mut x = r.clone();
     for i in (0..n).rev() {
-        // Quotients that do not wait for x, and that elimination has formed where A is symmetric.
-        x[i] = g.div(r[i], a[i][i]);
+        // The quotients of all but the last two are there from the elimination, where A is symmetric.
+        let early = i + 2 < n || !several;
+        let mut sum = if early { g.div(r[i], a[i][i]) } else { r[i] };
         for j in i + 1..n {
-            let multiplier = g.div(a[i][j], a[i][i]);
+            let multiplier = if early { g.div(a[i][j], a[i][i]) } else { a[i][j] };
             let product = g.mul(&[multiplier, x[j]]);
-            x[i] = g.sub(x[i], product);
+            sum = g.sub(sum, product);
         }
+        x[i] = if early { sum } else { g.div(sum, a[i][i]) };
     }
-    let pivots: Vec<_> = (0..n).map(|i| a[i][i]).collect();
-    let mut positive = if symmetric { pivots } else { vec![g.mul(&pivots)] };
+    // The last pivot times the one before it is positive where both are.
+    let mut pivots: Vec<_> = (0..n).map(|i| a[i][i]).collect();
+    let mut positive = if symmetric {
+        pivots
+    } else {
+        if several && n >= 2 && !g.is_zero(a[n - 1][n - 2]) {
+            pivots.remove(n - 2);
+        }
+        vec![g.mul(&pivots)]
+    };
     // Each once, and not what is 1 whatever the step is.
     let mut seen = vec![g.one()];
     positive.retain(|x| {
@@ -63,4 +98,37 @@ pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr]) -> Solution {
         }
     });
     Solution { x, positive }
+}
+
+/// Whether it is so as it is written: equal expressions are one expression.
+pub fn is_symmetric(a: &[Vec<Expr>]) -> bool {
+    (0..a.len()).all(|i| (0..i).all(|j| a[i][j] == a[j][i]))
+}
+
+/// Cramer's rule, by cofactors.
+fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr]) -> Solution {
+    let n = r.len();
+    let mut minor = |i: usize, j: usize| -> Expr {
+        let rows: Vec<_> = (0..n).filter(|&k| k != i).collect();
+        let columns: Vec<_> = (0..n).filter(|&k| k != j).collect();
+        let determinant = if n == 2 {
+            a[rows[0]][columns[0]]
+        } else {
+            let one = g.mul(&[a[rows[0]][columns[0]], a[rows[1]][columns[1]]]);
+            let other = g.mul(&[a[rows[0]][columns[1]], a[rows[1]][columns[0]]]);
+            g.sub(one, other)
+        };
+        if (i + j).is_multiple_of(2) { determinant } else { g.neg(determinant) }
+    };
+    let cofactors: Vec<Vec<Expr>> = (0..n).map(|i| (0..n).map(|j| minor(i, j)).collect()).collect();
+    let expansion: Vec<_> = (0..n).map(|j| g.mul(&[a[0][j], cofactors[0][j]])).collect();
+    let determinant = g.add(&expansion);
+    let x = (0..n)
+        .map(|j| {
+            let column: Vec<_> = (0..n).map(|i| g.mul(&[cofactors[i][j], r[i]])).collect();
+            let sum = g.add(&column);
+            g.div(sum, determinant)
+        })
+        .collect();
+    Solution { x, positive: vec![determinant] }
 }

@@ -6,7 +6,7 @@
 //! [`once_discrete`] and [`once_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
 //! unknown and uses [`central`].
 
-mod continuation;
+pub(crate) mod continuation;
 mod damped;
 mod dense;
 mod doubt;

@@ -5,11 +5,11 @@
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};
-use crate::linear::{self, Solution};
+use crate::linear::{self, Corrections, Solution};
 use crate::program::Program;
 
 use super::mean::{KickByMean, LinearForce};
-use super::newton::{Force, correction, dot, newton_matrix};
+use super::newton::{Force, correction, dot, mirrored, newton_matrix};
 use super::vanishes::vanishes;
 use super::variables::Variables;
 
@@ -110,8 +110,14 @@ impl ForcedKernels {
         let end = Point::at_end(graph, variables);
         let (implicit, implicit_is_linear) = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
-            let (jacobian, linear) = by_increment(graph, &here, variables);
-            (correction(graph, &here, &jacobian, Force::Rounded, variables), linear && !piecewise)
+            let (mut jacobian, constant) = by_increment(graph, &here, variables);
+            let linear = constant && !piecewise;
+            let forces: Vec<_> = force.iter().map(|&f| end.place(graph, f, variables)).collect();
+            // The Hessian is.
+            if linear::is_symmetric(&by_increment(graph, &forces, variables).0) {
+                jacobian = mirrored(&jacobian);
+            }
+            (correction(graph, &here, &jacobian, Corrections::of(linear), Force::Rounded, variables), linear)
         };
         let (discrete, discrete_is_linear) = {
             let mut ends = TwoPoints::new(graph, q, a, b);
@@ -120,24 +126,35 @@ impl ForcedKernels {
             let later = time.filter(|_| !workless).map(|t| (t, graph.symbol(variables.t_end)));
             let mut at_end_time = Substitution::new(graph, later);
             let share = if workless { 1.0 } else { 0.5 };
-            let total: Vec<_> = conservative
+            let placed: Vec<_> = force
                 .iter()
-                .zip(force)
-                .map(|(&slope, &f)| {
+                .map(|&f| {
                     let placed = point.place(graph, f, variables);
                     let placed = at_end_time.apply(graph, placed);
-                    let placed = graph.scale(share, placed);
-                    graph.sub(slope, placed)
+                    graph.scale(share, placed)
                 })
                 .collect();
-            let (jacobian, linear) = by_increment(graph, &total, variables);
+            let total: Vec<_> = conservative.iter().zip(&placed).map(|(&slope, &f)| graph.sub(slope, f)).collect();
+            let (mut jacobian, constant) = by_increment(graph, &total, variables);
+            let linear = constant && !piecewise;
+            // That of a quadratic potential is.
+            if linear && linear::is_symmetric(&by_increment(graph, &placed, variables).0) {
+                jacobian = mirrored(&jacobian);
+            }
             let step = if workless {
-                let change = change(graph, &jacobian, variables);
+                let change = change(graph, &jacobian, Corrections::of(linear), variables);
                 ForcedStep::Middle { slope: Program::schedule(graph, &total), change }
             } else {
-                ForcedStep::Mean(correction(graph, &total, &jacobian, Force::InParts, variables))
+                ForcedStep::Mean(correction(
+                    graph,
+                    &total,
+                    &jacobian,
+                    Corrections::of(linear),
+                    Force::InParts,
+                    variables,
+                ))
             };
-            (step, linear && !piecewise)
+            (step, linear)
         };
         Self {
             force: Program::schedule(graph, force),
@@ -232,10 +249,10 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
 }
 
 /// δ and J δ with (1 + g J) δ = rhs, and what is positive only where the solution has grown from a step of no length.
-fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], variables: &Variables) -> Program {
+fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], corrections: Corrections, variables: &Variables) -> Program {
     let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual);
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, corrections);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     Program::schedule(graph, &[delta, turned, positive].concat())
 }

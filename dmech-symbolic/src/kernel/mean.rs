@@ -9,7 +9,7 @@
 
 use crate::calculus;
 use crate::expression::{Expr, Graph, Node, Substitution, Symbol};
-use crate::linear;
+use crate::linear::{self, Corrections};
 use crate::program::Program;
 
 use super::newton::dot;
@@ -80,7 +80,7 @@ impl LinearForce {
             })
             .collect();
         let matrix = one_less(graph, &a);
-        let change = linear::solve(graph, &matrix, &change).x;
+        let change = linear::solve(graph, &matrix, &change, Corrections::One).x;
         let kicked: Vec<_> = v.iter().zip(&change).map(|(&v, &change)| graph.add(&[v, change])).collect();
         KickByMean::Solved(Program::schedule(graph, &kicked))
     }

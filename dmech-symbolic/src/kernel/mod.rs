@@ -14,10 +14,11 @@ pub use variables::{Variables, exchange};
 
 use crate::calculus::{self, TwoPoints};
 use crate::expression::{Expr, Graph, Substitution, Symbol};
+use crate::linear::Corrections;
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
-use newton::{Force, correction, dot};
+use newton::{Force, correction, dot, mirrored};
 
 /// How an implicit step is solved.
 #[derive(Clone, Debug)]
@@ -218,7 +219,8 @@ fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
     let force: Vec<_> = formulas.gradient.iter().map(|&e| moved.apply(graph, e)).collect();
     let jacobian: Vec<Vec<_>> =
         formulas.hessian.iter().map(|row| row.iter().map(|&e| moved.apply(graph, e)).collect()).collect();
-    let program = correction(graph, &force, &jacobian, Force::Rounded, variables);
+    let program =
+        correction(graph, &force, &jacobian, Corrections::of(structure.constant_hessian), Force::Rounded, variables);
     if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
 }
 
@@ -228,8 +230,11 @@ fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
         return Step::Central(with_two_derivatives(graph, coefficient, variables.s_b, variables.s_b));
     }
     let (force, jacobian) = (&formulas.discrete_gradient, &formulas.discrete_gradient_jacobian);
-    let program = correction(graph, force, jacobian, Force::InParts, variables);
-    if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
+    if structure.constant_hessian {
+        Step::Linear(correction(graph, force, &mirrored(jacobian), Corrections::One, Force::InParts, variables))
+    } else {
+        Step::Newton(correction(graph, force, jacobian, Corrections::Several, Force::InParts, variables))
+    }
 }
 
 /// f, f′, f″ with respect to one symbol, which is then called by another name.

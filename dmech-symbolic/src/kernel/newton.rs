@@ -1,7 +1,7 @@
 //! One correction of Newton's method.
 
 use crate::expression::{Expr, Graph};
-use crate::linear::{self, Solution};
+use crate::linear::{self, Corrections, Solution};
 use crate::program::Program;
 
 use super::variables::Variables;
@@ -38,6 +38,7 @@ pub(super) fn correction(
     graph: &mut Graph,
     force: &[Expr],
     jacobian: &[Vec<Expr>],
+    corrections: Corrections,
     given: Force,
     variables: &Variables,
 ) -> Program {
@@ -52,7 +53,7 @@ pub(super) fn correction(
             graph.sub(difference, delta)
         })
         .collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual);
+    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, corrections);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     let mut outputs = match given {
         Force::InParts => [delta, force.to_vec(), turned].concat(),
@@ -69,4 +70,9 @@ pub(super) fn correction(
 pub(super) fn dot(graph: &mut Graph, x: &[Expr], y: &[Expr]) -> Expr {
     let terms: Vec<_> = x.iter().zip(y).map(|(&x, &y)| graph.mul(&[x, y])).collect();
     graph.add(&terms)
+}
+
+/// What is above the diagonal on both sides: of a matrix that is symmetric, but not as it is written.
+pub(super) fn mirrored(matrix: &[Vec<Expr>]) -> Vec<Vec<Expr>> {
+    (0..matrix.len()).map(|i| (0..matrix.len()).map(|j| matrix[i.min(j)][i.max(j)]).collect()).collect()
 }

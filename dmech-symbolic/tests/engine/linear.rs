@@ -2,6 +2,7 @@
 
 use crate::common::{U, Worst};
 use dmech_symbolic::expression::{Expr, Graph, Symbol};
+use dmech_symbolic::linear::Corrections;
 use dmech_symbolic::program::Program;
 use nalgebra::{DMatrix, DVector};
 
@@ -52,18 +53,22 @@ const PATTERNS: [(&str, Pattern); 4] = [
     ("arrow", |i, j| i == 0 || j == 0),
 ];
 
+/// Symmetric or not, solved once or several times.
+const KINDS: [(bool, Corrections); 4] =
+    [(false, Corrections::One), (false, Corrections::Several), (true, Corrections::One), (true, Corrections::Several)];
+
 /// Solutions of linear systems for n = 1 … 6, dense, banded and with an arrow of entries, symmetric or not.
 #[test]
 fn linear_systems() {
     let worst = Worst::new();
     for n in 1..=6 {
         for (name, pattern) in PATTERNS {
-            for symmetric in [false, true] {
+            for (symmetric, corrections) in KINDS {
                 let mut g = Graph::new();
                 let (a, symbols) = matrix(&mut g, n, symmetric, pattern);
                 let right: Vec<_> = (0..n).map(|i| g.parameter(&format!("r{i}"))).collect();
                 let r: Vec<_> = right.iter().map(|&s| g.symbol(s)).collect();
-                let x = dmech_symbolic::linear::solve(&mut g, &a, &r).x;
+                let x = dmech_symbolic::linear::solve(&mut g, &a, &r, corrections).x;
                 let program = Program::schedule(&mut g, &x);
                 for seed in 0..6 {
                     // 1 + g H: the diagonal leads, the rest is smaller and of either sign.
@@ -106,11 +111,11 @@ fn what_is_positive_tells_whether_a_matrix_has_grown_from_the_unit_matrix() {
     let mut seen = [[0; 3]; 2];
     for n in 1..=6 {
         for (name, pattern) in PATTERNS {
-            for symmetric in [false, true] {
+            for (symmetric, corrections) in KINDS {
                 let mut g = Graph::new();
                 let (a, symbols) = matrix(&mut g, n, symmetric, pattern);
                 let right = vec![g.one(); n];
-                let positive = dmech_symbolic::linear::solve(&mut g, &a, &right).positive;
+                let positive = dmech_symbolic::linear::solve(&mut g, &a, &right, corrections).positive;
                 let program = Program::schedule(&mut g, &positive);
                 for seed in 0..60 {
                     let entry = |i: usize, j: usize| {
@@ -147,7 +152,7 @@ fn stiff_matrices_are_solved_to_rounding_of_the_residual() {
         let (a, symbols) = matrix(&mut g, n, true, |_, _| true);
         let right: Vec<_> = (0..n).map(|i| g.parameter(&format!("r{i}"))).collect();
         let r: Vec<_> = right.iter().map(|&s| g.symbol(s)).collect();
-        let x = dmech_symbolic::linear::solve(&mut g, &a, &r).x;
+        let x = dmech_symbolic::linear::solve(&mut g, &a, &r, Corrections::One).x;
         let program = Program::schedule(&mut g, &x);
         for stiff in [1e1, 1e3, 1e6, 1e9, 1e12] {
             for seed in 0..40 {

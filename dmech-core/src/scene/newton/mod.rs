@@ -16,12 +16,26 @@ use super::terms::stencil::{Stencil, block, load, store};
 use super::topology::Topology;
 use super::vectors::Vectors;
 use crate::newton::NotConverged;
+use crate::newton::continuation::SWIFT;
 use crate::system::{Effort, Guess, Newton};
 
-/// Corrections with one factorisation before the Jacobian is taken anew.
-const CHORD: u32 = 6;
-/// The same where the root of a shorter step is followed: the Jacobian varies fastest there.
-const CHORD_FOLLOWED: u32 = 1;
+/// How long a starting point is tried.
+#[derive(Clone, Copy, Debug)]
+struct Trial {
+    /// Corrections with one factorisation before the Jacobian is taken anew.
+    chord: u32,
+    /// Corrections before it is given up.
+    patience: u32,
+}
+
+impl Trial {
+    const OF_GUESS: Trial = Trial { chord: 6, patience: PATIENCE };
+    /// Where the root of a shorter step is followed the Jacobian varies fastest.
+    const FOLLOWED: Trial = Trial { chord: 1, patience: PATIENCE };
+    /// The whole step from where it starts.
+    const AT_REST: Trial = Trial { chord: 1, patience: SWIFT };
+}
+
 /// Corrections before a starting point is given up.
 const PATIENCE: u32 = 30;
 /// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
@@ -84,11 +98,6 @@ impl<const D: usize> Equations<'_, D> {
             force += of(known);
         }
         self.drifts(range.clone()) - of(self.g) * force
-    }
-
-    /// Corrections before a starting point is given up.
-    fn limit(&self) -> u32 {
-        PATIENCE.min(self.newton.limit())
     }
 }
 
@@ -192,7 +201,7 @@ impl<const D: usize> Solver<D> {
             chain => {
                 self.chain = chain;
                 self.guess(equation);
-                self.settle(equation, unknown, 1.0, CHORD)
+                self.settle(equation, unknown, 1.0, Trial::OF_GUESS)
             }
         };
         match settled {
@@ -206,15 +215,15 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    /// Newton with one factorisation for as many corrections as `chord`, for a part θ of the step.
+    /// Newton for a part θ of the step.
     fn settle<U: Unknown<D>>(
         &mut self,
         equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
-        chord: u32,
+        trial: Trial,
     ) -> Result<u32, NotConverged> {
-        let settled = self.approach(equation, unknown, theta, chord);
+        let settled = self.approach(equation, unknown, theta, trial);
         settled.or_else(|astray| self.finish(equation, unknown, theta, astray))
     }
 
@@ -224,11 +233,12 @@ impl<const D: usize> Solver<D> {
         equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
-        chord: u32,
+        Trial { chord, patience }: Trial,
     ) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
         let mut since_factors = 0;
-        for iteration in 1..=equation.limit() {
+        let limit = patience.min(equation.newton.limit());
+        for iteration in 1..=limit {
             self.place::<U>(equation);
             unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
             if iteration == 1 || since_factors == chord {
@@ -249,7 +259,7 @@ impl<const D: usize> Solver<D> {
                 Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),
             }
         }
-        Err(progress.exhausted(equation))
+        Err(progress.exhausted(limit))
     }
 
     /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is not as it must be.
@@ -335,7 +345,8 @@ impl<const D: usize> Solver<D> {
         })
     }
 
-    /// Follows the root from a step of length 0 to the whole step, by progress in θ of no more than `longest`.
+    /// Follows the root from a step of length 0 to the whole step, by progress in θ of no more than `longest`. If that may be all of it,
+    /// the whole step is tried from Δ = 0 first, [as for one body](SWIFT).
     #[cold]
     fn lengthen<U: Unknown<D>>(
         &mut self,
@@ -349,16 +360,17 @@ impl<const D: usize> Solver<D> {
         self.place::<U>(equation);
         unknown.gradient(0.0, &self.place, &self.velocity, &mut self.first);
         self.slope.clear();
-        let (mut theta, mut advance, mut ending) = (0.0, f64::min(0.25, longest), astray);
+        let (mut theta, mut advance, mut ending) = (0.0, longest, astray);
         while evaluations < equation.newton.limit() && advance >= SHORTEST {
             let next = f64::min(theta + advance, 1.0);
             let ahead = next - theta;
-            for i in 0..self.delta.flat().len() {
-                let known = equation.known.map_or(0.0, |known| known.flat()[i]);
-                let force = known + ahead * self.slope.flat()[i] + self.first.flat()[i];
-                self.delta.flat_mut()[i] = next * equation.drift(i) - next * next * equation.g.flat()[i] * force;
+            let trial = if ahead == 1.0 { Trial::AT_REST } else { Trial::FOLLOWED };
+            if ahead == 1.0 {
+                self.delta.clear();
+            } else {
+                self.predict(equation, next, ahead);
             }
-            match self.settle(equation, unknown, next, CHORD_FOLLOWED) {
+            match self.settle(equation, unknown, next, trial) {
                 Ok(iterations) => {
                     evaluations += iterations;
                     if next >= 1.0 {
@@ -382,6 +394,15 @@ impl<const D: usize> Solver<D> {
             return Err(NotConverged::NOT_CONTINUED);
         }
         Err(NotConverged { iterations: evaluations.into(), residual: ending.residual })
+    }
+
+    /// Δ for a part θ of the step, with the force continued over the last `ahead` of it by its slope.
+    fn predict(&mut self, equation: &Equations<'_, D>, theta: f64, ahead: f64) {
+        for i in 0..self.delta.flat().len() {
+            let known = equation.known.map_or(0.0, |known| known.flat()[i]);
+            let force = known + ahead * self.slope.flat()[i] + self.first.flat()[i];
+            self.delta.flat_mut()[i] = theta * equation.drift(i) - theta * theta * equation.g.flat()[i] * force;
+        }
     }
 
     /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.

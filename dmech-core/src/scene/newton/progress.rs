@@ -78,8 +78,8 @@ impl Progress {
         })
     }
 
-    /// There are no corrections left.
-    pub(super) fn exhausted<const D: usize>(&self, equation: &Equations<'_, D>) -> NotConverged {
-        NotConverged { iterations: equation.limit().into(), residual: self.last }
+    /// That many corrections have not led to a root.
+    pub(super) fn exhausted(&self, corrections: u32) -> NotConverged {
+        NotConverged { iterations: corrections.into(), residual: self.last }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `INSTA_UPDATE=always cargo test -p dmech-codegen --test golden` writes the files anew; read what it wrote.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 
 /// −gm/|q| in the plane: central, one scalar unknown.
 const KEPLER: &str = "impl Kepler {
@@ -152,4 +152,43 @@ fn nested_choices_are_not_closures() {
     let code = expansion(law).to_string();
     let [closures, choices] = ["R :: select (", "R :: either ("].map(|call| code.matches(call).count());
     assert!(choices > 500 && closures < 20, "{closures} choices in closures, {choices} in blocks");
+}
+
+/// The longest row of `let`s in one block, and how many there are.
+fn lets(tokens: TokenStream) -> [usize; 2] {
+    let (mut row, mut longest, mut all) = (0, 0, 0);
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) if name == "let" => row += 1,
+            TokenTree::Group(group) => {
+                let [inside, of_them] = lets(group.stream());
+                longest = longest.max(inside);
+                all += of_them;
+            }
+            _ => {}
+        }
+    }
+    [longest.max(row), all + row]
+}
+
+/// Scopes within scopes: with debug information the compiler goes down all of them, and 18 coordinates used up its stack.
+#[test]
+fn no_block_has_too_many_statements() {
+    let law = "impl Cluster {
+        #[potential]
+        fn energy(&self, q: [f64; 18]) -> f64 {
+            let mut sum = 0.0;
+            for i in 0..6 {
+                for j in 0..i {
+                    let r2 = (0..3).map(|c| (q[3 * i + c] - q[3 * j + c]).powi(2)).sum::<f64>();
+                    sum += self.k * (-r2.sqrt()).exp() / r2.sqrt();
+                }
+            }
+            sum
+        }
+    }";
+    let written = dmech_codegen::law(TokenStream::new(), law.parse().unwrap());
+    let [longest, all] = lets(written);
+    println!("{longest} of {all} in one block");
+    assert!(all > 2000 && longest < 200, "{longest} of {all}");
 }

@@ -52,7 +52,7 @@ pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], corrections: Correction
                 continue;
             }
             let [multiplier, scale] = if last { [a[i][k], a[k][k]] } else { [g.div(a[i][k], a[k][k]), g.one()] };
-            let mut less = |g: &mut Graph, x: Expr, y: Expr| {
+            let less = |g: &mut Graph, x: Expr, y: Expr| {
                 let [x, y] = [g.mul(&[scale, x]), g.mul(&[multiplier, y])];
                 g.sub(x, y)
             };

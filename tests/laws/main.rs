@@ -7,6 +7,7 @@ mod forces;
 mod generated;
 mod guide;
 mod language;
+mod many_coordinates;
 mod masses;
 mod models;
 mod orbits;

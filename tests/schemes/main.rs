@@ -43,6 +43,7 @@ mod quadratic;
 mod relaxed;
 mod runge_kutta_nystrom;
 mod splittings;
+mod stiff;
 mod walls;
 
 /// The run if it was not refused at its first step; if it was, nothing else is the matter than the root.

@@ -1,10 +1,10 @@
 //! A program as the statements of a function body.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use dmech_symbolic::program::{Operation, Program, Test, Value};
-use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
 
 use super::names::{Names, ident, runtime};
 use super::operation::{self, Fragment};
@@ -15,6 +15,10 @@ use super::shared_test::SharedTests;
 const LONGEST: usize = 5;
 /// Branches with no more additions and multiplications than this are computed whether or not they are taken.
 const LIGHTEST: usize = 4;
+
+/// So many `let`s one after the other at most: each opens a scope within that of the last, and in builds with debug information the
+/// compiler goes down all of them at once, until its stack is used up.
+const DEEPEST: usize = 150;
 
 /// Statements, and the expressions of the results.
 pub(super) struct Printed {
@@ -39,8 +43,8 @@ pub(super) fn body(program: &Program, names: &Names, scalar: &Ident) -> Printed 
         inline: vec![None; program.operations.len()],
     };
     let statements = writer.region(None);
-    let outputs = program.outputs.iter().map(|&v| writer.fragment(v).tokens).collect();
-    Printed { statements, outputs }
+    let outputs: Vec<_> = program.outputs.iter().map(|&v| writer.fragment(v).tokens).collect();
+    Printed { statements: nested(statements, &outputs), outputs }
 }
 
 struct Writer<'a> {
@@ -59,15 +63,15 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     /// The `let`s of one region, in order.
-    fn region(&mut self, region: Option<Branch>) -> TokenStream {
-        let mut statements = TokenStream::new();
+    fn region(&mut self, region: Option<Branch>) -> Vec<Let> {
+        let mut statements = vec![];
         let values = self.values.get(&region).cloned().unwrap_or_default();
         for value in values {
             while let Some(test) = self.tests.due(region, value) {
                 let mask = operation::mask(&test, &mut |v| self.fragment(v));
                 let name = self.temporary();
-                statements.extend(quote!(let #name = #mask;));
-                self.tests.name(&test, name);
+                self.tests.name(&test, name.clone());
+                statements.push(Let { name, value: mask });
             }
             let fragment = match self.program.operation(value) {
                 Operation::Symbol(_) => continue,
@@ -87,8 +91,7 @@ impl Writer<'_> {
             if number || (self.uses[value.index()] == 1 && !named && fragment.size <= LONGEST) {
                 self.inline[value.index()] = Some(fragment);
             } else {
-                let (ident, tokens) = (self.ident(value), fragment.tokens);
-                statements.extend(quote!(let #ident = #tokens;));
+                statements.push(Let { name: self.ident(value), value: fragment.tokens });
             }
         }
         statements
@@ -131,7 +134,8 @@ impl Writer<'_> {
 
     fn branch(&mut self, branch: Branch, value: Value) -> (TokenStream, TokenStream) {
         let statements = self.region(Some(branch));
-        (statements, self.fragment(value).tokens)
+        let value = self.fragment(value).tokens;
+        (nested(statements, core::slice::from_ref(&value)), value)
     }
 
     fn fragment(&mut self, value: Value) -> Fragment {
@@ -158,6 +162,47 @@ impl Writer<'_> {
     fn temporary(&mut self) -> Ident {
         self.unnamed += 1;
         ident(&format!("t{}", self.unnamed - 1))
+    }
+}
+
+/// `let name = value;`
+struct Let {
+    name: Ident,
+    value: TokenStream,
+}
+
+impl ToTokens for Let {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let Self { name, value } = self;
+        tokens.extend(quote!(let #name = #value;));
+    }
+}
+
+/// The statements as they are, or in blocks that give what later ones and the results use, if they are too many.
+fn nested(statements: Vec<Let>, outputs: &[TokenStream]) -> TokenStream {
+    if statements.len() <= DEEPEST {
+        return quote!(#(#statements)*);
+    }
+    let mut used = HashSet::new();
+    outputs.iter().for_each(|output| collect(output.clone(), &mut used));
+    let blocks = statements.chunks(DEEPEST).rev().map(|block| {
+        let out: Vec<_> = block.iter().map(|Let { name, .. }| name).filter(|name| used.contains(*name)).collect();
+        let tokens = quote!(let (#(#out,)*) = { #(#block)* (#(#out,)*) };);
+        block.iter().for_each(|Let { value, .. }| collect(value.clone(), &mut used));
+        tokens
+    });
+    let blocks: Vec<_> = blocks.collect();
+    blocks.into_iter().rev().collect()
+}
+
+/// The names in the tokens.
+fn collect(tokens: TokenStream, names: &mut HashSet<Ident>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(name) => drop(names.insert(name)),
+            TokenTree::Group(group) => collect(group.stream(), names),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
     }
 }
 

@@ -32,11 +32,6 @@ impl<const D: usize> CompensatedVectors<D> {
         CompensatedVectors { hi, lo }
     }
 
-    /// Whether every component is finite.
-    pub fn is_finite(&self) -> bool {
-        self.hi.is_finite()
-    }
-
     /// The values and what is missing, to be written to.
     #[cfg(feature = "serde")]
     pub(super) fn parts_mut(&mut self) -> [&mut [f64]; 2] {

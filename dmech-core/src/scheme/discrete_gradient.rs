@@ -66,13 +66,6 @@ memory! {
 
 by_lane! { DiscreteGradientMemory { q, v, slopes }; }
 
-impl<Y: System> DiscreteGradientMemory<Y> {
-    /// ∇̄Φ less the mean force of the last step; ∇Φ − F before the first.
-    pub fn slope(&self) -> &Y::Vector {
-        &self.slopes[0]
-    }
-}
-
 impl Method for DiscreteGradient {
     const NAME: &'static str = "DiscreteGradient";
     const ORDER: u32 = 2;

@@ -66,8 +66,8 @@ impl<const D: usize> DenseMatrix<D> {
         }
     }
 
-    pub(super) fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
-        multiply_add(&self.jacobian, x.flat(), y.flat_mut());
+    pub(super) fn multiply_add(&self, x: &[f64], y: &mut [f64]) {
+        multiply_add(&self.jacobian, x, y);
     }
 
     pub(super) fn add_row_sums(&self, rows: &mut [f64]) {
@@ -152,11 +152,11 @@ impl<const D: usize> DenseMatrix<D> {
         regular
     }
 
-    pub(super) fn solve(&mut self, x: &mut Vectors<D>) {
+    pub(super) fn solve(&mut self, x: &mut [f64]) {
         if self.small {
-            self.series.solve(x.flat_mut(), |x, y| multiply_add(&self.factors, x, y));
+            self.series.solve(x, |x, y| multiply_add(&self.factors, x, y));
         } else {
-            self.substitute(x.flat_mut());
+            self.substitute(x);
         }
     }
 

@@ -73,6 +73,22 @@ pub enum Matrix<const D: usize> {
     Dense(DenseMatrix<D>),
 }
 
+/// The same of a matrix of any kind; of a chain, which goes from body to body, perhaps something else.
+macro_rules! each {
+    ($self:expr, $matrix:ident => $what:expr) => {
+        each!($self, $matrix => $what, $matrix => $what)
+    };
+    ($self:expr, $chain:ident => $of_chain:expr, $matrix:ident => $what:expr) => {
+        match $self {
+            Matrix::Chain($chain) => $of_chain,
+            #[cfg(feature = "sparse")]
+            Matrix::Sparse($matrix) => $what,
+            Matrix::Near($matrix) => $what,
+            Matrix::Dense($matrix) => $what,
+        }
+    };
+}
+
 impl<const D: usize> Matrix<D> {
     /// The matrix that fits a topology. For a list of bonds it is sparse with the feature `sparse`, and dense without.
     pub fn new(bodies: usize, topology: &Topology) -> Self {
@@ -95,25 +111,13 @@ impl<const D: usize> Matrix<D> {
 
     /// J ← 0.
     pub fn clear(&mut self) {
-        match self {
-            Matrix::Chain(matrix) => matrix.clear(),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.clear(),
-            Matrix::Near(matrix) => matrix.clear(),
-            Matrix::Dense(matrix) => matrix.clear(),
-        }
+        each!(self, matrix => matrix.clear())
     }
 
     /// J_ab += block.
     #[inline(always)]
     pub fn add_block(&mut self, a: usize, b: usize, block: [[f64; D]; D]) {
-        match self {
-            Matrix::Chain(matrix) => matrix.add_block(a, b, block),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.add_block(a, b, block),
-            Matrix::Near(matrix) => matrix.add_block(a, b, block),
-            Matrix::Dense(matrix) => matrix.add_block(a, b, block),
-        }
+        each!(self, matrix => matrix.add_block(a, b, block))
     }
 
     /// What a link with ∂G_d/∂d = block adds: G_a = G_d and G_b = −G_d.
@@ -134,48 +138,24 @@ impl<const D: usize> Matrix<D> {
 
     /// y += J x.
     pub fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
-        match self {
-            Matrix::Chain(matrix) => matrix.multiply_add(x, y),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.multiply_add(x, y),
-            Matrix::Near(matrix) => matrix.multiply_add(x.flat(), y.flat_mut()),
-            Matrix::Dense(matrix) => matrix.multiply_add(x, y),
-        }
+        each!(self, chain => chain.multiply_add(x, y), matrix => matrix.multiply_add(x.flat(), y.flat_mut()))
     }
 
     /// out += Σ |J| over each row.
     pub fn add_row_sums(&self, out: &mut Vectors<D>) {
-        match self {
-            Matrix::Chain(matrix) => matrix.add_row_sums(out),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.add_row_sums(out.flat_mut()),
-            Matrix::Near(matrix) => matrix.add_row_sums(out.flat_mut()),
-            Matrix::Dense(matrix) => matrix.add_row_sums(out.flat_mut()),
-        }
+        each!(self, chain => chain.add_row_sums(out), matrix => matrix.add_row_sums(out.flat_mut()))
     }
 
     /// Factorises 1 + g J, with one g for each coordinate (0 for those of pinned bodies). `false` if it is not as it must be.
     pub fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
-        match self {
-            Matrix::Chain(matrix) => matrix.factorise(g, must_be),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.factorise(g, must_be),
-            Matrix::Near(matrix) => matrix.factorise(g, must_be),
-            Matrix::Dense(matrix) => matrix.factorise(g, must_be),
-        }
+        each!(self, matrix => matrix.factorise(g, must_be))
     }
 
     /// Whether the factors of a regular matrix say at once what [`continues`](Matrix::continues) finds, which is so where the step
     /// resolves the motion.
     #[inline]
     pub fn is_positive(&self) -> bool {
-        match self {
-            Matrix::Chain(matrix) => matrix.is_positive(),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.is_positive(),
-            Matrix::Near(matrix) => matrix.is_positive(),
-            Matrix::Dense(matrix) => matrix.is_positive(),
-        }
+        each!(self, matrix => matrix.is_positive())
     }
 
     /// Whether 1 + g J, with the g that was factorised, may be that at a root which continues that of a shorter step. It grows from
@@ -183,24 +163,12 @@ impl<const D: usize> Matrix<D> {
     /// positive definite.
     #[cold]
     pub fn continues(&mut self, g: &Vectors<D>) -> bool {
-        match self {
-            Matrix::Chain(matrix) => matrix.continues(),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.continues(g),
-            Matrix::Near(matrix) => matrix.continues(g),
-            Matrix::Dense(matrix) => matrix.continues(g),
-        }
+        each!(self, chain => chain.continues(), matrix => matrix.continues(g))
     }
 
     /// x ← (1 + g J)⁻¹ x, with the g that was factorised.
     pub fn solve(&mut self, g: &Vectors<D>, x: &mut Vectors<D>) {
-        match self {
-            Matrix::Chain(matrix) => matrix.solve(g, x),
-            #[cfg(feature = "sparse")]
-            Matrix::Sparse(matrix) => matrix.solve(x),
-            Matrix::Near(matrix) => matrix.solve(x.flat_mut()),
-            Matrix::Dense(matrix) => matrix.solve(x),
-        }
+        each!(self, chain => chain.solve(g, x), matrix => matrix.solve(x.flat_mut()))
     }
 }
 

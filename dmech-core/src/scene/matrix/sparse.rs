@@ -101,8 +101,8 @@ impl<const D: usize> SparseMatrix<D> {
         }
     }
 
-    pub(super) fn multiply_add(&self, x: &Vectors<D>, y: &mut Vectors<D>) {
-        multiply_add(&self.pattern, &self.jacobian, x.flat(), y.flat_mut());
+    pub(super) fn multiply_add(&self, x: &[f64], y: &mut [f64]) {
+        multiply_add(&self.pattern, &self.jacobian, x, y);
     }
 
     pub(super) fn add_row_sums(&self, sums: &mut [f64]) {
@@ -168,11 +168,11 @@ impl<const D: usize> SparseMatrix<D> {
         !symmetric && !is_negative(SparseColMatRef::new(pattern, &self.values[..]), self.symbolic.col_perm())
     }
 
-    pub(super) fn solve(&mut self, x: &mut Vectors<D>) {
+    pub(super) fn solve(&mut self, x: &mut [f64]) {
         if self.small {
-            self.series.solve(x.flat_mut(), |x, y| multiply_add(&self.pattern, &self.values, x, y));
+            self.series.solve(x, |x, y| multiply_add(&self.pattern, &self.values, x, y));
         } else if self.factorised {
-            solve(&self.symbolic, &self.factors, x.flat_mut(), &mut self.workspace);
+            solve(&self.symbolic, &self.factors, x, &mut self.workspace);
         }
     }
 }

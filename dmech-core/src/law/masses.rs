@@ -3,6 +3,7 @@
 use dmech_scalar::Real;
 
 use super::field::Linearised;
+use super::perhaps::passed_on;
 use crate::law::written::Written;
 use crate::law::{Field, Fields, Law, LinearInVelocity, MassIndependent, Numbers, Potential, VelocityIndependent};
 use crate::vector::{by_component, by_entry};
@@ -132,21 +133,11 @@ impl<F: Field<D, R>, const D: usize, R: Real> Potential<D, R> for Divided<F, D, 
     fn potential(&self, q: [R; D]) -> R {
         self.field.potential(q)
     }
-    #[inline(always)]
-    fn gradient(&self, q: [R; D]) -> [R; D] {
-        self.rows(self.field.gradient(q))
-    }
-    #[inline(always)]
-    fn hessian(&self, q: [R; D]) -> [[R; D]; D] {
-        self.matrix(self.field.hessian(q))
-    }
-    #[inline(always)]
-    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
-        self.rows(self.field.discrete_gradient(a, b))
-    }
-    #[inline(always)]
-    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
-        self.matrix(self.field.discrete_gradient_jacobian(a, b))
+    passed_on! { field:
+        rows gradient(q: [R; D]) -> [R; D];
+        matrix hessian(q: [R; D]) -> [[R; D]; D];
+        rows discrete_gradient(a: [R; D], b: [R; D]) -> [R; D];
+        matrix discrete_gradient_jacobian(a: [R; D], b: [R; D]) -> [[R; D]; D];
     }
 }
 
@@ -154,25 +145,12 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Divided<F, D, R> {
     const FORCED: bool = F::FORCED;
     const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
 
-    #[inline(always)]
-    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.rows(self.field.slope(q, v))
-    }
-    #[inline(always)]
-    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.rows(self.field.half_force(q, v))
-    }
-    #[inline(always)]
-    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
-        self.rows(self.field.force(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.matrix(self.field.force_dq(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.matrix(self.field.force_dv(q, v, t))
+    passed_on! { field:
+        rows slope(q: [R; D], v: [R; D]) -> [R; D];
+        rows half_force(q: [R; D], v: [R; D]) -> [R; D];
+        rows force(q: [R; D], v: [R; D], t: R) -> [R; D];
+        matrix force_dq(q: [R; D], v: [R; D], t: R) -> [[R; D]; D];
+        matrix force_dv(q: [R; D], v: [R; D], t: R) -> [[R; D]; D];
     }
 
     #[inline(always)]

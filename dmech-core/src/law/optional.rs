@@ -107,6 +107,16 @@ impl<L: VelocityIndependent> VelocityIndependent for Option<L> {}
 impl<L: LinearInVelocity> LinearInVelocity for Option<L> {}
 impl<L: MassIndependent> MassIndependent for Option<L> {}
 
+/// Functions that are asked of the law, and what they are without one.
+macro_rules! asked {
+    ($($name:ident($($x:ident: $t:ty),*) -> $out:ty, else $without:expr;)*) => {$(
+        #[inline(always)]
+        fn $name(&self, $($x: $t),*) -> $out {
+            self.as_ref().map_or($without, |law| law.$name($($x),*))
+        }
+    )*};
+}
+
 /// Nothing acts.
 const fn nothing<const D: usize, R: Real>() -> [[R; D]; D] {
     [[R::ZERO; D]; D]
@@ -118,25 +128,12 @@ impl<F: Potential<D, R>, const D: usize, R: Real> Potential<D, R> for Option<F> 
     const PIECEWISE: bool = F::PIECEWISE;
     const DEGREE: Option<u32> = F::DEGREE;
 
-    #[inline(always)]
-    fn potential(&self, q: [R; D]) -> R {
-        self.as_ref().map_or(R::ZERO, |field| field.potential(q))
-    }
-    #[inline(always)]
-    fn gradient(&self, q: [R; D]) -> [R; D] {
-        self.as_ref().map_or([R::ZERO; D], |field| field.gradient(q))
-    }
-    #[inline(always)]
-    fn hessian(&self, q: [R; D]) -> [[R; D]; D] {
-        self.as_ref().map_or(nothing(), |field| field.hessian(q))
-    }
-    #[inline(always)]
-    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
-        self.as_ref().map_or([R::ZERO; D], |field| field.discrete_gradient(a, b))
-    }
-    #[inline(always)]
-    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
-        self.as_ref().map_or(nothing(), |field| field.discrete_gradient_jacobian(a, b))
+    asked! {
+        potential(q: [R; D]) -> R, else R::ZERO;
+        gradient(q: [R; D]) -> [R; D], else [R::ZERO; D];
+        hessian(q: [R; D]) -> [[R; D]; D], else nothing();
+        discrete_gradient(a: [R; D], b: [R; D]) -> [R; D], else [R::ZERO; D];
+        discrete_gradient_jacobian(a: [R; D], b: [R; D]) -> [[R; D]; D], else nothing();
     }
 }
 
@@ -145,41 +142,16 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Option<F> {
     const FORCED: bool = F::FORCED;
     const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
 
-    #[inline(always)]
-    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.as_ref().map_or([R::ZERO; D], |field| field.slope(q, v))
-    }
-    #[inline(always)]
-    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.as_ref().map_or([R::ZERO; D], |field| field.half_force(q, v))
-    }
-    #[inline(always)]
-    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
-        self.as_ref().map_or([R::ZERO; D], |field| field.force(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.as_ref().map_or(nothing(), |field| field.force_dq(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.as_ref().map_or(nothing(), |field| field.force_dv(q, v, t))
-    }
-    #[inline(always)]
-    fn time(&self) -> R {
-        self.as_ref().map_or(R::ZERO, F::time)
-    }
-    #[inline(always)]
-    fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
-        self.as_ref().map_or(v, |field| field.kick(c, q, v))
-    }
-    #[inline(always)]
-    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
-        self.as_ref().map_or(v, |field| field.gradient_kick(c, e, q, v))
-    }
-    #[inline(always)]
-    fn kick_by_mean(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
-        self.as_ref().map_or(v, |field| field.kick_by_mean(c, q, v))
+    asked! {
+        slope(q: [R; D], v: [R; D]) -> [R; D], else [R::ZERO; D];
+        half_force(q: [R; D], v: [R; D]) -> [R; D], else [R::ZERO; D];
+        force(q: [R; D], v: [R; D], t: R) -> [R; D], else [R::ZERO; D];
+        force_dq(q: [R; D], v: [R; D], t: R) -> [[R; D]; D], else nothing();
+        force_dv(q: [R; D], v: [R; D], t: R) -> [[R; D]; D], else nothing();
+        time() -> R, else R::ZERO;
+        kick(c: R, q: [R; D], v: [R; D]) -> [R; D], else v;
+        gradient_kick(c: R, e: R, q: [R; D], v: [R; D]) -> [R; D], else v;
+        kick_by_mean(c: R, q: [R; D], v: [R; D]) -> [R; D], else v;
     }
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         self.as_ref().map_or_else(|| free(equation), |field| field.implicit_increment(equation))
@@ -269,12 +241,8 @@ impl<B: Between<D, R>, const D: usize, R: Real> Between<D, R> for Option<B> {
     const FORCED: bool = B::FORCED;
     const RECIPROCAL: bool = B::RECIPROCAL;
 
-    #[inline(always)]
-    fn force(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [R; D] {
-        self.as_ref().map_or([R::ZERO; D], |between| between.force(d, va, vb))
-    }
-    #[inline(always)]
-    fn force_jacobians(&self, d: [R; D], va: [R; D], vb: [R; D]) -> [[[R; D]; D]; 3] {
-        self.as_ref().map_or([nothing(); 3], |between| between.force_jacobians(d, va, vb))
+    asked! {
+        force(d: [R; D], va: [R; D], vb: [R; D]) -> [R; D], else [R::ZERO; D];
+        force_jacobians(d: [R; D], va: [R; D], vb: [R; D]) -> [[[R; D]; D]; 3], else [nothing(); 3];
     }
 }

@@ -8,6 +8,18 @@ use crate::look::{Course, Frequency};
 use crate::newton::{self, Equation, Increment, NotConverged};
 use crate::vector::{by_component, by_entry};
 
+/// Functions that are asked of what is within, and by what their values are passed on: `or(v) kick(…)` is
+/// `self.or(v, self.law.kick(…))`.
+macro_rules! passed_on {
+    ($within:ident: $($by:ident $(($without:expr))? $name:ident($($x:ident: $t:ty),*) -> $out:ty;)*) => {$(
+        #[inline(always)]
+        fn $name(&self, $($x: $t),*) -> $out {
+            self.$by($($without,)? self.$within.$name($($x),*))
+        }
+    )*};
+}
+pub(super) use passed_on;
+
 /// What acts in the lanes in which a law is there; nothing in the others. To the bit what `Option` gives in each.
 #[derive(Clone, Copy, Debug)]
 pub struct Perhaps<F, R: Real> {
@@ -72,25 +84,12 @@ impl<F: Potential<D, R>, const D: usize, R: Real> Potential<D, R> for Perhaps<F,
     const PIECEWISE: bool = F::PIECEWISE;
     const DEGREE: Option<u32> = F::DEGREE;
 
-    #[inline(always)]
-    fn potential(&self, q: [R; D]) -> R {
-        self.number(self.law.potential(q))
-    }
-    #[inline(always)]
-    fn gradient(&self, q: [R; D]) -> [R; D] {
-        self.vector(self.law.gradient(q))
-    }
-    #[inline(always)]
-    fn hessian(&self, q: [R; D]) -> [[R; D]; D] {
-        self.matrix(self.law.hessian(q))
-    }
-    #[inline(always)]
-    fn discrete_gradient(&self, a: [R; D], b: [R; D]) -> [R; D] {
-        self.vector(self.law.discrete_gradient(a, b))
-    }
-    #[inline(always)]
-    fn discrete_gradient_jacobian(&self, a: [R; D], b: [R; D]) -> [[R; D]; D] {
-        self.matrix(self.law.discrete_gradient_jacobian(a, b))
+    passed_on! { law:
+        number potential(q: [R; D]) -> R;
+        vector gradient(q: [R; D]) -> [R; D];
+        matrix hessian(q: [R; D]) -> [[R; D]; D];
+        vector discrete_gradient(a: [R; D], b: [R; D]) -> [R; D];
+        matrix discrete_gradient_jacobian(a: [R; D], b: [R; D]) -> [[R; D]; D];
     }
 }
 
@@ -98,41 +97,16 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Perhaps<F, R> {
     const FORCED: bool = F::FORCED;
     const CONSERVES_ENERGY: bool = F::CONSERVES_ENERGY;
 
-    #[inline(always)]
-    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.vector(self.law.slope(q, v))
-    }
-    #[inline(always)]
-    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
-        self.vector(self.law.half_force(q, v))
-    }
-    #[inline(always)]
-    fn force(&self, q: [R; D], v: [R; D], t: R) -> [R; D] {
-        self.vector(self.law.force(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.matrix(self.law.force_dq(q, v, t))
-    }
-    #[inline(always)]
-    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
-        self.matrix(self.law.force_dv(q, v, t))
-    }
-    #[inline(always)]
-    fn time(&self) -> R {
-        self.number(self.law.time())
-    }
-    #[inline(always)]
-    fn kick(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
-        self.or(v, self.law.kick(c, q, v))
-    }
-    #[inline(always)]
-    fn gradient_kick(&self, c: R, e: R, q: [R; D], v: [R; D]) -> [R; D] {
-        self.or(v, self.law.gradient_kick(c, e, q, v))
-    }
-    #[inline(always)]
-    fn kick_by_mean(&self, c: R, q: [R; D], v: [R; D]) -> [R; D] {
-        self.or(v, self.law.kick_by_mean(c, q, v))
+    passed_on! { law:
+        vector slope(q: [R; D], v: [R; D]) -> [R; D];
+        vector half_force(q: [R; D], v: [R; D]) -> [R; D];
+        vector force(q: [R; D], v: [R; D], t: R) -> [R; D];
+        matrix force_dq(q: [R; D], v: [R; D], t: R) -> [[R; D]; D];
+        matrix force_dv(q: [R; D], v: [R; D], t: R) -> [[R; D]; D];
+        number time() -> R;
+        or(v) kick(c: R, q: [R; D], v: [R; D]) -> [R; D];
+        or(v) gradient_kick(c: R, e: R, q: [R; D], v: [R; D]) -> [R; D];
+        or(v) kick_by_mean(c: R, q: [R; D], v: [R; D]) -> [R; D];
     }
     fn implicit_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         self.increment(equation, F::implicit_increment)

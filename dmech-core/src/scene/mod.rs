@@ -7,6 +7,7 @@
 
 mod acting;
 mod bodies;
+mod both;
 mod builder;
 mod changes;
 mod compensated;

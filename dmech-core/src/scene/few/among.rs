@@ -5,6 +5,7 @@ use dmech_scalar::Real;
 use super::sides::{Mutual, Sides};
 use crate::law::Numbers;
 use crate::look::{Course, Frequency};
+use crate::scene::both::{of_both, of_nothing};
 use crate::scene::terms::Acts;
 
 /// A vector of each of N bodies.
@@ -71,15 +72,30 @@ impl<const D: usize, const N: usize, S: Sides> AmongFew<D, N, S> for () {
     fn moment<R: Real>(_: [R; 0], _: S::Acting<N, R>, _: R) {}
 }
 
+/// The functions that add to what they are given.
+macro_rules! that_add {
+    ($whose:ident) => {
+        $whose! {
+            #[inline(always)]
+            add_gradient(q: &Places<D, N, R>, out: &mut Places<D, N, R>);
+            #[inline(always)]
+            add_hessian<const K: usize>(q: &Places<D, N, R>, out: &mut [[R; K]; K]);
+            #[inline(always)]
+            add_discrete_gradient(a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut Places<D, N, R>);
+            #[inline(always)]
+            add_discrete_jacobian<const K: usize>(a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut [[R; K]; K]);
+            #[inline(always)]
+            add_force(q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>);
+        }
+    };
+}
+
 impl<const D: usize, const N: usize, R: Real> Among<D, N, R> for () {
     #[inline(always)]
     fn potential(&self, _: &Places<D, N, R>) -> R {
         R::ZERO
     }
-    fn add_gradient(&self, _: &Places<D, N, R>, _: &mut Places<D, N, R>) {}
-    fn add_hessian<const K: usize>(&self, _: &Places<D, N, R>, _: &mut [[R; K]; K]) {}
-    fn add_discrete_gradient(&self, _: &Places<D, N, R>, _: &Places<D, N, R>, _: &mut Places<D, N, R>) {}
-    fn add_discrete_jacobian<const K: usize>(&self, _: &Places<D, N, R>, _: &Places<D, N, R>, _: &mut [[R; K]; K]) {}
+    that_add!(of_nothing);
     fn frequency(&self, _: &impl Fn(R) -> Option<()>, _: R, bodies: &[Course<D, R>; N]) -> Frequency<R> {
         Frequency::none(bodies[0].least)
     }
@@ -110,31 +126,7 @@ impl<const D: usize, const N: usize, R: Real, A: Among<D, N, R>, B: Among<D, N, 
     fn potential(&self, q: &Places<D, N, R>) -> R {
         self.0.potential(q) + self.1.potential(q)
     }
-    #[inline(always)]
-    fn add_gradient(&self, q: &Places<D, N, R>, out: &mut Places<D, N, R>) {
-        self.0.add_gradient(q, out);
-        self.1.add_gradient(q, out);
-    }
-    #[inline(always)]
-    fn add_hessian<const K: usize>(&self, q: &Places<D, N, R>, out: &mut [[R; K]; K]) {
-        self.0.add_hessian(q, out);
-        self.1.add_hessian(q, out);
-    }
-    #[inline(always)]
-    fn add_discrete_gradient(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut Places<D, N, R>) {
-        self.0.add_discrete_gradient(a, b, out);
-        self.1.add_discrete_gradient(a, b, out);
-    }
-    #[inline(always)]
-    fn add_discrete_jacobian<const K: usize>(&self, a: &Places<D, N, R>, b: &Places<D, N, R>, out: &mut [[R; K]; K]) {
-        self.0.add_discrete_jacobian(a, b, out);
-        self.1.add_discrete_jacobian(a, b, out);
-    }
-    #[inline(always)]
-    fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
-        self.0.add_force(q, v, t, out);
-        self.1.add_force(q, v, t, out);
-    }
+    that_add!(of_both);
     #[inline(always)]
     fn add_force_jacobians<const K: usize>(
         &self,

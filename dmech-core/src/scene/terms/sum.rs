@@ -7,6 +7,7 @@ use super::sweep::Kicked;
 use super::{Acts, Fault, Laws, Moving, Term};
 use crate::error::Error;
 use crate::scene::bodies::Bodies;
+use crate::scene::both::{of_both, of_nothing};
 use crate::scene::matrix::Matrix;
 use crate::scene::topology::Topology;
 use crate::scene::vectors::Vectors;
@@ -36,6 +37,27 @@ impl<A: Laws, B: Laws> Laws for (A, B) {
     }
 }
 
+/// The functions that add to what they are given.
+macro_rules! that_add {
+    ($whose:ident) => {
+        $whose! {
+            add_gradient(q: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+            subtract_force(c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+            add_force_dv(q: &Vectors<D>, t: f64, out: &mut [[[f64; D]; D]]);
+            add_discrete_gradient(a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+            add_hessian(c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>);
+            add_turned(c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>);
+            add_discrete_jacobian(a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>);
+            subtract_force_jacobian(c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>);
+            #[inline(always)]
+            add_stencil(q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
+            #[inline(always)]
+            add_discrete_stencil(a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>);
+            fields(see: &mut dyn FnMut(&'static str, f64));
+        }
+    };
+}
+
 impl<const D: usize> Acts<D> for () {
     const NOTHING: bool = true;
     const CHAIN: bool = true;
@@ -51,22 +73,13 @@ impl<const D: usize> Acts<D> for () {
     fn potential(&self, _: &Vectors<D>, _: f64) -> f64 {
         0.0
     }
-    fn add_gradient(&self, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
-    fn subtract_force(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
-    fn add_discrete_gradient(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
-    fn add_hessian(&self, _: f64, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
-    fn add_turned(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Vectors<D>) {}
-    fn add_discrete_jacobian(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: &mut Matrix<D>) {}
-    fn subtract_force_jacobian(&self, _: f64, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: f64, _: &mut Matrix<D>) {}
-    fn add_stencil(&self, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
-    fn add_discrete_stencil(&self, _: &Vectors<D>, _: &Vectors<D>, _: f64, _: usize, _: &mut Stencil<D>) {}
+    that_add!(of_nothing);
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
         at.nothing()
     }
     fn links(&self, _: usize) -> Topology {
         Topology::Chain
     }
-    fn fields(&self, _: &mut dyn FnMut(&'static str, f64)) {}
     fn fault(&self, _: Option<&Vectors<D>>, _: &Vectors<D>, _: &Vectors<D>, _: f64) -> Option<Fault> {
         None
     }
@@ -105,10 +118,6 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         self.0.potential(q, t) + self.1.potential(q, t)
     }
-    fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        self.0.add_gradient(q, t, out);
-        self.1.add_gradient(q, t, out);
-    }
     #[inline]
     fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if A::NOTHING {
@@ -129,18 +138,6 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn at_once(&self) -> bool {
         A::NOTHING && self.1.at_once()
     }
-    fn subtract_force(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        self.0.subtract_force(c, q, v, t, out);
-        self.1.subtract_force(c, q, v, t, out);
-    }
-    fn add_force_dv(&self, q: &Vectors<D>, t: f64, out: &mut [[[f64; D]; D]]) {
-        self.0.add_force_dv(q, t, out);
-        self.1.add_force_dv(q, t, out);
-    }
-    fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        self.0.add_discrete_gradient(a, b, t, out);
-        self.1.add_discrete_gradient(a, b, t, out);
-    }
     #[inline]
     fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
         if A::NOTHING {
@@ -150,41 +147,12 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
             self.1.add_discrete_gradient(a, b, t, out);
         }
     }
-    fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
-        self.0.add_hessian(c, q, t, out);
-        self.1.add_hessian(c, q, t, out);
-    }
-    fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        self.0.add_turned(c, q, w, t, out);
-        self.1.add_turned(c, q, w, t, out);
-    }
-    fn add_discrete_jacobian(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
-        self.0.add_discrete_jacobian(a, b, t, out);
-        self.1.add_discrete_jacobian(a, b, t, out);
-    }
-    fn subtract_force_jacobian(&self, c: f64, q: &Vectors<D>, v: &Vectors<D>, t: f64, rate: f64, out: &mut Matrix<D>) {
-        self.0.subtract_force_jacobian(c, q, v, t, rate, out);
-        self.1.subtract_force_jacobian(c, q, v, t, rate, out);
-    }
-    #[inline(always)]
-    fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
-        self.0.add_stencil(q, t, first, out);
-        self.1.add_stencil(q, t, first, out);
-    }
-    #[inline(always)]
-    fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
-        self.0.add_discrete_stencil(a, b, t, first, out);
-        self.1.add_discrete_stencil(a, b, t, first, out);
-    }
+    that_add!(of_both);
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
         self.0.frequency(at).and(self.1.frequency(at))
     }
     fn links(&self, bodies: usize) -> Topology {
         self.0.links(bodies).and(self.1.links(bodies))
-    }
-    fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        self.0.fields(see);
-        self.1.fields(see);
     }
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
         self.0.fault(from, q, v, t).or_else(|| self.1.fault(from, q, v, t))

@@ -7,9 +7,11 @@ use std::time::Duration;
 
 use dmech_scalar::Lanes;
 
+use super::plan::{Keep, Moved, Plan, See};
 use super::rows::{LANES, rows};
 use super::share::{Board, with_hands};
 use crate::error::Error;
+use crate::run::Follow;
 
 /// The most members in a block.
 pub(super) const BLOCK: usize = 512;
@@ -80,18 +82,8 @@ impl Blocks {
     }
 }
 
-/// Says what is to be done of a block, and takes what has come of it.
-pub(super) trait Direct {
-    type Job: Send;
-    type Result: Send;
-
-    fn job(&mut self, members: Range<usize>) -> Self::Job;
-
-    fn take(&mut self, members: Range<usize>, result: Self::Result) -> Result<(), Error>;
-}
-
 /// Who works beside the threads of this process.
-pub(super) trait Aides<J, T> {
+pub(super) trait Aides<X> {
     /// How long what they send may wait; none if there is nobody.
     const PATIENCE: Option<Duration>;
 
@@ -102,7 +94,7 @@ pub(super) trait Aides<J, T> {
     fn hands(&self) -> usize;
 
     /// Gives them jobs, and puts what came of others on the board.
-    fn attend(&mut self, board: &Board<J, T>) -> Result<(), Error>;
+    fn attend(&mut self, board: &Board<X>) -> Result<(), Error>;
 
     /// All is taken, or something has failed.
     fn end(&mut self, failed: bool) -> Result<(), Error>;
@@ -111,7 +103,7 @@ pub(super) trait Aides<J, T> {
 /// This process works alone.
 pub(super) struct Nobody;
 
-impl<J, T> Aides<J, T> for Nobody {
+impl<X> Aides<X> for Nobody {
     const PATIENCE: Option<Duration> = None;
 
     fn processes(&self) -> usize {
@@ -122,7 +114,7 @@ impl<J, T> Aides<J, T> for Nobody {
         0
     }
 
-    fn attend(&mut self, _: &Board<J, T>) -> Result<(), Error> {
+    fn attend(&mut self, _: &Board<X>) -> Result<(), Error> {
         Ok(())
     }
 
@@ -131,45 +123,72 @@ impl<J, T> Aides<J, T> for Nobody {
     }
 }
 
-/// Has every block worked on, and what comes of it taken in order.
-pub(super) fn in_order<A: Aides<D::Job, D::Result>, D: Direct>(
-    blocks: Blocks,
-    threads: usize,
-    work: impl Fn(D::Job) -> D::Result + Sync,
-    director: &mut D,
-    aides: &mut A,
-) -> Result<(), Error> {
-    let count = blocks.count();
-    if A::PATIENCE.is_none() && (threads == 1 || count <= 1) && !blocks.large {
-        return (0..count).try_for_each(|block| {
-            let job = director.job(blocks.members(block));
-            director.take(blocks.members(block), work(job))
-        });
-    }
-    with_hands(threads.min(count), work, |board| direct(blocks, threads, board, director, aides))
+/// The members on their way to where they are kept and seen.
+pub(super) struct Arrival<'a, 'b, X> {
+    pub(super) keep: Box<dyn Keep<X> + 'a>,
+    pub(super) see: See<'b, X>,
+    pub(super) follow: Follow,
+    /// How many were seen.
+    pub(super) seen: u64,
 }
 
-fn direct<A: Aides<D::Job, D::Result>, D: Direct>(
-    blocks: Blocks,
-    threads: usize,
-    board: &Board<D::Job, D::Result>,
-    director: &mut D,
-    aides: &mut A,
-) -> Result<(), Error> {
-    let (count, mut begun, mut taken) = (blocks.count(), 0, 0);
-    while taken < count {
-        while begun < count.min(taken + AHEAD * (threads + aides.hands())) {
-            board.add(begun, director.job(blocks.members(begun)));
-            begun += 1;
-        }
-        aides.attend(board)?;
-        if let Some(result) = board.take(taken) {
-            director.take(blocks.members(taken), result)?;
-            taken += 1;
-        } else if !board.wait(Some(taken), A::PATIENCE) {
-            // Its panic goes on when the threads are joined.
-            break;
-        }
+impl<X: Send> Arrival<'_, '_, X> {
+    /// Has every block worked on, and takes what comes of it in order.
+    pub(super) fn all<A: Aides<X>>(mut self, plan: &dyn Plan<X>, hands: Hands, aides: &mut A) -> Result<(), Error> {
+        let threads = hands.threads();
+        let blocks = plan.blocks(threads * aides.processes());
+        let count = blocks.count();
+        let outcome = if A::PATIENCE.is_none() && (threads == 1 || count <= 1) && !blocks.large {
+            (0..count).try_for_each(|block| {
+                let members = blocks.members(block);
+                let moved = plan.go_all(self.keep.missing(members.clone()));
+                self.take(members, moved)
+            })
+        } else {
+            let work = |rows| plan.go_all(rows);
+            with_hands(threads.min(count), work, |board| self.direct(blocks, threads, board, aides))
+        };
+        self.follow.end(self.seen, outcome.is_ok());
+        outcome?;
+        self.keep.close()
     }
-    Ok(())
+
+    fn direct<A: Aides<X>>(
+        &mut self,
+        blocks: Blocks,
+        threads: usize,
+        board: &Board<X>,
+        aides: &mut A,
+    ) -> Result<(), Error> {
+        let (count, mut begun, mut taken) = (blocks.count(), 0, 0);
+        while taken < count {
+            while begun < count.min(taken + AHEAD * (threads + aides.hands())) {
+                board.add(begun, self.keep.missing(blocks.members(begun)));
+                begun += 1;
+            }
+            aides.attend(board)?;
+            if let Some(moved) = board.take(taken) {
+                self.take(blocks.members(taken), moved)?;
+                taken += 1;
+            } else if !board.wait(Some(taken), A::PATIENCE) {
+                // Its panic goes on when the threads are joined.
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, members: Range<usize>, moved: Moved<X>) -> Result<(), Error> {
+        let any = !moved.is_empty();
+        for (k, outcome) in members.clone().zip(self.keep.keep(members.clone(), moved)?) {
+            (self.see)(k, outcome);
+        }
+        self.seen = members.end as u64;
+        if any {
+            self.follow.look(self.seen);
+        } else {
+            self.follow.pass(self.seen);
+        }
+        Ok(())
+    }
 }

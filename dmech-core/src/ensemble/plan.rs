@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::block::Outcome;
-use super::in_order::{Aides, Blocks, Direct, Hands, in_order};
+use super::in_order::{Aides, Arrival, Blocks, Hands};
 use crate::error::Error;
 use crate::run::{Follow, Shown};
 
@@ -75,7 +75,7 @@ impl<X> Keep<X> for Nowhere {
 pub(super) type Opened<'a, X> = Result<Box<dyn Keep<X> + 'a>, Error>;
 
 /// Moves all members and hands them over in their order, as they arrive; those who help are told of the end.
-pub(super) fn sweep<X: Send, A: Aides<Ranges, Moved<X>>>(
+pub(super) fn sweep<X: Send, A: Aides<X>>(
     plan: &dyn Plan<X>,
     (hands, shown): (Hands, Shown),
     keep: Opened<'_, X>,
@@ -92,50 +92,4 @@ pub(super) fn sweep<X: Send, A: Aides<Ranges, Moved<X>>>(
     };
     let ended = aides.end(outcome.is_err());
     outcome.and(ended)
-}
-
-/// The members on their way to where they are kept and seen.
-struct Arrival<'a, 'b, X> {
-    keep: Box<dyn Keep<X> + 'a>,
-    see: See<'b, X>,
-    follow: Follow,
-    /// How many were seen.
-    seen: u64,
-}
-
-impl<X: Send> Arrival<'_, '_, X> {
-    fn all<A>(mut self, plan: &dyn Plan<X>, hands: Hands, aides: &mut A) -> Result<(), Error>
-    where
-        A: Aides<Ranges, Moved<X>>,
-    {
-        let threads = hands.threads();
-        let blocks = plan.blocks(threads * aides.processes());
-        let outcome = in_order(blocks, threads, |rows| plan.go_all(rows), &mut self, aides);
-        self.follow.end(self.seen, outcome.is_ok());
-        outcome?;
-        self.keep.close()
-    }
-}
-
-impl<X: Send> Direct for Arrival<'_, '_, X> {
-    type Job = Ranges;
-    type Result = Moved<X>;
-
-    fn job(&mut self, members: Range<usize>) -> Ranges {
-        self.keep.missing(members)
-    }
-
-    fn take(&mut self, members: Range<usize>, moved: Moved<X>) -> Result<(), Error> {
-        let any = !moved.is_empty();
-        for (k, outcome) in members.clone().zip(self.keep.keep(members.clone(), moved)?) {
-            (self.see)(k, outcome);
-        }
-        self.seen = members.end as u64;
-        if any {
-            self.follow.look(self.seen);
-        } else {
-            self.follow.pass(self.seen);
-        }
-        Ok(())
-    }
 }

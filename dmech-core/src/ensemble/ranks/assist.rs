@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 
 use super::message::{Arrived, Mark, Order, Report, read, write};
 use super::{PATIENCE, Ranks};
-use crate::ensemble::plan::{Moved, Plan, Ranges};
+use crate::ensemble::plan::Plan;
 use crate::ensemble::share::{Board, with_hands};
 use crate::error::Error;
 
@@ -29,11 +29,7 @@ pub(super) fn assist<R: Ranks + ?Sized, X: Clone + Send + Serialize + Deserializ
 }
 
 /// Whether the first rank has all.
-fn obey<R: Ranks + ?Sized, X: Clone>(
-    ranks: &R,
-    board: &Board<Ranges, Moved<X>>,
-    tell: &impl Fn(&Report<X>),
-) -> Result<bool, Error> {
+fn obey<R: Ranks + ?Sized, X: Clone>(ranks: &R, board: &Board<X>, tell: &impl Fn(&Report<X>)) -> Result<bool, Error> {
     loop {
         while let Some((block, moved)) = board.take_any() {
             let members = moved.iter().map(|(k, outcome)| (*k, Arrived::of(outcome))).collect();

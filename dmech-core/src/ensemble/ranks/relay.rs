@@ -9,7 +9,6 @@ use serde::de::DeserializeOwned;
 use super::message::{Lengths, Mark, Order, Report, home, read, write};
 use super::{PATIENCE, Ranks};
 use crate::ensemble::in_order::Aides;
-use crate::ensemble::plan::{Moved, Ranges};
 use crate::ensemble::share::Board;
 use crate::ensemble::told::Told;
 use crate::error::Error;
@@ -50,7 +49,7 @@ impl<'a, R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Relay<'a, R, X> {
     }
 }
 
-impl<R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Aides<Ranges, Moved<X>> for Relay<'_, R, X> {
+impl<R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Aides<X> for Relay<'_, R, X> {
     const PATIENCE: Option<core::time::Duration> = Some(PATIENCE);
 
     fn processes(&self) -> usize {
@@ -61,7 +60,7 @@ impl<R: Ranks + ?Sized, X: Serialize + DeserializeOwned> Aides<Ranges, Moved<X>>
         self.hands
     }
 
-    fn attend(&mut self, board: &Board<Ranges, Moved<X>>) -> Result<(), Error> {
+    fn attend(&mut self, board: &Board<X>) -> Result<(), Error> {
         while let Some((rank, report)) = self.next()? {
             match report {
                 Report::Here { mark, hands } => self.greet(rank, mark, hands)?,

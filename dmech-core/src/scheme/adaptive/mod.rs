@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
 use crate::newton::NotConverged;
-use crate::system::{Beginning, EVALUATIONS, System, TimeScale};
+use crate::system::{Beginning, EVALUATIONS, TimeScale};
 use pacing::MIDDLE;
 
 /// Steps as long as the motion allows, short at a pericentre and long at an apocentre, by a rule that runs backward as it
@@ -110,7 +110,7 @@ impl<S: Adaptable> Adaptive<S> {
     }
 
     /// Prepares the scheme for steps of another length.
-    fn turn<Y: TimeScale>(&self, system: &Y, dt: f64, workspace: &mut Pace<Y, S::Workspace>)
+    fn turn<Y: TimeScale>(&self, system: &Y, dt: f64, workspace: &mut <Self as Scheme<Y>>::Workspace)
     where
         S: Scheme<Y>,
     {
@@ -162,22 +162,11 @@ impl<S: Adaptable> Method for Adaptive<S> {
 }
 
 /// Where adaptive steps are made: the step that the scheme is prepared for.
-pub struct Pace<Y: System, W> {
-    stride: Y::Stride,
-    room: Y::Room,
+#[derive(Clone, Debug)]
+pub struct Pace<T, R, W> {
+    stride: T,
+    room: R,
     inner: W,
-}
-
-impl<Y: System, W: Clone> Clone for Pace<Y, W> {
-    fn clone(&self) -> Self {
-        Pace { stride: self.stride.clone(), room: self.room.clone(), inner: self.inner.clone() }
-    }
-}
-
-impl<Y: System, W: core::fmt::Debug> core::fmt::Debug for Pace<Y, W> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Pace").field("stride", &self.stride).field("inner", &self.inner).finish()
-    }
 }
 
 impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
@@ -185,7 +174,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
     const SEES_ROUGH: bool = S::SEES_ROUGH;
 
     type Memory = AdaptiveMemory<S::Memory>;
-    type Workspace = Pace<Y, S::Workspace>;
+    type Workspace = Pace<Y::Stride, Y::Room, S::Workspace>;
 
     fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
         Pace { stride: stride.clone(), room: system.room(), inner: self.scheme.workspace(system, stride) }

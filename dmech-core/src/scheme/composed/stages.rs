@@ -110,24 +110,12 @@ impl Stage for Implicit {
 }
 
 /// What a step works in.
-pub struct Stages<Y: System, const N: usize> {
-    solver: Y::Solver,
+#[derive(Clone, Debug)]
+pub struct Stages<S, T, V, const N: usize> {
+    solver: S,
     /// γ_k h and what follows from it.
-    strides: [Y::Stride; N],
-    expected: Y::Vector,
-}
-
-impl<Y: System, const N: usize> Clone for Stages<Y, N> {
-    fn clone(&self) -> Self {
-        let Stages { solver, strides, expected } = self;
-        Stages { solver: solver.clone(), strides: strides.clone(), expected: expected.clone() }
-    }
-}
-
-impl<Y: System, const N: usize> core::fmt::Debug for Stages<Y, N> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Stages").field("strides", &self.strides).finish_non_exhaustive()
-    }
+    strides: [T; N],
+    expected: V,
 }
 
 impl<S: Stage, C: Coefficients<N>, const N: usize> Composed<S, C, N> {
@@ -137,14 +125,14 @@ impl<S: Stage, C: Coefficients<N>, const N: usize> Composed<S, C, N> {
 
 impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<S, C, N> {
     type Memory = StagesMemory<Y, N>;
-    type Workspace = Stages<Y, N>;
+    type Workspace = Stages<Y::Solver, Y::Stride, Y::Vector, N>;
 
-    fn workspace(&self, system: &Y, stride: &Y::Stride) -> Stages<Y, N> {
+    fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
         let strides = strides::<Y, C, N>(system, stride, S::SHARE);
         Stages { solver: system.solver(), strides, expected: system.zero() }
     }
 
-    fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut Stages<Y, N>) {
+    fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut Self::Workspace) {
         workspace.strides = strides::<Y, C, N>(system, stride, S::SHARE);
     }
 
@@ -153,7 +141,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         _: &Y,
         _: &Y::Stride,
         start: &Beginning<'_, Y>,
-        _: &mut Stages<Y, N>,
+        _: &mut Self::Workspace,
     ) -> Result<Self::Memory, NotConverged> {
         let (q, v) = (Y::sum(start.q), Y::sum(start.v));
         Ok(StagesMemory { q, v, slopes: alike(start.slope), work: Y::Scalar::ZERO })
@@ -166,7 +154,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         stride: &Y::Stride,
         t: Y::Scalar,
         memory: &mut Self::Memory,
-        Stages { solver, strides, expected }: &mut Stages<Y, N>,
+        Stages { solver, strides, expected }: &mut Self::Workspace,
     ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let StagesMemory { q, v, slopes, work } = memory;
         let mut effort = Effort::default();
@@ -190,7 +178,7 @@ impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Comp
         _: Y::Scalar,
         ratio: Y::Scalar,
         memory: &mut Self::Memory,
-        _: &mut Stages<Y, N>,
+        _: &mut Self::Workspace,
     ) -> u32 {
         Self::RESAMPLE.apply(system, ratio, &mut memory.slopes);
         0

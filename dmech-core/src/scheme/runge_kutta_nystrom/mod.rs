@@ -72,35 +72,21 @@ memory! {
 by_lane! { RungeKuttaNystromMemory { q, v }; }
 
 /// Where steps are made.
-pub struct NystromStages<Y: System> {
-    room: Y::Room,
+#[derive(Clone, Debug)]
+pub struct NystromRoom<R, V> {
+    room: R,
     /// No velocity.
-    still: Y::Vector,
+    still: V,
     /// Where a stage is.
-    place: Y::Vector,
+    place: V,
     /// Weighed accelerations.
-    weighed: Y::Vector,
+    weighed: V,
     /// h aᵢ.
-    gains: [Y::Vector; STAGES],
+    gains: [V; STAGES],
 }
 
-impl<Y: System> Clone for NystromStages<Y> {
-    fn clone(&self) -> Self {
-        NystromStages {
-            room: self.room.clone(),
-            still: self.still.clone(),
-            place: self.place.clone(),
-            weighed: self.weighed.clone(),
-            gains: self.gains.clone(),
-        }
-    }
-}
-
-impl<Y: System> core::fmt::Debug for NystromStages<Y> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("NystromStages").field("gains", &self.gains).finish_non_exhaustive()
-    }
-}
+/// The same for a system.
+pub type NystromStages<Y> = NystromRoom<<Y as System>::Room, <Y as System>::Vector>;
 
 /// out ← Σ wⱼ xⱼ, with what rounding to `f64` leaves out of the weights where the scalar has more digits.
 #[inline(always)]
@@ -131,10 +117,10 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
     type Memory = RungeKuttaNystromMemory<Y>;
     type Workspace = NystromStages<Y>;
 
-    fn workspace(&self, system: &Y, _: &Y::Stride) -> NystromStages<Y> {
+    fn workspace(&self, system: &Y, _: &Y::Stride) -> Self::Workspace {
         let zero = || system.zero();
         let gains = core::array::from_fn(|_| zero());
-        NystromStages { room: system.room(), still: zero(), place: zero(), weighed: zero(), gains }
+        NystromRoom { room: system.room(), still: zero(), place: zero(), weighed: zero(), gains }
     }
 
     fn begin(
@@ -142,7 +128,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
         _: &Y,
         _: &Y::Stride,
         start: &Beginning<'_, Y>,
-        _: &mut NystromStages<Y>,
+        _: &mut Self::Workspace,
     ) -> Result<Self::Memory, NotConverged> {
         Ok(RungeKuttaNystromMemory { q: Y::sum(start.q), v: Y::sum(start.v) })
     }
@@ -154,7 +140,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
         stride: &Y::Stride,
         t: Y::Scalar,
         memory: &mut Self::Memory,
-        NystromStages { room, still, place, weighed, gains }: &mut NystromStages<Y>,
+        NystromRoom { room, still, place, weighed, gains }: &mut Self::Workspace,
     ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let h = Y::dt(stride);
         let RungeKuttaNystromMemory { q, v } = memory;

@@ -1,11 +1,11 @@
 //! The energy-exact one-step scheme.
 
 use super::by_lane::by_lane;
-use super::memory::{memory, q_and_v};
-use super::{Effort, Method, Newton, Scheme, alike, remember};
+use super::memory::{memory, one_solve};
+use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, Beginning, Step, System};
+use crate::system::{Ahead, Step, System};
 
 /// The energy-exact step (LaBudde–Greenspan): mean velocity, and the force as a discrete gradient.
 ///
@@ -85,26 +85,7 @@ impl DiscreteGradient {
 }
 
 impl<Y: System> Scheme<Y> for DiscreteGradient {
-    const SHARE: f64 = Self::SHARE;
-
-    const STRETCHES: bool = false;
-
-    type Memory = DiscreteGradientMemory<Y>;
-    type Workspace = Y::Solver;
-
-    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Solver {
-        system.solver()
-    }
-
-    fn begin(
-        &self,
-        _: &Y,
-        _: &Y::Stride,
-        start: &Beginning<'_, Y>,
-        _: &mut Y::Solver,
-    ) -> Result<Self::Memory, NotConverged> {
-        Ok(DiscreteGradientMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes: alike(start.slope) })
-    }
+    one_solve! { DiscreteGradientMemory }
 
     /// (v′ + v)/2 = (q′ − q)/h; m (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.
     #[inline(always)]
@@ -123,8 +104,6 @@ impl<Y: System> Scheme<Y> for DiscreteGradient {
         remember::<Y>(solver, &found, slopes);
         Ok(Y::effort(&found))
     }
-
-    q_and_v! { Y::value }
 
     /// (−∇̄Φ(q, q′) + (F + F′)/2)·Δq.
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

@@ -3,11 +3,11 @@
 use dmech_scalar::Real;
 
 use super::by_lane::by_lane;
-use super::memory::{memory, q_and_v};
-use super::{Effort, Method, Newton, Scheme, alike, remember};
+use super::memory::{memory, one_solve};
+use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, Beginning, Step, System};
+use crate::system::{Ahead, Step, System};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
@@ -81,26 +81,7 @@ impl Implicit {
 }
 
 impl<Y: System> Scheme<Y> for Implicit {
-    const SHARE: f64 = Self::SHARE;
-
-    const STRETCHES: bool = false;
-
-    type Memory = ImplicitMemory<Y>;
-    type Workspace = Y::Solver;
-
-    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Solver {
-        system.solver()
-    }
-
-    fn begin(
-        &self,
-        _: &Y,
-        _: &Y::Stride,
-        start: &Beginning<'_, Y>,
-        _: &mut Y::Solver,
-    ) -> Result<Self::Memory, NotConverged> {
-        Ok(ImplicitMemory { q: Y::sum(start.q), v: Y::sum(start.v), slopes: alike(start.slope) })
-    }
+    one_solve! { ImplicitMemory }
 
     /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2.
     #[inline(always)]
@@ -120,8 +101,6 @@ impl<Y: System> Scheme<Y> for Implicit {
         remember::<Y>(solver, &found, slopes);
         Ok(Y::effort(&found))
     }
-
-    q_and_v! { Y::value }
 
     /// (F + F′)/2·Δq (2.7).
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

@@ -110,3 +110,47 @@ fn of_members_side_by_side_each_is_what_it_is_alone() {
     }
     assert!((20..140).contains(&refused), "{refused}");
 }
+
+/// Newton's method from where a long step starts leads to roots that no shorter step has; it is believed only where it is swift. Against
+/// roots that are followed in 4000 parts of the step.
+#[test]
+fn a_root_from_where_the_step_starts_is_the_one_that_shorter_steps_lead_to() {
+    law!(Cups, 2, |self, q| self.k * (2.0 * q[0]).cos() * (1.5 * q[1]).cos() + 0.08 * (q[0] * q[0] + q[1] * q[1]));
+    law!(Waves, 2, |self, q| 0.5 * (q[0] * q[0] + 0.7 * q[1] * q[1])
+        + 0.6 * self.k * (3.0 * q[0]).cos()
+        + 0.4 * (2.0 * q[1] + q[0]).cos());
+    fn followed(law: &impl Potential<2>, q: [f64; 2], v: [f64; 2], h: f64) -> [f64; 2] {
+        let here = law.gradient(q);
+        let mut delta = [0.0; 2];
+        for part in 1..=4000 {
+            let [h, g] = [h * f64::from(part) / 4000.0, (h * f64::from(part) / 4000.0).powi(2) / 4.0];
+            for _ in 0..20 {
+                let b = [q[0] + delta[0], q[1] + delta[1]];
+                let (force, [row, below]) = (law.gradient(b), law.hessian(b));
+                let r = [0, 1].map(|i| h * v[i] - g * (here[i] + force[i]) - delta[i]);
+                let [a, b, c] = [1.0 + g * row[0], g * row[1], 1.0 + g * below[1]];
+                let determinant = a * c - b * b;
+                delta[0] += (c * r[0] - b * r[1]) / determinant;
+                delta[1] += (a * r[1] - b * r[0]) / determinant;
+            }
+        }
+        [q[0] + delta[0], q[1] + delta[1]]
+    }
+    macro_rules! same {
+        ($($law:expr, $q:expr, $v:expr, $h:expr;)*) => {$({
+            let alone = Simulation::new($law, State::new($q, $v)).scheme(Implicit).dt($h).run(1).unwrap().last().q;
+            let scene = Simulation::scene(Scene::new().body(1.0, $q, $v).field($law)).scheme(Implicit).dt($h);
+            let root = followed(&$law, $q, $v, $h);
+            for taken in [alone, scene.run(1).unwrap().last().q[0]] {
+                let off = f64::max((taken[0] - root[0]).abs(), (taken[1] - root[1]).abs());
+                assert!(off < 1e-9, "{} in {}: {taken:?} for {root:?}", stringify!($law), $h);
+            }
+        })*};
+    }
+    same! {
+        Cups { k: 1.0 }, [-0.4, -2.0], [-1.0, 0.85], 2.65;
+        Waves { k: 1.0 }, [-1.55, -1.25], [1.45, -0.65], 1.55;
+        Waves { k: 1.0 }, [0.45, 1.95], [1.55, -1.25], 1.8;
+        Waves { k: 1.0 }, [1.6, 1.25], [1.15, 0.95], 2.0;
+    }
+}

@@ -79,6 +79,31 @@ fn what_comes_back_is_what_was_computed() {
     check("none", of::<Contact, _, 1>(0, Leapfrog).dt(0.2));
 }
 
+/// Time is that of the steps made now: what the store had took none.
+#[test]
+fn the_time_of_a_step_is_that_of_those_made_now() {
+    let place = Place::new("time");
+    let sweep = || Ensemble::of(50).law(Orbit::member).start(Orbit::start).scheme(Leapfrog).dt(0.01);
+    let counted = |stored: u64| {
+        let run = sweep().store(place.file()).run(40).unwrap();
+        let (seconds, made) = (run.elapsed().as_secs_f64(), 40 * (50 - stored));
+        let each = if made == 0 { 0.0 } else { 1e9 * seconds / made as f64 };
+        let [members, steps] = match stored {
+            0 => [String::new(), String::new()],
+            _ => [format!(", {stored} from the store"), format!(", and {} steps from the store", 40 * stored)],
+        };
+        let expected =
+            format!("50 members, 0 failed{members}\n{made} steps in {seconds:.3} s, {each:.2} ns each{steps}\n");
+        assert!(run.to_string().starts_with(&expected), "{run}{expected}");
+    };
+    counted(0);
+    counted(50);
+    place.sql("DELETE FROM last WHERE k % 3 = 1; DELETE FROM drift WHERE k % 3 = 1");
+    counted(33);
+    let alone = sweep().run(40).unwrap().to_string();
+    assert!(alone.starts_with("50 members, 0 failed\n2000 steps in "), "{alone}");
+}
+
 /// The masses of coordinates are columns of the set-up, and another is found out.
 #[test]
 fn masses_of_coordinates() {

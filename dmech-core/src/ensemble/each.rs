@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::EnsembleRun;
 use super::block::Outcome;
 use super::in_order::{Blocks, Hands, Nobody};
-use super::plan::{Nowhere, Opened, Plan, See, sweep};
+use super::plan::{Nowhere, Opened, Plan, See, Tally, sweep};
 use crate::error::Error;
 use crate::run::{Attend, Shown, Simulation};
 use crate::scheme::Scheme;
@@ -105,10 +105,10 @@ impl<F, K> Each<F, K> {
         O: Attend<X::State>,
         K: Keeps<L, X, S, O>,
     {
-        self.go(Span::Until(end), &mut see)
+        self.go(Span::Until(end), &mut see).map(|_| ())
     }
 
-    fn go<L, X, S, O>(&self, span: Span, see: See<'_, X::State>) -> Result<(), Error>
+    fn go<L, X, S, O>(&self, span: Span, see: See<'_, X::State>) -> Result<Tally, Error>
     where
         F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
         X: Setup<L, State: Send>,

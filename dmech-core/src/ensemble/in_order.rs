@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use dmech_scalar::Lanes;
 
-use super::plan::{Keep, Moved, Plan, See};
+use super::plan::{Keep, Moved, Plan, See, Tally};
 use super::rows::{LANES, rows};
 use super::share::{Board, with_hands};
 use crate::error::Error;
@@ -130,11 +130,12 @@ pub(super) struct Arrival<'a, 'b, X> {
     pub(super) follow: Follow,
     /// How many were seen.
     pub(super) seen: u64,
+    pub(super) tally: Tally,
 }
 
 impl<X: Send> Arrival<'_, '_, X> {
     /// Has every block worked on, and takes what comes of it in order.
-    pub(super) fn all<A: Aides<X>>(mut self, plan: &dyn Plan<X>, hands: Hands, aides: &mut A) -> Result<(), Error> {
+    pub(super) fn all<A: Aides<X>>(mut self, plan: &dyn Plan<X>, hands: Hands, aides: &mut A) -> Result<Tally, Error> {
         let threads = hands.threads();
         let blocks = plan.blocks(threads * aides.processes());
         let count = blocks.count();
@@ -150,7 +151,7 @@ impl<X: Send> Arrival<'_, '_, X> {
         };
         self.follow.end(self.seen, outcome.is_ok());
         outcome?;
-        self.keep.close()
+        self.keep.close().map(|()| self.tally)
     }
 
     fn direct<A: Aides<X>>(
@@ -180,6 +181,7 @@ impl<X: Send> Arrival<'_, '_, X> {
 
     fn take(&mut self, members: Range<usize>, moved: Moved<X>) -> Result<(), Error> {
         let any = !moved.is_empty();
+        self.tally.add(&moved);
         for (k, outcome) in members.clone().zip(self.keep.keep(members.clone(), moved)?) {
             (self.see)(k, outcome);
         }

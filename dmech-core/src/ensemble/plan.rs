@@ -5,7 +5,7 @@ use core::ops::Range;
 use super::block::Outcome;
 use super::in_order::{Aides, Arrival, Blocks, Hands};
 use crate::error::Error;
-use crate::run::{Follow, Shown};
+use crate::run::{Follow, Run, Shown};
 
 /// What is to be done with members, of whatever kind. Everything that follows is compiled once for each kind of state.
 pub(super) trait Plan<X>: Sync {
@@ -32,6 +32,21 @@ impl<X> dyn Plan<X> + '_ {
     /// Moves some in several rows.
     pub(super) fn go_all(&self, rows: Ranges) -> Moved<X> {
         rows.into_iter().flat_map(|row| row.clone().zip(self.go(row))).collect()
+    }
+}
+
+/// How many members were moved, and steps made with those that did not fail: what a store had is not among them.
+#[derive(Clone, Copy, Debug, Default)]
+#[cfg_attr(not(feature = "ranks"), expect(unreachable_pub, reason = "ranks alone name it"))]
+pub struct Tally {
+    pub(super) members: usize,
+    pub(super) steps: u64,
+}
+
+impl Tally {
+    pub(super) fn add<X>(&mut self, moved: &Moved<X>) {
+        self.members += moved.len();
+        self.steps += moved.iter().flat_map(|(_, outcome)| outcome).map(Run::steps).sum::<u64>();
     }
 }
 
@@ -81,15 +96,15 @@ pub(super) fn sweep<X: Send, A: Aides<X>>(
     keep: Opened<'_, X>,
     see: See<'_, X>,
     mut aides: A,
-) -> Result<(), Error> {
+) -> Result<Tally, Error> {
     let follow = Follow::new(shown, plan.members() as u64);
     let outcome = match keep {
-        Ok(keep) => Arrival { keep, see, follow, seen: 0 }.all(plan, hands, &mut aides),
+        Ok(keep) => Arrival { keep, see, follow, seen: 0, tally: Tally::default() }.all(plan, hands, &mut aides),
         Err(refused) => {
             follow.end(0, false);
             Err(refused)
         }
     };
     let ended = aides.end(outcome.is_err());
-    outcome.and(ended)
+    outcome.and_then(|tally| ended.map(|()| tally))
 }

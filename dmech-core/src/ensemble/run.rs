@@ -4,7 +4,7 @@ use core::fmt;
 use std::time::{Duration, Instant};
 
 use super::Outcome;
-use super::plan::See;
+use super::plan::{See, Tally};
 use crate::error::Error;
 use crate::invariant::{Drift, Invariant};
 use crate::run::{Columns, Interrupted, Run};
@@ -13,6 +13,8 @@ use crate::run::{Columns, Interrupted, Run};
 #[derive(Clone, Debug)]
 pub struct EnsembleRun<X> {
     members: Vec<Outcome<X>>,
+    /// What was moved now, in the time that it took.
+    moved: Tally,
     elapsed: Duration,
 }
 
@@ -21,10 +23,10 @@ impl<X: Clone> EnsembleRun<X> {
     ///
     /// # Errors
     /// [`Error`] of what hands them over.
-    pub(super) fn gathered(members: usize, go: &dyn Fn(See<'_, X>) -> Result<(), Error>) -> Result<Self, Error> {
+    pub(super) fn gathered(members: usize, go: &dyn Fn(See<'_, X>) -> Result<Tally, Error>) -> Result<Self, Error> {
         let (clock, mut members) = (Instant::now(), Vec::with_capacity(members));
-        go(&mut |_, member| members.push(member))?;
-        Ok(EnsembleRun { members, elapsed: clock.elapsed() })
+        let moved = go(&mut |_, member| members.push(member))?;
+        Ok(EnsembleRun { members, moved, elapsed: clock.elapsed() })
     }
 
     /// How many members there are.
@@ -156,15 +158,21 @@ impl Checksum {
     }
 }
 
-/// How many members, how many failed, and the largest deviation of each invariant.
+/// How many members, how many failed, and the largest deviation of each invariant; of members that came from a store how many there are,
+/// and the time is that of the others.
 impl<X> fmt::Display for EnsembleRun<X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let failed = self.members.iter().filter(|member| member.is_err()).count();
         let steps: u64 = self.members.iter().flatten().map(Run::steps).sum();
-        writeln!(f, "{} members, {failed} failed", self.members.len())?;
+        let (stored, made) = (self.members.len() - self.moved.members, self.moved.steps);
+        let [members_of, steps_of] = match stored {
+            0 => [String::new(), String::new()],
+            _ => [format!(", {stored} from the store"), format!(", and {} steps from the store", steps - made)],
+        };
+        writeln!(f, "{} members, {failed} failed{members_of}", self.members.len())?;
         let seconds = self.elapsed.as_secs_f64();
-        let each = if steps == 0 { 0.0 } else { 1e9 * seconds / steps as f64 };
-        writeln!(f, "{steps} steps in {seconds:.3} s, {each:.2} ns each")?;
+        let each = if made == 0 { 0.0 } else { 1e9 * seconds / made as f64 };
+        writeln!(f, "{made} steps in {seconds:.3} s, {each:.2} ns each{steps_of}")?;
         for invariant in Invariant::ALL {
             let drifts = self.members.iter().flatten().filter_map(|run| run.drift(invariant));
             let worst = drifts.map(|drift| drift.max_relative()).reduce(|a, b| if a.is_nan() || a > b { a } else { b });
@@ -184,7 +192,8 @@ mod tests {
     /// Nothing was made, and took no time each.
     #[test]
     fn no_step_takes_no_time() {
-        let run: EnsembleRun<State<1>> = EnsembleRun { members: Vec::new(), elapsed: Duration::from_millis(3) };
+        let run: EnsembleRun<State<1>> =
+            EnsembleRun { members: Vec::new(), moved: Tally::default(), elapsed: Duration::from_millis(3) };
         assert!(run.to_string().ends_with("0 steps in 0.003 s, 0.00 ns each\n"), "{run}");
     }
 }

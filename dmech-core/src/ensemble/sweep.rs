@@ -2,7 +2,7 @@
 
 use super::in_order::Nobody;
 use super::members::{Members, OneLaw};
-use super::plan::{Nowhere, Opened, See, sweep};
+use super::plan::{Nowhere, Opened, See, Tally, sweep};
 #[cfg(feature = "store")]
 use super::store::Stored;
 use super::{Ensemble, EnsembleRun, Outcome};
@@ -47,10 +47,10 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     where
         Self: Members<Y, D>,
     {
-        self.go(Span::Until(end), &mut see)
+        self.go(Span::Until(end), &mut see).map(|_| ())
     }
 
-    fn go<Y: Fields<D>, const D: usize>(&self, span: Span, see: See<'_, State<D>>) -> Result<(), Error>
+    fn go<Y: Fields<D>, const D: usize>(&self, span: Span, see: See<'_, State<D>>) -> Result<Tally, Error>
     where
         Self: Members<Y, D>,
     {

@@ -15,7 +15,7 @@ use serde::de::DeserializeOwned;
 
 use super::each::OneByOne;
 use super::in_order::Hands;
-use super::plan::{Opened, See, sweep};
+use super::plan::{Opened, See, Tally, sweep};
 use super::told::Told;
 use super::{Each, Ensemble, EnsembleRun, Keeps, Members, Outcome};
 use crate::checkpoint::Saved;
@@ -118,7 +118,7 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
     where
         E: Travels<M, X>,
     {
-        self.ensemble.travel(self.ranks, Span::Until(end), &mut see)
+        self.ensemble.travel(self.ranks, Span::Until(end), &mut see).map(|_| ())
     }
 
     fn gathered<M, X: Clone>(self, span: Span) -> Result<Option<EnsembleRun<X>>, Error>
@@ -138,14 +138,14 @@ impl<E, R: Ranks + ?Sized> Ranked<'_, E, R> {
 pub trait Travels<M, X> {
     /// Moves all members; the first rank sees them.
     #[doc(hidden)]
-    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X>) -> Result<(), Error>;
+    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X>) -> Result<Tally, Error>;
 }
 
 impl<L, X, S, M, C, Y: Fields<D>, const D: usize> Travels<Y, State<D>> for Ensemble<L, X, S, M, C>
 where
     Self: Members<Y, D>,
 {
-    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, State<D>>) -> Result<(), Error> {
+    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, State<D>>) -> Result<Tally, Error> {
         self.planned(span, |plan| {
             together(ranks, plan, (self.hands, self.beside.shown.clone()), || self.open(plan), see)
         })
@@ -161,7 +161,7 @@ where
     O: Attend<X::State>,
     K: Keeps<L, X, S, O>,
 {
-    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X::State>) -> Result<(), Error> {
+    fn travel<R: Ranks + ?Sized>(&self, ranks: &R, span: Span, see: See<'_, X::State>) -> Result<Tally, Error> {
         let plan = OneByOne { members: self.members, member: &self.member, span };
         together(ranks, &plan, (self.hands, self.shown.clone()), || self.keep.open(&plan), see)
     }
@@ -174,10 +174,10 @@ fn together<'a, R: Ranks + ?Sized, X: Clone + Send + Serialize + DeserializeOwne
     (hands, shown): (Hands, Shown),
     open: impl FnOnce() -> Opened<'a, X>,
     see: See<'_, X>,
-) -> Result<(), Error> {
+) -> Result<Tally, Error> {
     let mark = Mark::of(plan);
     if ranks.rank() > 0 {
-        return assist(ranks, plan, hands.threads(), mark);
+        return assist(ranks, plan, hands.threads(), mark).map(|()| Tally::default());
     }
     sweep(plan, (hands, shown), open(), see, Relay::new(ranks, plan, mark))
 }

@@ -2,25 +2,25 @@
 
 use core::fmt;
 
-/// Enough for a composition that is adaptive; an error that holds one is still small.
-const ROOM: usize = 79;
-
 /// The name of a scheme: room for its letters, and how much of it is used.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Name {
-    bytes: [u8; ROOM],
+    bytes: [u8; Name::ROOM],
     length: u8,
 }
 
 impl Name {
+    /// Enough for a composition that is adaptive; an error that holds one is still small.
+    pub(crate) const ROOM: usize = 79;
+
     /// The parts one after the other, as far as there is room.
     pub const fn of(parts: &[&str]) -> Self {
-        let mut name = Name { bytes: [0; ROOM], length: 0 };
+        let mut name = Name { bytes: [0; Name::ROOM], length: 0 };
         let mut p = 0;
         while p < parts.len() {
             let part = parts[p].as_bytes();
             let mut i = 0;
-            while i < part.len() && (name.length as usize) < ROOM {
+            while i < part.len() && (name.length as usize) < Name::ROOM {
                 name.bytes[name.length as usize] = part[i];
                 name.length += 1;
                 i += 1;

@@ -287,7 +287,9 @@ fn from_a_store_and_from_ranks() {
     assert_eq!(seen.load(Loosely), before, "what is in the store is not moved again");
     let without = bare.clone().store(place.file()).run_until(9.0).unwrap_err();
     let words = "2 events and 2 watched quantities";
-    assert!(matches!(without, Error::Store(StoreError::Company { store }) if store.to_string() == words), "{without}");
+    let none = "0 events and 0 watched quantities";
+    let told = |store: &dmech::extend::Name, here: &str| store.to_string() == words && here == none;
+    assert!(matches!(without, Error::Store(StoreError::Company { ref store, here }) if told(store, here)), "{without}");
     // An observer may stop a member: a store without one is another.
     let observed = |k: usize, member: Company<State<2>>| company(k, member).observe(1, |_| ControlFlow::Break(()));
     let observed = bare.clone().with(observed).store(place.file()).run_until(9.0).unwrap_err();

@@ -392,7 +392,12 @@ fn another_sweep_is_refused_with_what_differs() {
     let original = Made::PLAIN.go(&place).unwrap();
     let name = |text: &str| dmech::extend::Name::of(&[text]);
     let of = |column: &str, store: f64, here: f64| StoreError::Member { member: 2, column: name(column), store, here };
-    let looks = StoreError::Words { member: 2, column: "looks", store: name("after every 5 steps") };
+    let looks = StoreError::Words {
+        member: 2,
+        column: "looks",
+        store: name("after every 5 steps"),
+        here: "after every 6 steps",
+    };
     let reach = StoreError::Reach { store: Reach::Until(0.1), here: Reach::Until(0.2) };
     let plain = Made::PLAIN;
     let others = [
@@ -499,12 +504,31 @@ fn sweeps_that_are_nearly_the_same_are_refused() {
         Ensemble::each(3, |k| if k == 1 { at(bare(k)) } else { bare(k) }).store(place.file()).run(5)
     };
     looks(|plain| plain.record_at([0.7, 0.8])).unwrap();
-    let others: [fn(Bare) -> Bare; 3] =
-        [|plain| plain.record_at([0.7, 0.9]), |plain| plain.record_dt(0.7), |plain| plain];
-    for other in others {
+    type Other = (fn(Bare) -> Bare, &'static str);
+    let others: [Other; 3] = [
+        (|plain| plain.record_at([0.7, 0.9]), "at t = [0.7, 0.9]"),
+        (|plain| plain.record_dt(0.7), "every 0.7 of time"),
+        (|plain| plain, "after every 1 steps"),
+    ];
+    for (other, here) in others {
         let refused = of(looks(other));
-        assert_eq!(refused, StoreError::Words { member: 1, column: "looks", store: name("at t = [0.7, 0.8]") });
+        assert_eq!(refused, StoreError::Words { member: 1, column: "looks", store: name("at t = [0.7, 0.8]"), here });
     }
+
+    // Of what is long, from a little before the difference.
+    let place = Place::new("each-long");
+    let long = |last: f64| {
+        let times = (1..40).map(move |k| if k == 30 { last } else { 0.25 * f64::from(k) });
+        let member = move |k: usize| bare(k).record_at(times.clone());
+        of(Ensemble::each(3, member).store(place.file()).run(5))
+    };
+    let times = (1..40).map(|k| 0.25 * f64::from(k));
+    Ensemble::each(3, move |k: usize| bare(k).record_at(times.clone())).store(place.file()).run(5).unwrap();
+    let differs = long(7.6).to_string();
+    assert!(
+        differs.contains("`… 6.75, 7.0, 7.25, 7.5, 7.75") && differs.contains("`… 6.75, 7.0, 7.25, 7.6, 7.75"),
+        "{differs}"
+    );
 
     // What accompanies them; and other kinds of ensembles.
     let place = Place::new("each-company");
@@ -515,13 +539,13 @@ fn sweeps_that_are_nearly_the_same_are_refused() {
     assert!(matches!(company, StoreError::Company { .. }), "{company}");
     let law = Ensemble::of(3).law(Orbit::member).start(Orbit::start).scheme(Leapfrog).dt(0.01);
     let refused = of(law.clone().store(place.file()).run(5));
-    assert_eq!(refused, StoreError::Law { what: "fields", store: name("each its own") });
+    assert_eq!(refused, StoreError::Law { what: "fields", store: name("each its own"), here: "law_gm" });
     let scene = of(sweep!(place, row([1.0; 3]).chain(spring), Leapfrog));
     assert!(matches!(scene, StoreError::Law { what: "fields", .. }), "{scene}");
     let place = Place::new("each-of-law");
     law.store(place.file()).run(5).unwrap();
     let refused = of(Ensemble::each(3, bare).store(place.file()).run(5));
-    assert_eq!(refused, StoreError::Law { what: "fields", store: name("law_gm") });
+    assert_eq!(refused, StoreError::Law { what: "fields", store: name("law_gm"), here: "each its own" });
 }
 
 /// Rows that somebody has changed, added or taken away, and bytes that are others: refused, or as it was. Never anything else.
@@ -585,6 +609,11 @@ fn damaged_stores_are_refused() {
         the_same(&with(&bytes).unwrap(), &whole);
         place.sql(sql);
         assert_eq!(sweep().err(), Some(Error::Store(StoreError::Changed { table, member })), "{sql}");
+    }
+    for table in ["number", "body"] {
+        with(&bytes).unwrap();
+        place.sql(&format!("DROP TABLE {table}"));
+        assert_eq!(sweep().err(), Some(Error::Store(StoreError::Missing { table })));
     }
     let places: Vec<usize> = (0..100).chain((100..bytes.len()).step_by(397)).collect();
     let found = places.iter().filter(|&&at| {

@@ -213,9 +213,15 @@ fn another_sweep_is_refused_with_what_differs() {
     let orbit = |error: StoreError| Error::Store(error);
     assert_eq!(refused(made(21)), orbit(StoreError::Members { store: 20, here: 21 }));
     assert_eq!(refused(made(20).dt(0.06)), orbit(StoreError::TimeStep { store: 0.05, here: 0.06 }));
-    assert_eq!(refused(made(20).look_every(6)), orbit(StoreError::Looks { store: name("after every 5 steps") }));
+    let looks = |here| orbit(StoreError::Looks { store: name("after every 5 steps"), here });
+    assert_eq!(refused(made(20).look_every(6)), looks("after every 6 steps"));
+    let in_time = refused(made(20).record_dt(10.0));
+    assert_eq!(in_time, looks("every 10.0 of time"));
+    let told =
+        "states are recorded, or looked at, after every 5 steps in the store, every 10.0 of time in this ensemble";
+    assert!(in_time.to_string().ends_with(told), "{in_time}");
     let by_time = refused(made(20).record_at([0.5]));
-    assert_eq!(by_time, orbit(StoreError::Looks { store: name("after every 5 steps") }));
+    assert_eq!(by_time, looks("at t = [0.5]"));
     let file = || place.file();
     assert_eq!(store(made(20).store(file()).run(7)), StoreError::Reach { store: until, here: steps });
     let later = store(made(20).store(file()).run_until(2.0));
@@ -239,7 +245,7 @@ fn another_sweep_is_refused_with_what_differs() {
     assert_eq!(start, StoreError::Member { member: 19, column: name("v1"), store: v1, here: v1.next_up() });
     // Laws of other fields, of the same field, and of the same field and name of it under which something else acts.
     let fields = store(made(20).law(Saddle::member).store(file()).run_until(1.0));
-    assert_eq!(fields, StoreError::Law { what: "fields", store: name("law_gm") });
+    assert_eq!(fields, StoreError::Law { what: "fields", store: name("law_gm"), here: "law_l, law_lambda" });
     let steeper = store(made(20).law(|k| Steeper { gm: Orbit::member(k).gm }).store(file()).run_until(1.0));
     assert_eq!(steeper, StoreError::Acts { member: 0 });
     let line = of::<Driven, _, 1>(20, Implicit).dt(0.05).look_every(5).store(file()).run_until(1.0).unwrap_err();
@@ -247,6 +253,9 @@ fn another_sweep_is_refused_with_what_differs() {
     for error in [fields, steeper, start, scheme, later] {
         println!("{}", Error::Store(error));
     }
+    let watched = made(20).with(|_, member| member.watch("first", |state: &State<2>| state.q[0])).store(file());
+    let (none, one) = (name("0 events and 0 watched quantities"), "0 events and 1 watched quantities");
+    assert_eq!(store(watched.run_until(1.0)), StoreError::Company { store: none, here: one });
     // None of them has touched it.
     place.sql("CREATE TRIGGER again BEFORE INSERT ON last BEGIN SELECT RAISE(ABORT, 'moved again'); END");
     the_same(&made(20).store(file()).run_until(1.0).unwrap(), &original);
@@ -388,7 +397,7 @@ fn damaged_files_are_refused() {
     assert!(found > places.len() / 3, "{found} of {}", places.len());
     // A number that somebody has corrected, a member that was taken away, another database.
     type Edit = (&'static str, StoreError);
-    let edits: [Edit; 8] = [
+    let edits: [Edit; 10] = [
         ("UPDATE last SET q0 = 0.5 WHERE k = 31", StoreError::Changed { table: "last", member: 31 }),
         ("UPDATE drift SET max_abs = 0 WHERE k = 8", StoreError::Changed { table: "drift", member: 8 }),
         ("UPDATE drift SET mean_t = 0 WHERE k = 8", StoreError::Changed { table: "last", member: 8 }),
@@ -396,7 +405,9 @@ fn damaged_files_are_refused() {
         ("UPDATE member SET law_l = 1 WHERE k = 5", StoreError::Changed { table: "member", member: 5 }),
         ("UPDATE last SET failed = 'so it did' WHERE k = 7", StoreError::Changed { table: "last", member: 7 }),
         ("DELETE FROM sweep WHERE key = 'dt'", StoreError::Setting { key: "dt" }),
+        ("DELETE FROM sweep WHERE key = 'scalar'", StoreError::Setting { key: "scalar" }),
         ("DROP TABLE last", StoreError::NotAnEnsemble),
+        ("ALTER TABLE drift RENAME COLUMN mean_t TO mean", StoreError::Missing { table: "drift" }),
     ];
     for (sql, expected) in edits {
         with(&bytes).unwrap();

@@ -121,5 +121,5 @@ fn a_store_tells_whether_it_was_summed() {
     assert!((0..20).all(|k| plain.drift(k, Invariant::WorkEnergy).is_some()));
     let store = dmech::extend::Name::of(&["after every 7 steps, and the work of each step"]);
     let refused = ensemble().store(place.file()).run_until(2.0).unwrap_err();
-    assert_eq!(refused, Error::Store(StoreError::Looks { store }));
+    assert_eq!(refused, Error::Store(StoreError::Looks { store, here: "after every 7 steps" }));
 }

@@ -41,6 +41,12 @@ pub enum StoreError {
         /// The number of the member.
         member: u64,
     },
+    /// A table, or a column of one, is not there.
+    #[error("the file is damaged, or was changed after it was written: table `{table}`, or a column of it, is missing")]
+    Missing {
+        /// The table.
+        table: &'static str,
+    },
     /// What was written of the whole sweep is not what stands there.
     #[error("the file is damaged, or was changed after it was written: table `sweep`, key `{key}`")]
     Setting {
@@ -123,25 +129,31 @@ pub enum StoreError {
         /// In the ensemble.
         here: Reach,
     },
-    /// When states are looked at or recorded.
-    #[error("the store has looks {store}, this ensemble others")]
+    /// When states are recorded, or looked at for the invariants.
+    #[error("states are recorded, or looked at, {store} in the store, {here} in this ensemble")]
     Looks {
         /// In the store.
         store: Name,
+        /// In the ensemble.
+        here: &'static str,
     },
     /// The names of the numbers that the law reads of itself, or of its own invariants.
-    #[error("the law of the store has the {what} [{store}], that of this ensemble others")]
+    #[error("the law of the store has the {what} [{store}], that of this ensemble [{here}]")]
     Law {
         /// `fields` or `invariants`.
         what: &'static str,
         /// In the store.
         store: Name,
+        /// In the ensemble.
+        here: &'static str,
     },
     /// Events and watched quantities of the members.
-    #[error("each member of the store has {store}, of this ensemble others")]
+    #[error("each member of the store has {store}, of this ensemble {here}")]
     Company {
         /// In the store.
         store: Name,
+        /// In the ensemble.
+        here: &'static str,
     },
     /// A number of the law, the mass or the start of a member.
     #[error("member {member} has another {column}: {} in the store against {}", Number(*store), Number(*here))]
@@ -156,7 +168,7 @@ pub enum StoreError {
         here: f64,
     },
     /// Something that is said of a member in words: the options of its scheme, when it is looked at, the invariants of its law.
-    #[error("member {member} has other {column}: `{store}` in the store")]
+    #[error("member {member} has other {column}: `{store}` in the store, `{here}` here")]
     Words {
         /// The first member that differs.
         member: u64,
@@ -164,6 +176,8 @@ pub enum StoreError {
         column: &'static str,
         /// In the store.
         store: Name,
+        /// In the ensemble.
+        here: &'static str,
     },
     /// A member is set up from other numbers than in the store: of bodies, of bonds, of the fields of its laws.
     #[error(

@@ -10,6 +10,7 @@ use rusqlite::{Connection, OpenFlags, Transaction, TransactionBehavior};
 use super::layout::{Layout, TABLES};
 use super::record::{Members, read};
 use super::settings::set;
+use super::table::of_table;
 use crate::ensemble::plan::Moved;
 use crate::ensemble::told::Told;
 use crate::ensemble::{Checksum, Outcome};
@@ -90,7 +91,7 @@ impl Store {
     /// Which members are in it and did not fail.
     pub(super) fn done(&self, members: usize) -> Result<Vec<bool>, StoreError> {
         let mut done = vec![false; members];
-        let mut statement = self.database.prepare("SELECT k FROM last WHERE failed IS NULL")?;
+        let mut statement = of_table("last", self.database.prepare("SELECT k FROM last WHERE failed IS NULL"))?;
         let mut rows = statement.query([])?;
         while let Some(row) = rows.next()? {
             let k: i64 = row.get(0)?;

@@ -111,7 +111,7 @@ impl<F> Each<F, Nowhere> {
     ///
     /// Where bodies have rows of their own, the other tables tell the time and how many there are.
     ///
-    /// Numbers of another scalar than `f64`, which `sweep` then names by the key `scalar`, are kept to the last bit
+    /// Numbers of another scalar than `f64`, which `sweep` names by the key `scalar`, are kept to the last bit
     /// ([`Exact`](crate::extend::Exact)): an `f32` in one column, a [`DoubleDouble`](crate::DoubleDouble) in two, `q0` and `q0_low`. Drifts,
     /// fields of laws and times are `f64` in a run of any scalar. CSV has all digits, a table of NumPy those of `f64`.
     ///

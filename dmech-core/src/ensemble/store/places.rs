@@ -6,7 +6,7 @@ use core::ops::Range;
 use rusqlite::{Connection, params_from_iter, types::Value};
 
 use super::layout::Layout;
-use super::table::{Reader, Writer};
+use super::table::{Reader, Writer, of_table};
 use crate::error::StoreError;
 use crate::flat::Flat;
 
@@ -54,7 +54,7 @@ pub(super) struct Bodies<'a>(Option<Writer<'a>>);
 
 impl<'a> Bodies<'a> {
     pub(super) fn new<X: Flat>(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
-        Ok(Bodies(if X::LISTED { Some(Writer::new(database, &layout.insert("body"))?) } else { None }))
+        Ok(Bodies(if X::LISTED { Some(Writer::new(database, layout, "body")?) } else { None }))
     }
 
     /// Writes those of the n-th state of a kind.
@@ -127,7 +127,7 @@ pub(super) fn rows<T>(
     members: &Range<usize>,
     read: impl Fn(&mut Reader<'_>) -> Option<T>,
 ) -> Result<Vec<(u64, T)>, StoreError> {
-    let mut statement = database.prepare_cached(&layout.select(table))?;
+    let mut statement = of_table(table, database.prepare_cached(&layout.select(table)))?;
     let numbers = [members.start, members.end].map(|k| Value::Integer(k as i64));
     let values = what.map(|what| Value::Text(what.to_owned())).into_iter().chain(numbers);
     let (mut rows, mut all) = (statement.query(params_from_iter(values))?, Vec::new());

@@ -60,7 +60,7 @@ pub(super) struct Members<'a> {
 
 impl<'a> Members<'a> {
     pub(super) fn new<X: Flat>(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
-        let writer = |table| Writer::new(database, &layout.insert(table));
+        let writer = |table| Writer::new(database, layout, table);
         let [last, drift, event, state] = [writer("last")?, writer("drift")?, writer("event")?, writer("state")?];
         Ok(Members { last, drift, event, state, bodies: Bodies::new::<X>(database, layout)? })
     }

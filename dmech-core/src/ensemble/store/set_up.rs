@@ -7,7 +7,7 @@ use rusqlite::types::Value;
 
 use super::layout::Layout;
 use super::places::{Bodies, Head, Placed, rows};
-use super::settings::{get, set, unsaid};
+use super::settings::{beside, get, set};
 use super::table::{Reader, Writer};
 use crate::ensemble::Checksum;
 use crate::ensemble::told::{Named, SetUp, Told};
@@ -53,13 +53,11 @@ impl<X: Flat> dyn Told<X> + '_ {
     pub(super) fn begin(&self, database: &Connection, layout: &Layout) -> Result<(), StoreError> {
         database.execute_batch(&layout.create())?;
         for (key, value) in self.settings() {
-            if unsaid(key).as_ref() != Some(&value) {
-                set(database, key, &value)?;
-            }
+            set(database, key, &value)?;
         }
         let mut all = Checksum::default();
-        let mut row = Writer::new(database, &layout.insert("member"))?;
-        let mut list = if layout.has_lists() { Some(Writer::new(database, &layout.insert("number"))?) } else { None };
+        let mut row = Writer::new(database, layout, "member")?;
+        let mut list = if layout.has_lists() { Some(Writer::new(database, layout, "number")?) } else { None };
         let mut bodies = Bodies::new::<X>(database, layout)?;
         for k in 0..self.members() {
             let member = self.set_up(k);
@@ -138,8 +136,9 @@ impl<X: Flat> dyn Told<X> + '_ {
 /// What differs first between the set-up of a member in the store and the one here.
 fn difference(member: u64, layout: &Layout, store: &SetUp, here: &SetUp) -> Option<StoreError> {
     let mut words = layout.columns.words.iter().zip(store.words.iter().zip(&here.words));
-    if let Some((&column, (store, _))) = words.find(|(_, (store, here))| store != here) {
-        return Some(StoreError::Words { member, column, store: Name::of(&[store]) });
+    if let Some((&column, (store, here))) = words.find(|(_, (store, here))| store != here) {
+        let (store, here) = beside(store, here);
+        return Some(StoreError::Words { member, column, store, here });
     }
     let of = |column, store, here| StoreError::Member { member, column, store, here };
     let apart = |store: &[f64], here: &[f64]| store.iter().zip(here).position(|(a, b)| a.to_bits() != b.to_bits());

@@ -10,7 +10,10 @@ use crate::name::Name;
 use crate::words::word;
 
 /// The form of a store, to be raised when a table changes.
-pub(super) const FORMAT: i64 = 4;
+pub(super) const FORMAT: i64 = 5;
+
+/// So many letters are shown before a difference.
+const BEFORE: usize = 20;
 
 /// Writes a value of the whole.
 pub(super) fn set(database: &Connection, key: &str, value: &Value) -> Result<(), StoreError> {
@@ -21,11 +24,6 @@ pub(super) fn set(database: &Connection, key: &str, value: &Value) -> Result<(),
 /// Reads a value of the whole.
 pub(super) fn get(database: &Connection, key: &str) -> Result<Option<Value>, StoreError> {
     Ok(database.query_row("SELECT value FROM sweep WHERE key = ?", [key], |row| row.get(0)).optional()?)
-}
-
-/// What is meant where a key is not there: `f64` goes without saying, as in stores of before.
-pub(super) fn unsaid(key: &str) -> Option<Value> {
-    (key == "scalar").then(|| Value::Text("f64".to_owned()))
 }
 
 /// As SQLite has it.
@@ -50,7 +48,7 @@ impl<X: Flat> dyn Told<X> + '_ {
         let settings = self.settings();
         let said = |of| settings.iter().find(|(key, _)| *key == of).map_or(Value::Null, |(_, value)| value.clone());
         for (key, here) in &settings {
-            let store = get(database, key)?.or_else(|| unsaid(key)).ok_or(StoreError::Setting { key })?;
+            let store = get(database, key)?.ok_or(StoreError::Setting { key })?;
             let same = match (&store, here) {
                 (Value::Null, Value::Real(x)) => x.is_nan(),
                 (store, here) => store == here,
@@ -69,6 +67,16 @@ impl<X: Flat> dyn Told<X> + '_ {
         }
         Ok(())
     }
+}
+
+/// What two sides say, from a little before the place where they differ if one is too long for an error.
+pub(super) fn beside(store: &str, here: &str) -> (Name, &'static str) {
+    let alike = store.char_indices().zip(here.chars()).take_while(|((_, a), b)| a == b);
+    let places: Vec<usize> = alike.map(|((place, _), _)| place).collect();
+    let from = if store.len().max(here.len()) > Name::ROOM { places.len().saturating_sub(BEFORE) } else { 0 };
+    let (from, left) = (places.get(from).copied().unwrap_or(0), if from > 0 { "…" } else { "" });
+    let [store, here] = [store, here].map(|text| Name::of(&[left, &text[from..]]));
+    (store, word(here.text()))
 }
 
 fn reached(values: &[Value; 2]) -> Option<Reach> {
@@ -96,9 +104,14 @@ fn difference(scheme: &'static str, key: &'static str, store: &Value, here: &Val
         ("dimension", &Value::Integer(store), &Value::Integer(here)) => StoreError::Dimension { store, here },
         ("scheme", Value::Text(store), _) => StoreError::Scheme { store: Name::of(&[store]), here: scheme },
         ("options" | "order", ..) => StoreError::Options { scheme },
-        ("looks", Value::Text(store), _) => StoreError::Looks { store: Name::of(&[store]) },
-        ("fields" | "invariants", Value::Text(store), _) => StoreError::Law { what: key, store: Name::of(&[store]) },
-        ("company", Value::Text(store), _) => StoreError::Company { store: Name::of(&[store]) },
+        ("looks" | "fields" | "invariants" | "company", Value::Text(store), Value::Text(here)) => {
+            let (store, here) = beside(store, here);
+            match key {
+                "looks" => StoreError::Looks { store, here },
+                "company" => StoreError::Company { store, here },
+                what => StoreError::Law { what, store, here },
+            }
+        }
         ("tolerance" | "dt", ..) => match (number(store), number(here)) {
             (Some(store), Some(here)) if key == "dt" => StoreError::TimeStep { store, here },
             (Some(store), Some(here)) => StoreError::Tolerance { store, here },

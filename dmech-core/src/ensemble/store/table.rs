@@ -1,13 +1,24 @@
 //! Rows of numbers that come back to the bit.
 
 use rusqlite::types::ValueRef;
-use rusqlite::{CachedStatement, Connection, Row, ToSql};
+use rusqlite::{CachedStatement, Connection, ErrorCode, Row, ToSql};
 
+use super::layout::Layout;
 use crate::error::StoreError;
 
 /// NaN is NULL in SQLite, and −0 may become 0.
 fn is_lost(x: f64) -> bool {
     x.is_nan() || (x == 0.0 && x.is_sign_negative())
+}
+
+/// What was asked of a table, unless it, or a column, is not there: SQLite calls that a logic error.
+pub(super) fn of_table<T>(table: &'static str, asked: rusqlite::Result<T>) -> Result<T, StoreError> {
+    use rusqlite::Error::{SqlInputError, SqliteFailure};
+    asked.map_err(|refused| match refused {
+        SqlInputError { .. } => StoreError::Missing { table },
+        SqliteFailure(cause, _) if cause.code == ErrorCode::Unknown => StoreError::Missing { table },
+        refused => refused.into(),
+    })
 }
 
 /// A row that is written from left to right.
@@ -17,8 +28,8 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub(super) fn new(database: &'a Connection, insert: &str) -> Result<Self, StoreError> {
-        Ok(Writer { statement: database.prepare_cached(insert)?, column: 0 })
+    pub(super) fn new(database: &'a Connection, layout: &Layout, table: &'static str) -> Result<Self, StoreError> {
+        Ok(Writer { statement: of_table(table, database.prepare_cached(&layout.insert(table)))?, column: 0 })
     }
 
     pub(super) fn put(&mut self, value: impl ToSql) -> Result<(), StoreError> {

@@ -70,11 +70,14 @@ pub(crate) fn not_a_struct(item: &Item) -> Error {
     )
 }
 
-pub(crate) fn trait_impl(path: &impl ToTokens) -> Error {
+pub(crate) fn trait_impl(path: &impl ToTokens, law: &impl ToTokens) -> Error {
     at(
         path,
-        "`#[dmech::law]` goes on an inherent block, `impl Kepler { … }`, not on the implementation of a trait; the traits \
-         of mechanics are implemented by the macro",
+        format!(
+            "`#[dmech::law]` goes on an inherent block, `impl {} {{ … }}`, not on the implementation of a trait; the traits \
+             of mechanics are implemented by the macro",
+            text(law)
+        ),
     )
 }
 
@@ -286,18 +289,23 @@ fn velocity_of_a_potential(name: &Ident, role: Role) -> Error {
 }
 
 pub(crate) fn coordinates_apart(coordinates: &[&Pat], role: Role) -> Error {
-    let (names, n) = (coordinates.iter().map(text).collect::<Vec<_>>().join(", "), coordinates.len());
-    let all = quote::quote!(#(#coordinates),*);
-    let (place, what) = (role.place().name, role.place().meaning);
-    at(
-        &all,
-        format!(
-            "the {what} is one argument, `{place}: [f64; {n}]`; take it to pieces in the body: `let [{names}] = {place};`"
-        ),
+    at(&quote::quote!(#(#coordinates),*), one_array(coordinates.iter().map(text).collect(), role))
+}
+
+/// What to write in place of so many coordinates.
+fn one_array(names: Vec<String>, role: Role) -> String {
+    let (place, what, n) = (role.place().name, role.place().meaning, names.len());
+    let names = names.join(", ");
+    format!(
+        "the {what} is one argument, `{place}: [f64; {n}]`; take it to pieces in the body: `let [{names}] = {place};`"
     )
 }
 
-pub(crate) fn place_in_pieces(pattern: &impl ToTokens, role: Role) -> Error {
+pub(crate) fn place_in_pieces(pattern: &Pat, role: Role) -> Error {
+    // There are no tuples of coordinates: what is taken to pieces is an array.
+    if let Pat::Tuple(tuple) = pattern {
+        return at(pattern, one_array(tuple.elems.iter().map(text).collect(), role));
+    }
     let (place, what) = (role.place().name, role.place().meaning);
     at(
         pattern,

@@ -1,7 +1,7 @@
 //! `if`, comparisons, `&&`, `||`.
 
 use dmech_symbolic::expression::{Condition, Relation};
-use syn::{Expr, ExprBinary, ExprIf};
+use syn::{Expr, ExprBinary, ExprIf, ExprPath};
 
 use crate::diagnostics::body;
 
@@ -9,11 +9,15 @@ use super::budget::MAX_COMPARISONS;
 use super::code::result_of;
 use super::interpreter::Interpreter;
 use super::merge::unknown_if_changed;
+use super::name::float_constant;
 use super::operator::Comparison;
 use super::value::{Truth, Value};
 
 impl<'m> Interpreter<'m> {
     pub(super) fn comparison(&mut self, comparison: Comparison, binary: &'m ExprBinary, e: &'m Expr) -> Value {
+        if let Some((field, variant)) = self.with_a_variant(&binary.left, &binary.right) {
+            return self.refuse(body::field_and_variant(e, field, variant));
+        }
         let (left, right) = (self.value(&binary.left), self.value(&binary.right));
         match (left, right) {
             (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
@@ -39,6 +43,23 @@ impl<'m> Interpreter<'m> {
                 Value::Truth(Truth::When(condition))
             }
         }
+    }
+
+    /// A field of the law and what looks like a variant of an enum, `Kind::Stiff` or `K::A`, which no constant `f64` can stand for.
+    fn with_a_variant<'e>(&self, one: &'e Expr, other: &'e Expr) -> Option<(&'e Expr, &'e Expr)> {
+        let is_field = |e: &Expr| match e {
+            Expr::Field(field) => matches!(&*field.base, Expr::Path(base) if base.path.is_ident("self")),
+            _ => false,
+        };
+        let is_variant = |e: &Expr| {
+            let Expr::Path(ExprPath { qself: None, path, .. }) = e else { return false };
+            let names: Vec<_> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+            let [_, .., name] = &names[..] else { return false };
+            let known = self.model.is_own_type(&path.segments[0].ident) || float_constant(&names).is_some();
+            let camel = name.starts_with(char::is_uppercase) && name.contains(char::is_lowercase);
+            !known && (camel || name.chars().count() == 1)
+        };
+        [(one, other), (other, one)].into_iter().find(|&(field, variant)| is_field(field) && is_variant(variant))
     }
 
     /// left && right; the right side is not looked at where the left one decides.

@@ -59,7 +59,7 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
     let Mistakes { errors, methods: mistaken } = mistakes;
     let ItemImpl { trait_, generics, self_ty, items, unsafety, .. } = block;
     if let Some((path, _)) = &trait_ {
-        errors.push(law::trait_impl(path));
+        errors.push(law::trait_impl(path, &self_ty));
     }
     if let Some(unsafety) = &unsafety {
         errors.push(law::keyword(unsafety, "unsafe"));

@@ -202,7 +202,7 @@ fn where_the_attribute_stands() {
     refused(
         "impl «Potential» for Law { #[potential] fn energy(&self, q: f64) -> f64 { q } }",
         &[
-            "`#[dmech::law]` goes on an inherent block, `impl Kepler { … }`, not on the implementation of a trait; the traits of mechanics are implemented by the macro",
+            "`#[dmech::law]` goes on an inherent block, `impl Law { … }`, not on the implementation of a trait; the traits of mechanics are implemented by the macro",
         ],
     );
     refused(
@@ -382,6 +382,10 @@ fn arguments() {
     refused(
         "impl Law { #[potential] fn energy(&self, q: f64, m: «[f64; 2]», t: «f32») -> f64 { q * m * t } }",
         &["the mass `m` is a number; write `m: f64`", "the time `t` is a number; write `t: f64`"],
+    );
+    refused(
+        "impl Law { #[potential] fn energy(&self, «(x, y)»: (f64, f64)) -> f64 { x * y } }",
+        &["the position is one argument, `q: [f64; 2]`; take it to pieces in the body: `let [x, y] = q;`"],
     );
     refused(
         "impl Law { #[potential] fn energy(&self, «[x, y]»: [f64; 2]) -> f64 { x * y } }",

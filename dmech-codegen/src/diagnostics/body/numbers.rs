@@ -85,6 +85,17 @@ pub(crate) fn field_as_condition(e: &impl ToTokens) -> Error {
     )
 }
 
+pub(crate) fn field_and_variant(e: &impl ToTokens, field: &impl ToTokens, variant: &impl ToTokens) -> Error {
+    let (field, variant) = (text(field), text(variant));
+    at(
+        e,
+        format!(
+            "`{field}` is compared with `{variant}`, and the parameters of a law are numbers; keep it as an `f64` and compare \
+             that: `if {field} > 0.0`"
+        ),
+    )
+}
+
 pub(crate) fn compared_conditions(e: &impl ToTokens) -> Error {
     at(e, "conditions on the coordinates cannot be compared with each other; join them with `&&`, `||` and `!`")
 }

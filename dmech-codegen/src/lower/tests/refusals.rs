@@ -414,6 +414,20 @@ fn branches() {
             "`self.on` is used as a condition, and the parameters of a law are numbers; keep it as an `f64` and compare it: `if self.on > 0.0`",
         ],
     );
+    for comparison in ["«self.on == Kind::Stiff»", "«Kind::Stiff != self.on»"] {
+        refused(
+            &format!("if {comparison} {{ 1.0 }} else {{ 0.0 }}"),
+            &[
+                "`self.on` is compared with `Kind::Stiff`, and the parameters of a law are numbers; keep it as an `f64` and compare that: `if self.on > 0.0`",
+            ],
+        );
+    }
+    refused(
+        "if self.on == «Other::LEVEL» { 1.0 } else { 0.0 }",
+        &[
+            "the value of `Other::LEVEL` cannot be seen here; take it into this block, `const LEVEL: f64 = Other::LEVEL;`, and write `Self::LEVEL`",
+        ],
+    );
     refused("if «q[0] = 1.0» { 1.0 } else { 0.0 }", &["`=` gives a value to a variable; compare with `==`"]);
     refused("!«q[0]»", &["a condition is expected here, this is a number; compare it with something: `x < 0.0`"]);
     refused(

@@ -1,7 +1,7 @@
 //! The traits of mechanics are implemented by the macro.
 use dmech::prelude::*;
 
-struct Kepler {
+struct Planet {
     gm: f64,
 }
 
@@ -10,7 +10,7 @@ trait Energy {
 }
 
 #[dmech::law]
-impl Energy for Kepler {
+impl Energy for Planet {
     #[potential]
     fn energy(&self, q: [f64; 2]) -> f64 {
         -self.gm / q[0].hypot(q[1])
@@ -18,5 +18,5 @@ impl Energy for Kepler {
 }
 
 fn main() {
-    Kepler { gm: 1.0 }.gradient([0.5, 0.0]);
+    Planet { gm: 1.0 }.gradient([0.5, 0.0]);
 }

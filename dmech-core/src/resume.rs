@@ -9,7 +9,7 @@ use crate::stepper::Stepper;
 
 impl<L, X, S, O> Simulation<L, X, S, O> {
     /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter, only when: a scene is set
-    /// up again as it was, and its bodies move to where they were.
+    /// up again as it was, and its bodies move to where they were. Checkpoints are of motions in `f64`.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] says what differs: the number of bodies, the scheme, dt, a mass, a pin, a law. Otherwise as
@@ -31,7 +31,7 @@ impl<Y: Saved<Scalar = f64>, S: Scheme<Y>> Stepper<Y, S>
 where
     S::Memory: Carried,
 {
-    /// All that is needed to go on from here; see [`Checkpoint`].
+    /// All that is needed to go on from here, of a motion in `f64`; see [`Checkpoint`].
     pub fn checkpoint(&self) -> Checkpoint {
         let system = &self.system;
         // No longest step is no number that a checkpoint can hold.

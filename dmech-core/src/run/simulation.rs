@@ -199,6 +199,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// never longer than a radian of the local motion, of `Gauss`, `LineIntegral` and `RungeKuttaNystrom` 1.25
     /// radians, so that very large tolerances give smaller errors than that. On other laws the errors relate to one another as the tolerances do; how large they are depends on the motion.
     ///
+    /// It is for motions in `f64`: those in other scalars take equal steps.
+    ///
     /// **`dt` beside it is the longest step.** A law that names the time, a scene with a driven body, and a law whose force does not vary
     /// where the motion is (free flight before a wall), need one; without it the run ends with
     /// [`Error::NoTimeScale`](crate::Error::NoTimeScale). Times are a compensated sum of the steps, and the last step of

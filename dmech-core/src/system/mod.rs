@@ -316,6 +316,11 @@ pub trait System: Sized {
 }
 
 /// A system that tells how fast it moves, for steps that follow the motion.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not tell how fast it moves: adaptive steps and studies are of motions in `f64`",
+    label = "this motion is in another scalar than `f64`",
+    note = "start it from a `State` of `f64`, `State::new([0.5], [0.0])`, or give the step with `.dt(h)` in place of `.adaptive(tolerance)`"
+)]
 pub trait TimeScale: System<Scalar = f64> {
     /// Whether a law names the time, or a body moves along a path of it: what the motion meets later no look tells.
     fn names_the_time(&self) -> bool;

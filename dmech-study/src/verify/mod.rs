@@ -37,7 +37,7 @@ use trial::Trial;
 /// The two schemes with velocities at half steps fit only a law whose force does not depend on the velocity. The type
 /// of the law says so, hence they have a call of their own: [`Verification::with_half_step_schemes`].
 ///
-/// The particle has mass 1; [`Verify`] gives it another. Everything is deterministic; lengths and times are taken from the start, whose units are
+/// The particle has mass 1, and numbers that are `f64`; [`Verify`] gives it another mass. Everything is deterministic; lengths and times are taken from the start, whose units are
 /// therefore free. Nothing panics except [`Verification::assert`].
 ///
 /// ```
@@ -128,10 +128,14 @@ impl<L: Law<D>, const D: usize> Verify<L, D> {
     }
 }
 
-impl<L: Law<D> + VelocityIndependent, const D: usize> Verification<Subject<L, D>> {
+impl<L: Law<D>, const D: usize> Verification<Subject<L, D>> {
     /// Adds [`Leapfrog`] and [`Kanatani`](struct@Kanatani), for a law whose force does not depend on the velocity.
     #[must_use = "the report is of no use unless it is looked at"]
-    pub fn with_half_step_schemes(mut self) -> Self {
+    pub fn with_half_step_schemes(mut self) -> Self
+    // Not on the block: a law that does not fit is then told in words.
+    where
+        L: VelocityIndependent,
+    {
         self.of.scheme(Leapfrog, &mut self.checks);
         self.of.scheme(Kanatani, &mut self.checks);
         self

@@ -1,5 +1,6 @@
 //! Which schemes may change their step, and how long a step they may take.
 
+use super::Adaptive;
 use crate::scheme::composed::Coefficients;
 use crate::scheme::force_gradient::coefficients::ForceGradientCoefficients;
 use crate::scheme::nystrom::coefficients::NystromCoefficients;
@@ -23,6 +24,21 @@ pub trait Adaptable: Method {
     ///
     /// The error per unit of time is in proportion to ε^p, with a factor that a Kepler orbit of eccentricity 0.9 has shown.
     fn angle(&self, tolerance: f64) -> f64;
+}
+
+/// Steps that follow the motion twice. Nothing implements it: it has the words for a second `.adaptive(tolerance)`, and stands on the
+/// scheme within, as the compiler would say those of [`Adaptable`] of the other.
+#[diagnostic::on_unimplemented(
+    message = "the steps follow the motion already: `.adaptive(tolerance)` is called twice",
+    label = "this is adaptive",
+    note = "call it once, with the tolerance that is meant; for another one begin with the scheme, `.scheme(...).adaptive(tolerance)`"
+)]
+pub trait AdaptiveTwice {}
+
+impl<S: Adaptable + AdaptiveTwice> Adaptable for Adaptive<S> {
+    fn angle(&self, tolerance: f64) -> f64 {
+        self.scheme.angle(tolerance)
+    }
 }
 
 impl Adaptable for DiscreteGradient {

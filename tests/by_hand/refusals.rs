@@ -43,7 +43,20 @@ fn bad_input_is_refused_before_the_first_step() {
     assert!(matches!(cause(at_the_sun.run(10)), Error::Law { quantity: "potential", .. }));
     // A time step or a mass that the scalar in use cannot hold.
     let single: State<2, f32> = State::of([0.5, 0.0], [0.0, 1.63]);
-    assert!(Simulation::new(SUN, single).scheme(Leapfrog).dt(1e-60).stepper().is_err());
+    let narrow = || Simulation::new(SUN, single).scheme(Leapfrog);
+    assert_eq!(narrow().dt(1e-60).stepper().unwrap_err(), Error::TimeStep { dt: 1e-60 });
+    assert_eq!(narrow().dt(0.1).mass(1e60).stepper().unwrap_err(), Error::Mass { mass: 1e60 });
+    for (error, told) in [
+        (
+            Error::TimeStep { dt: 1e-60 },
+            "the time step, dt = 1e-60, is no positive, finite number of the scalar of the motion",
+        ),
+        (Error::Mass { mass: 1e60 }, "the mass, 1e60, is no positive, finite number of the scalar of the motion"),
+    ] {
+        let text = error.to_string();
+        assert!(text.starts_with(told) && text.contains("`f32`"), "{text}");
+    }
+    assert_eq!(Error::Mass { mass: -0.5 }.to_string(), "the mass must be positive and finite, not -0.5");
 }
 
 /// x/r³ is 0 at 10¹⁵⁰, where −k/r still has a slope: without a force the planet would leave in a straight line.

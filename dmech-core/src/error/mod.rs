@@ -34,8 +34,8 @@ pub enum Error {
     /// No time step was given.
     #[error("the time step is missing: call .dt(h)")]
     MissingTimeStep,
-    /// The time step is zero, negative, infinite or NaN.
-    #[error("the time step must be positive and finite, not dt = {}", Number(*dt))]
+    /// The time step is zero, negative, infinite or NaN, if not in `f64` then in the scalar of the motion.
+    #[error("{}", not_positive("the time step", "dt = ", *dt, "take another unit of time"))]
     TimeStep {
         /// The refused time step.
         dt: f64,
@@ -81,8 +81,8 @@ pub enum Error {
         /// The time step.
         dt: f64,
     },
-    /// The mass is zero, negative, infinite or NaN.
-    #[error("the mass must be positive and finite, not {}", Number(*mass))]
+    /// The mass is zero, negative, infinite or NaN, if not in `f64` then in the scalar of the motion, or times the unit of the masses.
+    #[error("{}", not_positive("the mass", "", *mass, "take another unit of mass"))]
     Mass {
         /// The refused mass.
         mass: f64,
@@ -328,6 +328,18 @@ pub enum Error {
     #[error("the store of the ensemble: {0}")]
     #[cfg_attr(feature = "serde", serde(skip))]
     Store(#[from] StoreError),
+}
+
+/// What is no positive number: by itself, or where the numbers of the motion have a narrower range.
+fn not_positive(what: &str, name: &str, x: f64, advice: &str) -> String {
+    if x > 0.0 && x.is_finite() {
+        return format!(
+            "{what}, {name}{}, is no positive, finite number of the scalar of the motion: those of `f32` lie between 1e-45 and 3.4e38, of `f64` \
+             between 5e-324 and 1.8e308; {advice}",
+            Number(x)
+        );
+    }
+    format!("{what} must be positive and finite, not {name}{}", Number(x))
 }
 
 /// The steps of a run, if their length is known.

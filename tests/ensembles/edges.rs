@@ -102,6 +102,17 @@ fn none_and_one_and_no_steps() {
     assert!(matches!(ensemble(9).dt(0.1).record_at([f64::NAN]).run(1).unwrap_err(), Error::RecordAt { .. }));
     let endless = ensemble(9).dt(0.1).run_until(f64::INFINITY).unwrap_err();
     assert_eq!(endless, Error::EndTime { end: f64::INFINITY, dt: 0.1 });
+    // An end before all starts; where some come before it, those run.
+    let since = |first: f64| ensemble(9).start(move |k| Saddle::start(k).at_time(first + 0.5 * k as f64));
+    let before = Error::Span { start: 1.0, end: 0.5 };
+    assert_eq!(since(1.0).dt(0.1).run_until(0.5).unwrap_err(), before);
+    assert_eq!(since(1.0).scheme(DiscreteGradient).adaptive(1e-3).run_until(0.5).unwrap_err(), before);
+    assert_eq!(since(1.0).dt(0.1).for_each_until(0.5, |_, _| ()).unwrap_err(), before);
+    assert_eq!(since(-0.5).dt(0.1).run_until(0.5).unwrap().failures().count(), 6);
+    assert!(ensemble(0).dt(0.1).run_until(-1.0).unwrap().is_empty());
+    // What no member reaches is not recorded, as alone.
+    let late = ensemble(9).dt(0.1).record_at([0.5, 7.0]).run_until(1.0).unwrap();
+    assert!(late.members().flatten().all(|run| run.states().len() == 1 && run.states()[0].t == 0.5));
 }
 
 /// Laws and starts that somebody has listed.

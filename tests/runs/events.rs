@@ -127,6 +127,10 @@ fn zeros_at_the_ends_of_steps_are_counted_once() {
     // A function that is no number for a while has no zero there.
     let broken = |state: &State<1>| if state.q[0] < 0.1 { f64::NAN } else { state.q[0] - 0.6 };
     assert_eq!(times(&flight().event(broken, Crossing::Any).run(12).unwrap(), 0), [1.6]);
+    // One that is never a number has none at all, and is seen where it is watched.
+    let never = |_: &State<1>| f64::NAN;
+    let run = flight().event(never, Crossing::Any).watch("never", never).run(12).unwrap();
+    assert!(run.events().is_empty() && run.drift_of("never").unwrap().max_abs().is_nan());
     // At times where a rounding is large.
     let late = Simulation::new(Free, State::new([-1.0], [1.0]).at_time(1e12)).scheme(Leapfrog).dt(0.3);
     let run = late.event(|state| state.q[0], Crossing::Any).run(12).unwrap();

@@ -57,6 +57,18 @@ fn a_long_table_has_a_row_for_each_body() {
     let mut plain = Vec::new();
     kept.write(Csv::long(&mut plain)).unwrap();
     assert!(String::from_utf8(plain).unwrap().contains("\n0,0,0,0.5,0,0\n0,1,1,0,0,1\n"));
+    // As many names as bodies at most, and none twice.
+    for (names, told) in [
+        (&["a", "b", "c", "d"][..], "4 names for 3 bodies"),
+        (&["a", "b", "a"], "two bodies are called a"),
+        (&["2"], "two bodies are called 2"),
+    ] {
+        let refused = kept.write(Csv::long(io::sink()).names(names)).unwrap_err();
+        assert_eq!((refused.kind(), refused.to_string().as_str()), (io::ErrorKind::InvalidInput, told));
+        let stopped = simulation().stream(Csv::long(io::sink()).names(names)).run(7).unwrap_err().cause();
+        assert_eq!(stopped, Error::Stream(io::ErrorKind::InvalidInput));
+        assert!(stopped.to_string().ends_with("as names of bodies are that are more than these, or not all different"));
+    }
     // A run is written as NumPy as well.
     let mut file = Cursor::new(Vec::new());
     kept.write(Npy::new(&mut file)).unwrap();

@@ -327,7 +327,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     }
 
     /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are looked at after the steps in
-    /// which they lie.
+    /// which they lie; times that a member does not reach are not recorded.
     pub fn record_at(self, times: impl IntoIterator<Item = f64>) -> Self {
         self.set(|common| common.record_at(times))
     }

@@ -8,6 +8,7 @@ use super::store::Stored;
 use super::{Ensemble, EnsembleRun, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
+use crate::method::Method;
 use crate::span::Span;
 use crate::state::State;
 
@@ -26,7 +27,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// Moves each member until a time: [`Simulation::run_until`](crate::Simulation::run_until).
     ///
     /// # Errors
-    /// As [`run`](Ensemble::run).
+    /// As [`run`](Ensemble::run); an `end` before the starts of all members is refused.
     pub fn run_until<Y: Fields<D>, const D: usize>(self, end: f64) -> Result<EnsembleRun<State<D>>, Error>
     where
         Self: Members<Y, D>,
@@ -69,9 +70,29 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         let common = self.common();
         // What every member would be refused for is one error.
         common.settings.check_for_all(&common.scheme, span)?;
+        self.check_end(span)?;
         let (member, bare) = (|k| self.member(k), |k| self.bare(k));
         let Ensemble { members, ref beside, ref hands, .. } = *self;
         then(&OneLaw { members, member: &member, bare: &bare, common, span, work: beside.work, lanes: hands.lanes })
+    }
+
+    /// Refuses an end that lies before the start of every member.
+    fn check_end<Y: Fields<D>, const D: usize>(&self, span: Span) -> Result<(), Error>
+    where
+        Self: Members<Y, D>,
+    {
+        if matches!(span, Span::Steps(_)) {
+            return Ok(());
+        }
+        let (dt, follow) = (self.common().step_length::<f64>()?, self.common().scheme.tolerance().is_some());
+        let mut refused = Ok(());
+        for k in 0..self.members {
+            match span.steps(self.bare(k).start.t, dt, follow) {
+                Err(before @ Error::Span { .. }) => refused = refused.and(Err(before)),
+                _ => return Ok(()),
+            }
+        }
+        refused
     }
 
     /// Where they are kept.

@@ -310,7 +310,7 @@ pub enum Error {
     FirstRank,
     // What does not travel from rank to rank comes last: serde counts the others only.
     /// A recorded state could not be written to a stream.
-    #[error("a recorded state could not be written: {0}")]
+    #[error("{}", unwritten(*.0))]
     #[cfg_attr(feature = "serde", serde(skip))]
     Stream(std::io::ErrorKind),
     /// A scene that cannot be set up.
@@ -340,6 +340,15 @@ fn not_positive(what: &str, name: &str, x: f64, advice: &str) -> String {
         );
     }
     format!("{what} must be positive and finite, not {name}{}", Number(x))
+}
+
+/// A stream that has failed, with what its input may be that is no good.
+fn unwritten(kind: std::io::ErrorKind) -> String {
+    let names = match kind {
+        std::io::ErrorKind::InvalidInput => ", as names of bodies are that are more than these, or not all different",
+        _ => "",
+    };
+    format!("a recorded state could not be written: {kind}{names}")
 }
 
 /// The steps of a run, if their length is known.

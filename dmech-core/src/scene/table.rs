@@ -1,5 +1,6 @@
 //! States of many bodies as a long table.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 use super::state::SceneState;
@@ -35,6 +36,10 @@ pub struct LongCsv<W> {
 
 impl<W> LongCsv<W> {
     /// Names of the bodies, in their order. Later bodies, if there are more, are named by their numbers.
+    ///
+    /// # Errors
+    /// When written, of the kind [`InvalidInput`](io::ErrorKind::InvalidInput): more names than bodies, or two bodies of one name, whose rows
+    /// nothing would tell apart.
     #[must_use]
     pub fn names<N: AsRef<str>>(mut self, names: impl IntoIterator<Item = N>) -> Self {
         self.names = names.into_iter().map(|name| quoted(name.as_ref())).collect();
@@ -47,8 +52,25 @@ fn quoted(name: &str) -> String {
     if name.contains([',', '"', '\n', '\r']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name.to_owned() }
 }
 
+/// Refuses names that are not those of so many bodies.
+fn check(names: &[String], bodies: usize) -> io::Result<()> {
+    let refused = |why: String| Err(io::Error::new(io::ErrorKind::InvalidInput, why));
+    if names.is_empty() {
+        return Ok(());
+    }
+    if names.len() > bodies {
+        return refused(format!("{} names for {bodies} bodies", names.len()));
+    }
+    let mut seen: BTreeSet<String> = (names.len()..bodies).map(|number| number.to_string()).collect();
+    match names.iter().find(|&name| !seen.insert(name.clone())) {
+        Some(twice) => refused(format!("two bodies are called {twice}")),
+        None => Ok(()),
+    }
+}
+
 impl<const D: usize, W: Write> Sink<SceneState<D>> for LongCsv<W> {
-    fn begin(&mut self, _: &SceneState<D>) -> io::Result<()> {
+    fn begin(&mut self, like: &SceneState<D>) -> io::Result<()> {
+        check(&self.names, like.q.len())?;
         write!(self.out, "t,body")?;
         for name in ["q", "v"] {
             (0..D).try_for_each(|k| write!(self.out, ",{name}{k}"))?;

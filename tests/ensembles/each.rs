@@ -392,12 +392,8 @@ fn another_sweep_is_refused_with_what_differs() {
     let original = Made::PLAIN.go(&place).unwrap();
     let name = |text: &str| dmech::extend::Name::of(&[text]);
     let of = |column: &str, store: f64, here: f64| StoreError::Member { member: 2, column: name(column), store, here };
-    let looks = StoreError::Words {
-        member: 2,
-        column: "looks",
-        store: name("after every 5 steps"),
-        here: "after every 6 steps",
-    };
+    let looks =
+        StoreError::Words { member: 2, column: "looks", store: "after every 5 steps", here: "after every 6 steps" };
     let reach = StoreError::Reach { store: Reach::Until(0.1), here: Reach::Until(0.2) };
     let plain = Made::PLAIN;
     let others = [
@@ -512,7 +508,7 @@ fn sweeps_that_are_nearly_the_same_are_refused() {
     ];
     for (other, here) in others {
         let refused = of(looks(other));
-        assert_eq!(refused, StoreError::Words { member: 1, column: "looks", store: name("at t = [0.7, 0.8]"), here });
+        assert_eq!(refused, StoreError::Words { member: 1, column: "looks", store: "at t = [0.7, 0.8]", here });
     }
 
     // Of what is long, from a little before the difference.

@@ -175,7 +175,7 @@ pub enum StoreError {
         /// The column of the table `member`.
         column: &'static str,
         /// In the store.
-        store: Name,
+        store: &'static str,
         /// In the ensemble.
         here: &'static str,
     },

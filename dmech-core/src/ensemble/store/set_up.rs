@@ -138,7 +138,7 @@ fn difference(member: u64, layout: &Layout, store: &SetUp, here: &SetUp) -> Opti
     let mut words = layout.columns.words.iter().zip(store.words.iter().zip(&here.words));
     if let Some((&column, (store, here))) = words.find(|(_, (store, here))| store != here) {
         let (store, here) = beside(store, here);
-        return Some(StoreError::Words { member, column, store, here });
+        return Some(StoreError::Words { member, column, store: word(store.text()), here });
     }
     let of = |column, store, here| StoreError::Member { member, column, store, here };
     let apart = |store: &[f64], here: &[f64]| store.iter().zip(here).position(|(a, b)| a.to_bits() != b.to_bits());

@@ -243,23 +243,16 @@ fn reports_in_si_read_well() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// What is no ellipse has no period and no start on it: told where the program is checked, and refused where it runs.
+/// What is no ellipse has no period, and no start that a simulation takes.
 #[test]
 fn no_ellipse() {
     let law = Kepler { gm: 1.3 };
     let orbits = [(0.0, 0.3), (-1.0, 0.3), (f64::NAN, 0.3), (1.0, 1.0), (1.0, 1.7), (1.0, f64::NAN)];
     for (half_axis, e) in orbits {
-        let start = std::panic::catch_unwind(|| law.pericentre(half_axis, e));
-        match start {
-            Ok(start) if !cfg!(debug_assertions) => {
-                let refused = Simulation::new(law, start).scheme(Leapfrog).dt(0.1).run(1).unwrap_err();
-                assert!(matches!(refused.cause(), Error::State { .. }), "{half_axis}, {e}: {refused}");
-            }
-            start => assert!(start.is_err() && cfg!(debug_assertions), "{half_axis}, {e}: {start:?}"),
-        }
-        let period = std::panic::catch_unwind(|| law.period(half_axis));
-        let ellipse = half_axis > 0.0;
-        assert_eq!(period.is_ok(), ellipse || !cfg!(debug_assertions), "{half_axis}: {period:?}");
+        let start = law.pericentre(half_axis, e);
+        let refused = Simulation::new(law, start).scheme(Leapfrog).dt(0.1).run(1).unwrap_err();
+        assert!(matches!(refused.cause(), Error::State { .. }), "{half_axis}, {e}: {refused}");
     }
+    assert!(law.period(-1.0).is_nan());
     assert!(law.period(1.0) > 0.0 && law.pericentre(1.0, 0.0).v[1].is_finite());
 }

@@ -80,11 +80,8 @@ impl Kepler {
     /// assert_eq!(dmech::models::Kepler { gm: 4.0 }.period(4.0), 8.0 * core::f64::consts::PI);
     /// ```
     ///
-    /// # Panics
-    /// With debug assertions, if the half-axis is not positive, as that of a hyperbola; without them the period is no number.
-    /// [`Elements::period`] says `None` of what does not come back.
+    /// NaN if the half-axis is negative, as that of a hyperbola; [`Elements::period`] says `None` of what does not come back.
     pub fn period(&self, half_axis: f64) -> f64 {
-        debug_assert!(half_axis > 0.0, "an ellipse has a positive half-axis, not {half_axis}");
         core::f64::consts::TAU * (half_axis.powi(3) / self.gm).sqrt()
     }
 
@@ -95,12 +92,9 @@ impl Kepler {
     /// assert_eq!((start.q, start.v), ([0.8, 0.0], [0.0, 2.0]));
     /// ```
     ///
-    /// # Panics
-    /// With debug assertions, if a is not positive or e not below 1; without them the speed is not finite, and a simulation refuses the
-    /// start. [`Elements`] has the starts on parabolas and hyperbolas.
+    /// Of what is no ellipse the speed is not finite, and a simulation refuses the start; [`Elements`] has those of parabolas and
+    /// hyperbolas.
     pub fn pericentre(&self, half_axis: f64, eccentricity: f64) -> State<2> {
-        debug_assert!(half_axis > 0.0, "an ellipse has a positive half-axis, not {half_axis}");
-        debug_assert!(eccentricity < 1.0, "an ellipse has an eccentricity below 1, not {eccentricity}");
         let speed = (self.gm / half_axis * (1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
         State::new([half_axis * (1.0 - eccentricity), 0.0], [0.0, speed])
     }

@@ -13,15 +13,18 @@ pub struct Solution {
     pub x: Vec<Expr>,
     /// What is positive where A has grown from the unit matrix without having been singular on the way: the pivots of a symmetric
     /// A, all of which are positive only if A is positive definite; of any other A its determinant, which an even number of
-    /// changes of sign would leave positive too.
+    /// changes of sign would leave positive too. If there are more of these than unknowns, pivots follow on the determinant: where they
+    /// are positive as well there is no doubt.
     pub positive: Vec<Expr>,
 }
 
 /// How often a correction is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Corrections {
-    /// One leads to the root, whatever the matrix is: a pivot near 0 must not spoil it.
+    /// One leads to the root: a pivot near 0 must not spoil it.
     One,
+    /// The same, and nobody asks what is positive.
+    Unasked,
     /// Each puts the last one right.
     Several,
 }
@@ -33,15 +36,16 @@ impl Corrections {
     }
 }
 
-/// x with A x = r: A = L D Lᵀ where A is symmetric, Cramer's rule for one correction with two or three unknowns where it is not,
-/// A = L U otherwise.
+/// x with A x = r: A = L D Lᵀ where A is symmetric, A = L U where it is not; Cramer's rule for two or three unknowns of one correction
+/// that no pivots are asked of.
 pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], corrections: Corrections) -> Solution {
     let n = r.len();
     // The last two unknowns without a quotient between them, times the pivot, are one division less to wait for; but what rounding does
     // then is not for the only correction.
     let several = corrections == Corrections::Several;
     let symmetric = is_symmetric(a);
-    if !symmetric && n <= 3 && !several {
+    let diagonal = (0..n).all(|i| (0..n).all(|j| i == j || g.is_zero(a[i][j])));
+    if n <= 3 && !diagonal && (corrections == Corrections::Unasked || !symmetric && !several) {
         return cramer(g, a, r);
     }
     let (mut a, mut r) = (a.to_vec(), r.to_vec());
@@ -70,7 +74,7 @@ pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], corrections: Correction
     let mut x = r.clone();
     for i in (0..n).rev() {
         // The quotients of all but the last two are there from the elimination, where A is symmetric.
-        let early = i + 2 < n || !several;
+        let early = i + 2 < n && several;
         let mut sum = if early { g.div(r[i], a[i][i]) } else { r[i] };
         for j in i + 1..n {
             let multiplier = if early { g.div(a[i][j], a[i][i]) } else { a[i][j] };
@@ -80,24 +84,24 @@ pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], corrections: Correction
         x[i] = if early { sum } else { g.div(sum, a[i][i]) };
     }
     // The last pivot times the one before it is positive where both are.
-    let mut pivots: Vec<_> = (0..n).map(|i| a[i][i]).collect();
-    let mut positive = if symmetric {
-        pivots
-    } else {
-        if several && n >= 2 && !g.is_zero(a[n - 1][n - 2]) {
-            pivots.remove(n - 2);
-        }
-        vec![g.mul(&pivots)]
-    };
+    let pivots: Vec<_> = (0..n).map(|i| a[i][i]).collect();
+    if !symmetric {
+        let doubled = several && !g.is_zero(a[n - 1][n - 2]);
+        let factors: Vec<_> = (0..n).filter(|i| !doubled || i + 2 != n).map(|i| pivots[i]).collect();
+        let determinant = g.mul(&factors);
+        return Solution {
+            x,
+            positive: if several { [vec![determinant], pivots].concat() } else { vec![determinant] },
+        };
+    }
     // Each once, and not what is 1 whatever the step is.
     let mut seen = vec![g.one()];
-    positive.retain(|x| {
-        !seen.contains(x) && {
-            seen.push(*x);
-            true
-        }
+    let positive = pivots.into_iter().filter(|pivot| {
+        let new = !seen.contains(pivot);
+        seen.push(*pivot);
+        new
     });
-    Solution { x, positive }
+    Solution { x, positive: positive.collect() }
 }
 
 /// Whether it is so as it is written: equal expressions are one expression.

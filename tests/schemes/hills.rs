@@ -277,3 +277,21 @@ fn steps_under_drag_are_refused_where_two_directions_are_too_long() {
     }
     assert_eq!(counts, [12, 12]);
 }
+
+/// From the top of a hill, in steps far too long and in some that are not: the step that starts from Δ = 0 finds that of a motion which has
+/// turned round, with an exact energy and a positive determinant.
+#[test]
+fn a_motion_from_the_top_of_a_hill_does_not_turn_round() {
+    law!(Top, 2, |self, q| self.k / (q[0] * q[0] + q[1] * q[1] + 0.01).sqrt() + 0.1 * q[0] * q[0]);
+    let (q, v) = ([0.0, 0.0], [1.0, 0.3]);
+    for h in [0.3, 0.5, 1.0, 2.0, 3.0] {
+        let alone = Simulation::new(Top { k: 1.0 }, State::new(q, v)).scheme(DiscreteGradient).dt(h).run(1);
+        let scene = Simulation::scene(Scene::new().body(1.0, q, v).field(Top { k: 1.0 }));
+        let scene = scene.scheme(DiscreteGradient).dt(h).run(1);
+        for [x, y] in [alone.unwrap().last().q, scene.unwrap().last().q[0]] {
+            // Down the hill it becomes faster.
+            let ahead = (x * v[0] + y * v[1]) / (v[0] * v[0] + v[1] * v[1]);
+            assert!(ahead > 0.9 * h, "a step of {h} leads to {x}, {y}");
+        }
+    }
+}

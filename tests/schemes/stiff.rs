@@ -80,3 +80,42 @@ fn a_stiff_direction_costs_few_corrections() {
     println!("at most {worst} corrections a step over {tried} runs");
     assert_eq!(tried, 3 * (6 * 8 + 3 * 6));
 }
+
+/// So stiff that the rounding of the force is more than all that moves: such a step is refused, not taken with what rounding left.
+#[test]
+fn what_rounding_leaves_of_a_stiff_force_is_no_step() {
+    law!(Corner, 2, |self, q| {
+        let [one, other] = [q[0] - q[1], q[0] + 0.5 * q[1]];
+        0.5 * self.k * (one * one + other * other) + 0.25 * (q[0].powi(4) + q[1].powi(4))
+    });
+    let mut counts = [0; 2];
+    for power in 4..=30 {
+        let start = State::new([1e-3, 1e-3], [0.3, 0.4]);
+        let run = Simulation::new(Corner { k: 10f64.powi(power) }, start).scheme(Implicit).dt(1.0).run(1);
+        counts[usize::from(run.is_ok())] += 1;
+        if let Ok(run) = run {
+            let off = run.drift(Invariant::Energy).unwrap().max_relative();
+            assert!(off < 1.0, "k = 1e{power}: energy off by {off:e}");
+        }
+    }
+    println!("{counts:?} refused and taken");
+    assert!(counts[0] > 10 && counts[1] > 10);
+}
+
+/// A force that is linear in v and speeds up: `Boris` asks nobody whether a pivot of its matrix is near 0, and needs not.
+#[test]
+fn a_kick_at_the_mean_velocity_has_no_pivots() {
+    law!(Driven, 2, |self, q| 0.0 * self.k * q[0], |v| [2.0 * self.k * v[0] + v[1], v[0] - 0.5 * v[1]]);
+    for d in [0.0, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4] {
+        let (k, v) = (1.0 + d, [0.3, 0.7]);
+        let run = Simulation::new(Driven { k }, State::new([0.0, 0.0], v)).scheme(Boris).dt(1.0).run(1).unwrap();
+        // (1 − S/2) v′ = (1 + S/2) v.
+        let [a, b, c] = [1.0 - k, -0.5, 1.25];
+        let r = [(1.0 + k) * v[0] + 0.5 * v[1], 0.5 * v[0] + 0.75 * v[1]];
+        let determinant = a * c - b * b;
+        let exact = [(c * r[0] - b * r[1]) / determinant, (a * r[1] - b * r[0]) / determinant];
+        for (found, exact) in run.last().v.iter().zip(exact) {
+            assert!((found - exact).abs() < 1e-14 * exact.abs(), "{d:e}: {found} for {exact}");
+        }
+    }
+}

@@ -7,6 +7,7 @@ use quote::quote;
 use super::body::{Printed, body};
 use super::names::{ident, receiver, underscored};
 use super::printer::Printer;
+use super::step::asked;
 
 impl Printer<'_> {
     /// One correction in two parts, with the residual between them formed of the force as computed:
@@ -44,7 +45,8 @@ impl Printer<'_> {
         let (changes, rest) = solution.split_at(variables.q.len());
         let (turns, positive) = rest.split_at(variables.q.len());
         let correction = quote!(#runtime::newton::Correction::sum(#moved, #first, #turned));
-        let result = if linear { quote!((#correction, #grown)) } else { quote!(#correction.if_positive(#grown)) };
+        let asked = asked(positive.len(), variables.q.len());
+        let result = if linear { quote!((#correction, #grown)) } else { quote!(#correction.#asked(#grown)) };
         let solver = ident(if linear { "once_middle" } else { "drive_middle" });
         let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };
         let doc = format!(

@@ -1,7 +1,7 @@
 //! The functions that solve a step.
 
 use dmech_symbolic::kernel::Step;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::body::{Printed, body};
@@ -57,7 +57,10 @@ impl Printer<'_> {
             let correction = quote!(#runtime::newton::Correction::#constructor(#([#(#vectors),*]),*));
             let result = match step {
                 Step::Linear(_) => quote!((#correction, [#(#positive),*])),
-                _ => quote!(#correction.if_positive([#(#positive),*])),
+                _ => {
+                    let asked = asked(positive.len(), variables.q.len());
+                    quote!(#correction.#asked([#(#positive),*]))
+                }
             };
             quote! {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
@@ -82,4 +85,9 @@ impl Printer<'_> {
             }
         }
     }
+}
+
+/// What is asked of so many numbers for so many unknowns: more of them are a determinant and pivots.
+pub(super) fn asked(numbers: usize, unknowns: usize) -> Ident {
+    ident(if numbers > unknowns { "if_oriented" } else { "if_positive" })
 }

@@ -19,7 +19,7 @@ pub(crate) const SWIFT: u32 = 4;
 /// with the force extrapolated linearly in θ, so that the powers θ and θ² of the known parts are exact.
 ///
 /// First the whole step is tried from Δ = 0: a stiff force is nothing to predict by, and there only the curvature of the rest is to be
-/// corrected.
+/// corrected. On top of a hill that leads to where the motion has turned round, which an unsymmetric J may not tell: its pivots do.
 ///
 /// The equation comes by value: were it borrowed, every step that does not come here would still lay it out in memory.
 #[cold]
@@ -43,7 +43,8 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { equation };
         let ahead = R::from_f64(next - theta);
         if advance == 1.0 && theta == 0.0 {
-            part = Equation { guess: start.guess, max_iterations: SWIFT.min(part.max_iterations), ..part };
+            let max_iterations = SWIFT.min(part.max_iterations);
+            part = Equation { guess: start.guess, max_iterations, definite: true, ..part };
         } else {
             part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         }

@@ -68,8 +68,9 @@ pub fn dense_middle<const D: usize, R: Real>(
     let correct = |equation: &Equation<D, R>, delta: [R; D], b| {
         let (slope, by_position, by_velocity) = force(equation, delta, b);
         let jacobian: [[R; D]; D] = by_entry!(|i, j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j]));
-        let (change, continued) = doubt::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
-        Correction { continued, ..Correction::sum(change, slope, turned(&jacobian, change)) }
+        let (change, [continued, definite]) =
+            doubt::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
+        Correction { continued, definite, ..Correction::sum(change, slope, turned(&jacobian, change)) }
     };
     solve::<true, D, R>(equation, correct)
 }
@@ -114,8 +115,9 @@ fn correction<const D: usize, R: Real>(
     gradient: [R; D],
     jacobian: &[[R; D]; D],
 ) -> Correction<D, R> {
-    let (change, continued) = doubt::solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
-    Correction { continued, ..Correction::in_parts(change, gradient, turned(jacobian, change)) }
+    let (change, [continued, definite]) =
+        doubt::solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
+    Correction { continued, definite, ..Correction::in_parts(change, gradient, turned(jacobian, change)) }
 }
 
 /// drift − frozen − g G − Δ.

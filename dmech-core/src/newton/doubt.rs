@@ -8,16 +8,16 @@ use dmech_scalar::{Mask, Real};
 use super::elimination::{self, Elimination};
 use super::settled::Settled;
 
-/// x with A x = b, and whether A may be that at a root which continues that of a shorter step. Of several side by side only what is
+/// x with A x = b, whether A may be that at a root which continues that of a shorter step, and whether that is without doubt. Of several side by side only what is
 /// plain is said; the others are left to each alone.
 ///
 /// As long as steps resolve the motion no rows are exchanged and all pivots are positive. Then there is no doubt.
 #[inline(always)]
-pub(super) fn solve<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> ([R; D], R::Mask) {
+pub(super) fn solve<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> ([R; D], [R::Mask; 2]) {
     let Elimination { solution, pivots, exchanges } = elimination::eliminate::<true, D, R>(a, b);
     let sure = exchanges == 0 && pivots.iter().all(|&pivot| R::ZERO.less(pivot).all());
     let (yes, no) = (R::ZERO.less(R::ONE), R::ONE.less(R::ZERO));
-    (solution, if sure || may_continue(a) { yes } else { no })
+    (solution, [if sure || may_continue(a) { yes } else { no }, if sure { yes } else { no }])
 }
 
 #[cold]

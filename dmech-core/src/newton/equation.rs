@@ -41,6 +41,8 @@ pub struct Equation<const D: usize, R: Real> {
     pub max_iterations: u32,
     /// The force may bend or jump between two iterates: [`Potential::PIECEWISE`](crate::Potential::PIECEWISE).
     pub piecewise: bool,
+    /// Only a root at which 1 + g J is [definite](Correction::definite) is one: not any that its determinant lets pass.
+    pub definite: bool,
 }
 
 impl<const D: usize, R: Real> Equation<D, R> {
@@ -59,6 +61,7 @@ impl<const D: usize, R: Real> Equation<D, R> {
             guess: drift,
             max_iterations: 500,
             piecewise: false,
+            definite: false,
         }
     }
 
@@ -207,13 +210,16 @@ pub struct Correction<const D: usize, R: Real> {
     /// Whether a root there may continue that of a shorter step, as far as 1 + g J tells: from the unit matrix it grows with the
     /// step, and on the way is not singular.
     pub continued: R::Mask,
+    /// The same without a doubt: no pivot of 1 + g J is negative, of a J that is not symmetric neither.
+    pub definite: R::Mask,
 }
 
 impl<const D: usize, R: Real> Correction<D, R> {
     /// The correction δ = `change` with G + J δ, for steps to which the rounding of that sum does not matter.
     #[inline(always)]
     pub fn rounded(change: [R; D], gradient: [R; D]) -> Self {
-        Correction { delta: change, gradient, parts: [gradient, [R::ZERO; D]], continued: R::ZERO.less(R::ONE) }
+        let yes = R::ZERO.less(R::ONE);
+        Correction { delta: change, gradient, parts: [gradient, [R::ZERO; D]], continued: yes, definite: yes }
     }
 
     /// The same, with numbers that are all positive where 1 + g J has never been singular: pivots or leading minors of a
@@ -222,7 +228,16 @@ impl<const D: usize, R: Real> Correction<D, R> {
     #[must_use]
     pub fn if_positive<const N: usize>(self, numbers: [R; N]) -> Self {
         let continued = numbers.iter().fold(self.continued, |all, &x| all.and(R::ZERO.less(x)));
-        Correction { continued, ..self }
+        Correction { continued, definite: continued, ..self }
+    }
+
+    /// The same of a J that is not symmetric: the determinant, which is to be positive, and pivots, of which an even number may
+    /// be negative; but then there is doubt.
+    #[inline(always)]
+    #[must_use]
+    pub fn if_oriented<const N: usize>(self, determinant_and_pivots: [R; N]) -> Self {
+        let continued = self.continued.and(R::ZERO.less(determinant_and_pivots[0]));
+        Correction { continued, ..self.if_positive(determinant_and_pivots) }
     }
 
     /// The correction δ = `change` with G and J δ, for steps that conserve the energy.

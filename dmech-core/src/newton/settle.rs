@@ -71,7 +71,9 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let mut all = Settled::<D, R>::none();
     let patience = if equation.piecewise { 3 * PATIENCE } else { PATIENCE }.min(equation.max_iterations);
     for iteration in 1..=patience {
-        let Correction { delta: change, gradient, parts, continued } = correct(equation, delta, equation.end(delta));
+        let Correction { delta: change, gradient, parts, continued, definite } =
+            correct(equation, delta, equation.end(delta));
+        let continued = if equation.definite { definite } else { continued };
         let before = delta;
         delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let size = length(&change);
@@ -102,8 +104,9 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             let apart = length(&by_component!(|i| (delta[i] - before[i]) - change[i]));
             let mut agree = apart.less_or_equal(roundings * step);
             if !all.or(agree.and(continued)).all() {
-                let numbers = step + length(&equation.drift) + length(&equation.frozen);
-                agree = is_rounding(apart, numbers);
+                // Where the rounding of the force at the start is more than all that moves, nothing is known of Δ.
+                let (frozen, moves) = (length(&equation.frozen), step + length(&equation.drift));
+                agree = is_rounding(apart, moves + frozen).and((roundings * frozen).less_or_equal(moves));
                 elsewhere = !all.or(settled.and(agree).not().or(continued)).all();
             }
             settled = settled.and(agree);

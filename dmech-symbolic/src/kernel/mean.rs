@@ -80,7 +80,7 @@ impl LinearForce {
             })
             .collect();
         let matrix = one_less(graph, &a);
-        let change = linear::solve(graph, &matrix, &change, Corrections::One).x;
+        let change = linear::solve(graph, &matrix, &change, Corrections::Unasked).x;
         let kicked: Vec<_> = v.iter().zip(&change).map(|(&v, &change)| graph.add(&[v, change])).collect();
         KickByMean::Solved(Program::schedule(graph, &kicked))
     }

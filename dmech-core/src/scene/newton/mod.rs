@@ -370,7 +370,10 @@ impl<const D: usize> Solver<D> {
             } else {
                 self.predict(equation, next, ahead);
             }
-            match self.settle(equation, unknown, next, trial) {
+            let settled = self.settle(equation, unknown, next, trial);
+            // On top of a hill the step from Δ = 0 has turned round, which the determinant alone does not tell.
+            let doubted = ahead == 1.0 && settled.is_ok() && !self.matrix.is_positive();
+            match if doubted { Err(NotConverged::NOT_CONTINUED) } else { settled } {
                 Ok(iterations) => {
                     evaluations += iterations;
                     if next >= 1.0 {

@@ -284,14 +284,22 @@ fn steps_under_drag_are_refused_where_two_directions_are_too_long() {
 fn a_motion_from_the_top_of_a_hill_does_not_turn_round() {
     law!(Top, 2, |self, q| self.k / (q[0] * q[0] + q[1] * q[1] + 0.01).sqrt() + 0.1 * q[0] * q[0]);
     let (q, v) = ([0.0, 0.0], [1.0, 0.3]);
-    for h in [0.3, 0.5, 1.0, 2.0, 3.0] {
-        let alone = Simulation::new(Top { k: 1.0 }, State::new(q, v)).scheme(DiscreteGradient).dt(h).run(1);
-        let scene = Simulation::scene(Scene::new().body(1.0, q, v).field(Top { k: 1.0 }));
-        let scene = scene.scheme(DiscreteGradient).dt(h).run(1);
-        for [x, y] in [alone.unwrap().last().q, scene.unwrap().last().q[0]] {
-            // Down the hill it becomes faster.
-            let ahead = (x * v[0] + y * v[1]) / (v[0] * v[0] + v[1] * v[1]);
-            assert!(ahead > 0.9 * h, "a step of {h} leads to {x}, {y}");
+    for k in [0.3, 1.0, 3.0, 10.0] {
+        for h in [0.2, 0.3, 0.5, 1.0, 2.0, 3.0] {
+            let alone = Simulation::new(Top { k }, State::new(q, v)).scheme(DiscreteGradient).dt(h).run(1);
+            let scene = Simulation::scene(Scene::new().body(1.0, q, v).field(Top { k }));
+            let scene = scene.scheme(DiscreteGradient).dt(h).run(1);
+            for (by, [x, y]) in [("law", alone.unwrap().last().q), ("scene", scene.unwrap().last().q[0])] {
+                // Down the hill it becomes faster.
+                let ahead = (x * v[0] + y * v[1]) / (v[0] * v[0] + v[1] * v[1]);
+                assert!(ahead > 0.9 * h, "{by}, k = {k}: a step of {h} leads to {x}, {y}");
+            }
         }
     }
+    // Beside it.
+    law!(Needle, 2, |self, q| self.k / (q[0] * q[0] + q[1] * q[1] + 0.00114383).sqrt() + 0.1 * q[0] * q[0]);
+    let ([x, y], law) = ([-0.005005, 0.003409], Needle { k: 0.188185 });
+    let scene = Simulation::scene(Scene::new().body(1.0, [x, y], [-0.972358, 0.403902]).field(law));
+    let [to_x, to_y] = scene.scheme(DiscreteGradient).dt(1.116612).run(1).unwrap().last().q[0];
+    assert!(to_x < x && to_y > y, "a step from {x}, {y} leads to {to_x}, {to_y}");
 }

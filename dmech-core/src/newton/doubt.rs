@@ -8,8 +8,8 @@ use dmech_scalar::{Mask, Real};
 use super::elimination::{self, Elimination};
 use super::settled::Settled;
 
-/// x with A x = b, whether A may be that at a root which continues that of a shorter step, and whether that is without doubt. Of several side by side only what is
-/// plain is said; the others are left to each alone.
+/// x with A x = b, whether A may be that at a root which continues that of a shorter step, and whether that is without doubt. Of several
+/// side by side only what is plain is said; the others are left to each alone.
 ///
 /// As long as steps resolve the motion no rows are exchanged and all pivots are positive. Then there is no doubt.
 #[inline(always)]

@@ -79,7 +79,8 @@ use truth::Truth;
 /// # Ok::<(), dmech_study::StudyError>(())
 /// ```
 ///
-/// Motions are in `f64`; in other scalars they are run one by one. `Study::scene` takes the bodies of a scene, [`Study::of`] any simulation, as one with masses.
+/// Motions are in `f64`; in other scalars they are run one by one. `Study::scene` takes the bodies of a scene, [`Study::of`] any
+/// simulation, as one with masses.
 #[must_use = "a study measures nothing until it is run"]
 pub struct Study<'a, L, X: Repeatable<L>> {
     motion: Simulation<L, X>,

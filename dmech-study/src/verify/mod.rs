@@ -37,8 +37,8 @@ use trial::Trial;
 /// The two schemes with velocities at half steps fit only a law whose force does not depend on the velocity. The type
 /// of the law says so, hence they have a call of their own: [`Verification::with_half_step_schemes`].
 ///
-/// The particle has mass 1, and numbers that are `f64`; [`Verify`] gives it another mass. Everything is deterministic; lengths and times are taken from the start, whose units are
-/// therefore free. Nothing panics except [`Verification::assert`].
+/// The particle has mass 1, and numbers that are `f64`; [`Verify`] gives it another mass. Everything is deterministic; lengths and times
+/// are taken from the start, whose units are therefore free. Nothing panics except [`Verification::assert`].
 ///
 /// ```
 /// use dmech_core::prelude::*;

@@ -41,11 +41,12 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         let next = f64::min(theta + advance, 1.0);
         // At the end the equation itself: a is then exact.
         let mut part = if next < 1.0 { equation.shortened(R::from_f64(next)) } else { equation };
-        let ahead = R::from_f64(next - theta);
-        if advance == 1.0 && theta == 0.0 {
+        let ahead = next - theta;
+        if ahead == 1.0 {
             let max_iterations = SWIFT.min(part.max_iterations);
             part = Equation { guess: start.guess, max_iterations, definite: true, ..part };
         } else {
+            let ahead = R::from_f64(ahead);
             part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         }
         match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
@@ -54,7 +55,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
                 if next >= 1.0 {
                     return Ok(found.after(evaluations));
                 }
-                slope = by_component!(|i| (found.gradient[i] - gradient[i]) / ahead);
+                slope = by_component!(|i| (found.gradient[i] - gradient[i]) / R::from_f64(ahead));
                 gradient = found.gradient;
                 theta = next;
                 advance *= 2.0;

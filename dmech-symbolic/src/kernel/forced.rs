@@ -90,6 +90,8 @@ impl ForcedKernels {
         let gradient = calculus::gradient(graph, phi, q);
         let force_dq = calculus::jacobian(graph, force, q);
         let force_dv = calculus::jacobian(graph, force, v);
+        // As they are written, and so wherever they are placed.
+        let symmetric = linear::is_symmetric(&force_dq) && linear::is_symmetric(&force_dv);
         let depends_on_velocity = force.iter().any(|&f| graph.depends_on(f, v));
         let workless = depends_on_velocity && does_no_work(graph, force, v);
         let slope: Vec<_> = gradient.iter().zip(force).map(|(&g, &f)| graph.sub(g, f)).collect();
@@ -110,13 +112,10 @@ impl ForcedKernels {
         let end = Point::at_end(graph, variables);
         let (implicit, implicit_is_linear) = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
-            let (mut jacobian, constant) = by_increment(graph, &here, variables);
+            let (jacobian, constant) = by_increment(graph, &here, variables);
             let linear = constant && !piecewise;
-            let forces: Vec<_> = force.iter().map(|&f| end.place(graph, f, variables)).collect();
-            // The Hessian is.
-            if linear::is_symmetric(&by_increment(graph, &forces, variables).0) {
-                jacobian = mirrored(&jacobian);
-            }
+            // The Hessian is symmetric.
+            let jacobian = if symmetric { mirrored(&jacobian) } else { jacobian };
             (correction(graph, &here, &jacobian, Corrections::of(linear), Force::Rounded, variables), linear)
         };
         let (discrete, discrete_is_linear) = {
@@ -126,33 +125,26 @@ impl ForcedKernels {
             let later = time.filter(|_| !workless).map(|t| (t, graph.symbol(variables.t_end)));
             let mut at_end_time = Substitution::new(graph, later);
             let share = if workless { 1.0 } else { 0.5 };
-            let placed: Vec<_> = force
+            let total: Vec<_> = conservative
                 .iter()
-                .map(|&f| {
+                .zip(force)
+                .map(|(&slope, &f)| {
                     let placed = point.place(graph, f, variables);
                     let placed = at_end_time.apply(graph, placed);
-                    graph.scale(share, placed)
+                    let placed = graph.scale(share, placed);
+                    graph.sub(slope, placed)
                 })
                 .collect();
-            let total: Vec<_> = conservative.iter().zip(&placed).map(|(&slope, &f)| graph.sub(slope, f)).collect();
-            let (mut jacobian, constant) = by_increment(graph, &total, variables);
+            let (jacobian, constant) = by_increment(graph, &total, variables);
             let linear = constant && !piecewise;
-            // That of a quadratic potential is.
-            if linear && linear::is_symmetric(&by_increment(graph, &placed, variables).0) {
-                jacobian = mirrored(&jacobian);
-            }
+            // The discrete gradient of a quadratic potential has half its Hessian.
+            let jacobian = if linear && symmetric { mirrored(&jacobian) } else { jacobian };
+            let corrections = Corrections::of(linear);
             let step = if workless {
-                let change = change(graph, &jacobian, Corrections::of(linear), variables);
+                let change = change(graph, &jacobian, corrections, variables);
                 ForcedStep::Middle { slope: Program::schedule(graph, &total), change }
             } else {
-                ForcedStep::Mean(correction(
-                    graph,
-                    &total,
-                    &jacobian,
-                    Corrections::of(linear),
-                    Force::InParts,
-                    variables,
-                ))
+                ForcedStep::Mean(correction(graph, &total, &jacobian, corrections, Force::InParts, variables))
             };
             (step, linear)
         };

@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use super::{Equations, PATIENCE, Progress, Solver, Unknown, Verdict, counted, unfit};
+use super::{Equations, Progress, Solver, Trial, Unknown, Verdict, counted, unfit};
 use crate::newton::NotConverged;
 use crate::scene::matrix::block::{Block, invert, least_pivot, product, times};
 use crate::scene::terms::stencil::{Stencil, block, load, store};
@@ -55,7 +55,7 @@ impl<const D: usize> Solver<D> {
         unknown: &U,
     ) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
-        let limit = PATIENCE.min(equation.newton.limit());
+        let limit = Trial::OF_GUESS.limit(equation.newton);
         for iteration in 1..=limit {
             let Some(force) = self.along(chain, equation, unknown, iteration == 1) else {
                 return Err(unfit::<U, D>(iteration));

@@ -34,6 +34,11 @@ impl Trial {
     const FOLLOWED: Trial = Trial { chord: 1, patience: PATIENCE };
     /// The whole step from where it starts.
     const AT_REST: Trial = Trial { chord: 1, patience: SWIFT };
+
+    /// Corrections that it has.
+    fn limit(self, newton: &Newton) -> u32 {
+        self.patience.min(newton.limit())
+    }
 }
 
 /// Corrections before a starting point is given up.
@@ -233,15 +238,15 @@ impl<const D: usize> Solver<D> {
         equation: &Equations<'_, D>,
         unknown: &U,
         theta: f64,
-        Trial { chord, patience }: Trial,
+        trial: Trial,
     ) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
         let mut since_factors = 0;
-        let limit = patience.min(equation.newton.limit());
+        let limit = trial.limit(equation.newton);
         for iteration in 1..=limit {
             self.place::<U>(equation);
             unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
-            if iteration == 1 || since_factors == chord {
+            if iteration == 1 || since_factors == trial.chord {
                 if !self.take_jacobian(equation, unknown, theta) {
                     return Err(unfit::<U, D>(iteration));
                 }
@@ -255,7 +260,7 @@ impl<const D: usize> Solver<D> {
             match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
                 Verdict::Settled => return self.continued(equation, unknown, theta, iteration),
                 Verdict::GoesOn => {}
-                Verdict::Slow if since_factors > 1 => since_factors = chord,
+                Verdict::Slow if since_factors > 1 => since_factors = trial.chord,
                 Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),
             }
         }

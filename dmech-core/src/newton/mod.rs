@@ -6,7 +6,7 @@
 //! [`once_discrete`] and [`once_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
 //! unknown and uses [`central`].
 
-pub(crate) mod continuation;
+mod continuation;
 mod damped;
 mod dense;
 mod doubt;
@@ -14,6 +14,7 @@ mod drive;
 pub(crate) mod elimination;
 mod equation;
 mod once;
+pub(crate) mod path;
 mod settle;
 mod settled;
 

@@ -1,0 +1,66 @@
+//! Where the guess is not good enough: lengthen the step gradually.
+
+use super::{Equations, Solver, Trial, Unknown};
+use crate::newton::NotConverged;
+use crate::newton::path::Path;
+use crate::system::Effort;
+
+impl<const D: usize> Solver<D> {
+    /// Follows the root from a step of length 0 to the whole step, by progress in θ of no more than `longest`.
+    #[cold]
+    pub(super) fn lengthen<U: Unknown<D>>(
+        &mut self,
+        equation: &Equations<'_, D>,
+        unknown: &U,
+        astray: NotConverged,
+        longest: f64,
+    ) -> Result<Effort, NotConverged> {
+        let mut evaluations = astray.iterations as u32 + 1;
+        self.delta.clear();
+        self.place::<U>(equation);
+        unknown.gradient(0.0, &self.place, &self.velocity, &mut self.first);
+        self.slope.clear();
+        let (mut path, mut ending) = (Path::by(longest), astray);
+        while let Some(stretch) = path.next().filter(|_| evaluations < equation.newton.limit()) {
+            let (theta, all) = (stretch.end, stretch.is_all());
+            if all {
+                self.delta.clear();
+            } else {
+                self.predict(equation, theta, stretch.ahead);
+            }
+            let settled = self.settle(equation, unknown, theta, if all { Trial::AT_REST } else { Trial::FOLLOWED });
+            let doubted = all && settled.is_ok() && !self.matrix.is_positive();
+            match if doubted { Err(NotConverged::NOT_CONTINUED) } else { settled } {
+                Ok(iterations) => {
+                    evaluations += iterations;
+                    if stretch.is_last() {
+                        return Ok(Effort { evaluations, iterations: evaluations });
+                    }
+                    for i in 0..self.delta.flat().len() {
+                        self.slope.flat_mut()[i] = (self.gradient.flat()[i] - self.first.flat()[i]) / stretch.ahead;
+                    }
+                    self.first.clone_from(&self.gradient);
+                    path.reaches(stretch);
+                }
+                Err(astray) => {
+                    evaluations += u32::max(astray.iterations as u32, 1);
+                    ending = astray;
+                    path.shortens();
+                }
+            }
+        }
+        if [astray, ending].contains(&NotConverged::NOT_CONTINUED) {
+            return Err(NotConverged::NOT_CONTINUED);
+        }
+        Err(NotConverged { iterations: evaluations.into(), residual: ending.residual })
+    }
+
+    /// Δ for a part θ of the step, with the force continued over the last `ahead` of it by its slope.
+    fn predict(&mut self, equation: &Equations<'_, D>, theta: f64, ahead: f64) {
+        for i in 0..self.delta.flat().len() {
+            let known = equation.known.map_or(0.0, |known| known.flat()[i]);
+            let force = known + ahead * self.slope.flat()[i] + self.first.flat()[i];
+            self.delta.flat_mut()[i] = theta * equation.drift(i) - theta * theta * equation.g.flat()[i] * force;
+        }
+    }
+}

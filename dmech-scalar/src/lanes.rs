@@ -95,9 +95,10 @@ impl Lanes {
     /// If the slice has fewer than eight.
     #[inline(always)]
     pub fn from_slice(x: &[f64]) -> Self {
-        // One by one: copied as a whole, they may come by way of the stack, in halves that a register of eight waits for.
-        let (&[x0, x1, x2, x3, x4, x5, x6, x7], _) = x.split_first_chunk().expect("eight numbers for eight lanes");
-        Self::from_array([x0, x1, x2, x3, x4, x5, x6, x7])
+        let (&eight, _) = x.split_first_chunk().expect("eight numbers for eight lanes");
+        // As the result of an operation: copied, they come by way of the stack where a function lends them to its rare case, in halves
+        // that a register of eight waits for.
+        Self(f64x8::new(eight) | f64x8::ZERO)
     }
 
     /// Writes the lanes to the first eight places of a slice.

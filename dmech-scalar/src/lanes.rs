@@ -96,9 +96,14 @@ impl Lanes {
     #[inline(always)]
     pub fn from_slice(x: &[f64]) -> Self {
         let (&eight, _) = x.split_first_chunk().expect("eight numbers for eight lanes");
-        // As the result of an operation: copied, they come by way of the stack where a function lends them to its rare case, in halves
-        // that a register of eight waits for.
-        Self(f64x8::new(eight) | f64x8::ZERO)
+        Self::from_array(eight).computed()
+    }
+
+    /// The same as the result of an operation, of which nothing is left. Numbers that are copied from memory come by way of the stack
+    /// where a function lends them to its rare case, in halves that a register of eight waits for.
+    #[inline(always)]
+    fn computed(self) -> Self {
+        Self(self.0 | f64x8::ZERO)
     }
 
     /// Writes the lanes to the first eight places of a slice.
@@ -359,7 +364,7 @@ macro_rules! own {
     ($($name:ident($($arg:ident)?);)*) => {$(
         #[inline]
         fn $name(self $(, $arg: Self)?) -> Self {
-            functions::$name(self $(, $arg)?)
+            functions::$name(self.computed() $(, $arg.computed())?)
         }
     )*};
 }

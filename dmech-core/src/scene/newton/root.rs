@@ -59,7 +59,12 @@ impl<const D: usize> Solver<D> {
 
     /// The same, with J at the root.
     #[cold]
-    pub(super) fn continued_from_here<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>, unknown: &U, theta: f64) -> bool {
+    pub(super) fn continued_from_here<U: Unknown<D>>(
+        &mut self,
+        equation: &Equations<'_, D>,
+        unknown: &U,
+        theta: f64,
+    ) -> bool {
         self.place::<U>(equation);
         self.take_jacobian(equation, unknown, theta) && self.matrix_continues(equation, theta)
     }

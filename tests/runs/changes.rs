@@ -1,7 +1,7 @@
 //! Steppers that change between steps: as a new simulation from the state now, for every scheme, on laws and on scenes.
 
 use dmech::SceneError;
-use dmech::extend::Scheme;
+use dmech::extend::{Scheme, Watch};
 use dmech::models::Kepler;
 use dmech::models::pairs::{Gravity, Spring};
 use dmech::prelude::*;
@@ -356,4 +356,36 @@ fn changes_keep_the_time_moving() {
     stepper.law_mut().gm = f64::NAN;
     let error = stepper.step().unwrap_err();
     assert!(matches!(error, Error::Law { .. }), "{error}");
+}
+
+/// A loop of one's own watches from its first state on, whatever was before and whatever changes: momenta as energies.
+#[test]
+fn what_is_watched_starts_with_the_first_state_watched() {
+    let drifts = |watch: &Watch<_>| {
+        [Invariant::Energy, Invariant::AngularMomentum].map(|invariant| watch.drifts()[invariant as usize].unwrap())
+    };
+    let mut stepper = Simulation::new(Kepler { gm: 1.3 }, START).scheme(Explicit).dt(0.01).stepper().unwrap();
+    stepper.advance(300).unwrap();
+    let mut watch = Watch::begin(&stepper);
+    watch.observe(&stepper, &stepper.state());
+    for drift in drifts(&watch) {
+        assert_eq!((drift.max_abs(), drift.start()), (0.0, drift.last()));
+    }
+    let mut kicked = stepper.state();
+    kicked.v[1] += 0.4;
+    stepper.set_state(kicked).unwrap();
+    watch.observe(&stepper, &stepper.state());
+    for drift in drifts(&watch) {
+        assert!(drift.max_abs() > 0.01, "{drift:?}");
+        assert!((drift.max_abs() - (drift.last() - drift.start()).abs()).abs() < 1e-14, "{drift:?}");
+    }
+    let pair = Scene::new().body(1.3, [0.0; 2], [0.0; 2]).body(0.4, [1.1, 0.0], [0.0, 1.1]).pairs(Gravity { g: 1.0 });
+    let mut stepper = Simulation::scene(pair).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    let mut watch = Watch::begin(&stepper);
+    let mut kicked = stepper.state();
+    kicked.v[0] = [0.3, -0.2];
+    stepper.set_state(kicked).unwrap();
+    watch.observe(&stepper, &stepper.state());
+    let momentum = watch.drifts()[Invariant::LinearMomentum as usize].unwrap();
+    assert!((momentum.max_abs() - 1.3 * 0.13_f64.sqrt()).abs() < 1e-15, "{momentum:?}");
 }

@@ -378,3 +378,90 @@ fn edges_of_events() {
     let cost = with.report().evaluations() - without;
     assert!(cost.is_multiple_of(2) && (6..=24).contains(&cost), "{cost}");
 }
+
+/// A force that jumps where the event is: shortened steps that would end on the seam have no solution, and the event is the first state
+/// behind it that one has, within what the step knows of the seam. The steps are those of a run without events.
+#[test]
+fn on_a_seam_at_which_the_force_jumps() {
+    #[derive(Clone, Copy, Debug, dmech::Law)]
+    #[potential(|q: [f64; 1]| self.k * q[0].abs())]
+    struct Ridge {
+        k: f64,
+    }
+
+    /// Drag in the floor alone.
+    #[derive(Clone, Copy, Debug)]
+    struct Mud {
+        g: f64,
+        d: f64,
+    }
+
+    #[dmech::law]
+    impl Mud {
+        #[potential]
+        fn energy(&self, q: [f64; 1]) -> f64 {
+            self.g * q[0]
+        }
+        #[force]
+        fn drag(&self, q: [f64; 1], v: [f64; 1]) -> [f64; 1] {
+            [if q[0] < 0.0 { -self.d * v[0] } else { 0.0 }]
+        }
+    }
+
+    fn check<L: Law<1> + Copy, S: Scheme<Particle<L, 1>>>(law: L, scheme: S, dt: f64, exact: impl Fn(f64) -> f64) {
+        let mut found = 0;
+        for k in 0..60 {
+            let height = 1.0 + 0.013 * f64::from(k);
+            let fall = Simulation::new(law, State::new([height], [0.0])).scheme(scheme).dt(dt);
+            let Ok(alone) = fall.clone().run_until(2.3) else { continue };
+            let run = fall.clone().event(|state| state.q[0], Crossing::Falling).run_until(2.3);
+            let run = run.unwrap_or_else(|error| panic!("{}, from {height}: {error}", S::NAME));
+            assert_eq!(run.states(), alone.states());
+            let [event] = run.events() else { panic!("{}, from {height}: {} events", S::NAME, run.events().len()) };
+            let State { t, q, v } = *event.state();
+            assert!((t - exact(height)).abs() < dt * dt, "{}, from {height}: {t}", S::NAME);
+            // By a sixteenth of a step the force differs by no more than its jump.
+            assert!(q[0] <= 0.0 && q[0] > -(dt / 16.0).powi(2) && v[0] < 0.0, "{}, from {height}: {q:?}", S::NAME);
+            // Output in the same steps.
+            let times = (0..40).map(|n| 0.057 * f64::from(n));
+            assert_eq!(fall.record_at(times).run_until(2.3).unwrap().states().len(), 40);
+            found += 1;
+        }
+        assert!(found > 40, "{}: {found}", S::NAME);
+    }
+
+    let ridge = Ridge { k: 1.3 };
+    let fall = |k: f64| move |height: f64| (2.0 * height / k).sqrt();
+    check(ridge, Implicit, 0.1, fall(1.3));
+    check(ridge, DiscreteGradient, 0.1, fall(1.3));
+    let mud = Mud { g: 1.3, d: 20.0 };
+    check(mud, Implicit, 0.07, fall(1.3));
+    check(mud, DiscreteGradient, 0.07, fall(1.3));
+    check(mud, Composed::order4(DiscreteGradient), 0.07, fall(1.3));
+}
+
+/// An event and a stop that are a rounding apart: what the stop is not behind is an event of the run that goes on, and of that alone.
+#[test]
+fn once_where_a_stop_is_a_rounding_away() {
+    let (mut both, mut stopped) = (0, 0);
+    for i in 0..400 {
+        let event = 0.3 + 1e-3 * f64::from(i);
+        for roundings in -3..=3 {
+            let stop = event + f64::from(roundings) * 0.25 * f64::EPSILON;
+            let run = |start| {
+                Simulation::new(Spring { k: 4.0 }, start)
+                    .scheme(Nystrom::order8())
+                    .dt(0.2)
+                    .event(move |state: &State<1>| state.q[0] - event, Crossing::Falling)
+                    .stop_when(move |state: &State<1>| state.q[0] - stop, Crossing::Falling)
+            };
+            let first = run(State::new([1.0], [0.0])).run_until(3.0).unwrap();
+            stopped += u32::from(first.stopped());
+            let next = run(*first.last()).run(3).unwrap();
+            assert_eq!(times(&first, 0).len() + times(&next, 0).len(), 1, "{event}, {roundings}");
+            assert_eq!(times(&next, 1).len(), 0);
+            both += times(&first, 0).len();
+        }
+    }
+    assert!(stopped == 2800 && both > 1000 && both < 2700, "{both} of {stopped}");
+}

@@ -1,8 +1,8 @@
 //! Output at given times: every scheme, on laws and on scenes, with its order and without moving its steps.
 
 use dmech::extend::{Scheme, Setup};
-use dmech::models::Kepler;
 use dmech::models::pairs::Gravity;
+use dmech::models::{Kepler, Pendulum};
 use dmech::prelude::*;
 
 const LAW: Kepler = Kepler { gm: 1.3 };
@@ -343,4 +343,15 @@ fn distances_that_the_time_cannot_tell_are_refused() {
     let law = Kepler { gm: 1.3 };
     let late = Simulation::new(law, law.pericentre(0.9, 0.4)).scheme(Leapfrog).dt(1e3).record_dt(3e-14).run(9);
     assert!(late.is_err());
+}
+
+/// Where a step is hardly more than the rounding of the time, no state beyond the last is recorded.
+#[test]
+fn nothing_beyond_the_end() {
+    for (start, dt) in [(1e9, 3e-7), (1e15, 0.3), (1e6, 1e-9), (0.0, 0.1)] {
+        let state = State::new([0.3], [1.1]).at_time(start);
+        let run = Simulation::new(Pendulum { k: 1.3 }, state).scheme(Leapfrog).dt(dt).record_dt(dt).run(4).unwrap();
+        assert_eq!(run.states().len(), 5, "from {start}");
+        assert_eq!(run.states()[4], *run.last(), "from {start}");
+    }
 }

@@ -328,3 +328,52 @@ fn a_ball_goes_through_a_box() {
     }
     assert_eq!(whole.state(), other.state());
 }
+
+/// A path that has a gap ends the run before a state without a place is recorded, whether anything is linked to the body or not, and
+/// whoever looks there: steps, output, events, a picture of a game.
+#[test]
+fn a_path_with_a_gap() {
+    let gap = |from: f64, to: f64| {
+        move |t: f64| {
+            let (q, v) = hand(t);
+            (if from < t && t < to { [f64::NAN; 2] } else { q }, v)
+        }
+    };
+    let mut ended = 0;
+    macro_rules! all {
+        ($($scheme:expr),*) => {$(
+            for linked in [false, true] {
+                let motion = |from: f64, to: f64| {
+                    let links = if linked { vec![(0, 1)] } else { Vec::new() };
+                    let scene = bodies().drive(0, gap(from, to)).bonds(SPRING, links);
+                    Simulation::scene(scene).scheme($scheme).dt(0.1)
+                };
+                // At the end of the fourth step.
+                let error = motion(0.35, 0.45).run(9).unwrap_err();
+                assert!(matches!(error.cause(), Error::Path { body: 0, step: 4, .. }), "{error}");
+                assert_eq!(error.run().states().len(), 4);
+                assert!(error.run().states().iter().chain([error.run().last()]).all(|state| state.q[0][0].is_finite()));
+                let mut stepper = motion(0.35, 0.45).stepper().unwrap();
+                assert!(matches!(stepper.advance(9), Err(Error::Path { step: 4, .. })));
+                assert_eq!(stepper.steps(), 3);
+                // Where output is asked for.
+                let error = motion(0.33, 0.335).record_at([0.0, 0.333]).run(9).unwrap_err();
+                assert!(matches!(error.cause(), Error::Path { body: 0, .. } | Error::NotFinite { .. }), "{error}");
+                // At the start.
+                let error = motion(-1.0, 0.05).run(9).unwrap_err();
+                assert!(matches!(error.cause(), Error::Path { body: 0, step: 0, .. }), "{error}");
+                ended += 4;
+            }
+        )*};
+    }
+    all!(
+        Leapfrog,
+        Nystrom::order6(),
+        DiscreteGradient,
+        Implicit,
+        Kanatani,
+        Gauss::order16(),
+        Composed::order4(Leapfrog)
+    );
+    assert_eq!(ended, 56);
+}

@@ -409,3 +409,39 @@ fn no_step_allocates() {
     });
     assert_eq!((counted, stepper.steps()), (0, 1000));
 }
+
+/// A contact that is as long as the longest step is not passed by steps that are equal in rows: a smaller tolerance never
+/// gives more than the error of a larger one.
+#[test]
+fn a_contact_is_not_passed_in_a_row_of_longest_steps() {
+    #[derive(Clone, Copy, Debug, dmech::Law)]
+    #[potential(|q: [f64; 1]| self.g * q[0] + 0.5 * self.k * (-q[0]).max(0.0).powi(2))]
+    struct Floor {
+        g: f64,
+        k: f64,
+    }
+
+    fn check<S: Adaptable + Scheme<Particle<Floor, 1>>>(scheme: S, tolerances: [f64; 4], least: f64) {
+        let floor = Floor { g: 1.1, k: 1e4 };
+        let motion = Simulation::new(floor, State::new([0.9], [0.0])).scheme(scheme).record_every(u64::MAX);
+        // Free fall, half a revolution about the rest in the spring, and up.
+        let (touch, speed, rate) = ((1.8_f64 / 1.1).sqrt(), (1.98_f64).sqrt(), 100.0);
+        let contact = 2.0 * (0.5 * TAU - (rate * speed / 1.1).atan()) / rate;
+        let rise = 2.0 - touch - contact;
+        let exact = speed * rise - 0.55 * rise * rise;
+        let mut last = f64::INFINITY;
+        for tolerance in tolerances {
+            // Half the contact.
+            let run = motion.clone().adaptive(tolerance).dt(0.5 * contact).run_until(2.0).unwrap();
+            let error = (run.last().q[0] - exact).abs();
+            let [shortest, longest] = run.report().dt_range().unwrap();
+            assert!(error < 0.7 * last, "{}, {tolerance:e}: {error:e} after {last:e}", S::NAME);
+            assert!(longest > 1.2 * shortest, "{}, {tolerance:e}: {shortest} to {longest}", S::NAME);
+            last = error;
+        }
+        assert!(last < least, "{}: {last:e}", S::NAME);
+    }
+    check(DiscreteGradient, [1e-2, 1e-4, 1e-6, 1e-8], 1e-10);
+    check(Composed::order6(DiscreteGradient), [1e-4, 1e-6, 1e-9, 1e-12], 1e-10);
+    check(Nystrom::order6(), [1e-4, 1e-6, 1e-9, 1e-12], 1e-5);
+}

@@ -40,7 +40,7 @@ impl<const D: usize, const W: usize> Seen<D, W> {
     }
 
     /// Takes up a member in its lane.
-    pub(super) fn seat(&mut self, lane: usize, start: &State<D>, watch: &Watch) {
+    pub(super) fn seat(&mut self, lane: usize, start: &State<D>, watch: &Watch<State<D>>) {
         self.first.q.set(lane, &start.q);
         self.first.v.set(lane, &start.v);
         if let Some(work) = &mut self.work {
@@ -51,7 +51,7 @@ impl<const D: usize, const W: usize> Seen<D, W> {
     }
 
     /// Takes what was seen of one by itself.
-    pub(super) fn take(&mut self, lane: usize, watch: &Watch) {
+    pub(super) fn take(&mut self, lane: usize, watch: &Watch<State<D>>) {
         for (drift, watched) in self.drifts.iter_mut().zip(watch.drifts()) {
             if let (Some(drift), Some(watched)) = (drift, &watched) {
                 drift.set(lane, watched);
@@ -60,7 +60,7 @@ impl<const D: usize, const W: usize> Seen<D, W> {
     }
 
     /// Gives one what was seen of it.
-    pub(super) fn land(&self, lane: usize, watch: &mut Watch) {
+    pub(super) fn land(&self, lane: usize, watch: &mut Watch<State<D>>) {
         let mut drifts = watch.drifts();
         for (watched, all) in drifts.iter_mut().zip(&self.drifts) {
             if let (Some(watched), Some(all)) = (watched, all) {

@@ -236,7 +236,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
                 spent.evaluations += Rows::either(same, Rows::ZERO, Rows::from_f64(stretched.into()));
             }
             spent += scheme.step(system, stride, t, &mut memory, workspace).ok()?;
-            let due = self.made(&mut pacing);
+            let due = self.made(*longest, &mut pacing);
             if due.any() {
                 let end = pacing.time.value();
                 let q = <S as Scheme<Together<L, D, W>>>::position(&scheme, &memory);

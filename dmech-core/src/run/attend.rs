@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 #[cfg(feature = "plot")]
 use super::course::Course;
 use super::event::Event;
-use super::zero::zero;
+use super::zero::{MOST, zero};
 use crate::error::Error;
 use crate::invariant::Drift;
 
@@ -157,7 +157,8 @@ pub(super) fn in_order<X>(happened: &mut [Happened<X>], time: fn(&X) -> f64) {
 }
 
 impl<X: Clone> Within<'_, X> {
-    /// The state where a function is zero that has these values, of different signs, at the ends of the step.
+    /// The state where a function is zero that has these values, of different signs, at the ends of the step. Where a force jumps a
+    /// shortened step may have no end on the seam: then it is the first state behind it that one has.
     ///
     /// # Errors
     /// [`Error`] of the shortened steps.
@@ -166,8 +167,28 @@ impl<X: Clone> Within<'_, X> {
         if values[1] == 0.0 {
             return Ok(self.end.clone());
         }
-        let time = zero(|t| (self.at)(t).map(|state| function(&state)), [start, end], values)?;
-        if time == end { Ok(self.end.clone()) } else { (self.at)(time) }
+        let found = zero(|t| (self.at)(t).map(|state| function(&state)), [start, end], values);
+        match found.and_then(|time| if time == end { Ok(self.end.clone()) } else { (self.at)(time) }) {
+            Err(Error::NotConverged { .. }) => Ok(self.first_behind(values, function)),
+            found => found,
+        }
+    }
+
+    /// By halves; what has no state counts as not behind.
+    #[cold]
+    fn first_behind(&mut self, [before, _]: [f64; 2], function: &mut impl FnMut(&X) -> f64) -> X {
+        let ([mut low, mut high], mut state) = (self.times, self.end.clone());
+        for _ in 0..MOST {
+            let middle = 0.5 * low + 0.5 * high;
+            if middle == low || middle == high {
+                break;
+            }
+            match (self.at)(middle) {
+                Ok(there) if (function(&there) > 0.0) != (before > 0.0) => (high, state) = (middle, there),
+                _ => low = middle,
+            }
+        }
+        state
     }
 
     /// Tells of an event, and whether it ends the run.

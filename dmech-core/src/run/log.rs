@@ -35,7 +35,7 @@ pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
 /// What is written down of a motion.
 pub(crate) struct Log<X, R: Real, O> {
     run: Run<X>,
-    pub(crate) watch: Watch<R>,
+    pub(crate) watch: Watch<X, R>,
     time: fn(&X) -> f64,
     due: Due,
     /// The time of the start, and of the next state that is recorded by time.
@@ -51,6 +51,11 @@ pub(crate) struct Log<X, R: Real, O> {
     happened: Vec<Happened<X>>,
     /// What states between steps have cost.
     between: Spent,
+}
+
+/// A few roundings of the time.
+fn is_rounding(apart: f64, t: f64) -> bool {
+    apart.abs() <= 4.0 * f64::EPSILON * t.abs()
 }
 
 /// Evaluations and corrections.
@@ -260,9 +265,15 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let Log { run, attend, happened, time, .. } = self;
         let time = *time;
         in_order(happened, time);
+        let stop = happened.iter().find(|event| event.stops).map(|event| event.event.state().clone());
         let mut stopped: Option<X> = None;
         for Happened { stops, event } in happened.drain(..) {
             match &stopped {
+                // Found earlier by a rounding, but the stop is before it: a run that goes on from there will pass it.
+                None if !stops
+                    && stop.as_ref().is_some_and(|stop| {
+                        is_rounding(time(stop) - time(event.state()), time(stop)) && !attend.is_behind(0, &event, stop)
+                    }) => {}
                 None => {
                     stopped = stops.then(|| event.state().clone());
                     run.happened(event);
@@ -309,7 +320,8 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     pub(crate) fn record_at_the_end(&mut self, motion: &dyn Motion<X, R>) -> Result<(), Error> {
         let last = motion.state();
         let reached = (self.time)(&last);
-        let rounding = 4.0 * f64::EPSILON * reached.abs().max(self.start.abs());
+        // Of the time, not a step.
+        let rounding = (4.0 * f64::EPSILON * reached.abs().max(self.start.abs())).min(0.25 * motion.dt());
         while let Some(t) = self.next.filter(|&t| t <= reached + rounding) {
             let state = self.between.state(motion, &last, t)?;
             self.record_due(state)?;

@@ -9,7 +9,7 @@ use super::report::Work;
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::scheme::Scheme;
-use crate::stepper::Stepper;
+use crate::stepper::{HALVINGS, Stepper};
 use crate::system::System;
 
 /// A motion with states X in the scalar R, whatever the law and the scheme. What a run does beside the steps is compiled once for
@@ -34,7 +34,7 @@ pub(crate) trait Motion<X, R: Real> {
     fn arrived(&self) -> bool;
 
     /// So many steps, whose work is added, or fewer: until it arrives, or before a step that may reach a time. How many.
-    fn go(&mut self, steps: u64, until: Option<f64>, watch: &mut Watch<R>) -> Result<u64, Error>;
+    fn go(&mut self, steps: u64, until: Option<f64>, watch: &mut Watch<X, R>) -> Result<u64, Error>;
 
     /// Whether the next step may reach a time.
     fn reaches(&self, t: f64) -> bool;
@@ -42,8 +42,8 @@ pub(crate) trait Motion<X, R: Real> {
     /// The state at a time by a shortened step from a state in the last step, and the evaluations and corrections that it takes.
     fn between(&self, from: &X, t: f64) -> Result<(X, [u64; 2]), Error>;
 
-    /// What there is of the invariants in the state now.
-    fn look(&self, state: &X) -> Look<R>;
+    /// What there is of the invariants in the state now, and how far momenta are from those of another.
+    fn look(&self, state: &X, first: &X) -> Look<R>;
 
     /// How well they are kept.
     fn kept(&self) -> [Kept; Invariant::ALL.len()];
@@ -64,7 +64,7 @@ pub(crate) struct Look<R> {
     pub(crate) discrete_energy: Option<R>,
     /// The scheme's own kinetic energy, from which the work is still to be taken.
     pub(crate) kinetic: Option<R>,
-    /// Linear and angular: how much, and how far from that of the start.
+    /// Linear and angular: how much, and how far from that of the first state.
     pub(crate) momenta: [Option<[f64; 2]>; 2],
 }
 
@@ -93,7 +93,7 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
         Stepper::arrived(self)
     }
 
-    fn go(&mut self, steps: u64, until: Option<f64>, watch: &mut Watch<Y::Scalar>) -> Result<u64, Error> {
+    fn go(&mut self, steps: u64, until: Option<f64>, watch: &mut Watch<Y::State, Y::Scalar>) -> Result<u64, Error> {
         for made in 0..steps {
             if Stepper::arrived(self) || until.is_some_and(|t| self.reaches(t)) {
                 return Ok(made);
@@ -109,18 +109,18 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
     }
 
     fn between(&self, from: &Y::State, t: f64) -> Result<(Y::State, [u64; 2]), Error> {
-        let (state, effort) = Stepper::between(self, Stepper::steps(self), from, t)?;
+        let (state, effort) = self.between_in_parts(Stepper::steps(self), from, t, HALVINGS)?;
         Ok((state, [effort.evaluations.to_u64(), effort.iterations.to_u64()]))
     }
 
-    fn look(&self, state: &Y::State) -> Look<Y::Scalar> {
+    fn look(&self, state: &Y::State, first: &Y::State) -> Look<Y::Scalar> {
         let Stepper { system, scheme, memory, .. } = self;
         let t = Y::Scalar::from_f64(Y::time(state));
         let (own, works) = (system.conserves(Invariant::DiscreteEnergy), system.conserves(Invariant::WorkEnergy));
         Look {
             discrete_energy: if own { scheme.discrete_energy(system, t, memory) } else { None },
             kinetic: works.then(|| scheme.kinetic_energy(system, memory)),
-            ..of_the_system(system, state, &self.start)
+            ..of_the_system(system, state, first)
         }
     }
 
@@ -144,9 +144,9 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
 }
 
 /// What no scheme has a part in.
-fn of_the_system<Y: System>(system: &Y, state: &Y::State, start: &Y::State) -> Look<Y::Scalar> {
+fn of_the_system<Y: System>(system: &Y, state: &Y::State, first: &Y::State) -> Look<Y::Scalar> {
     let momentum = |of| {
-        let (now, deviation) = system.conserves(of).then(|| system.momentum(of, state, start))?;
+        let (now, deviation) = system.conserves(of).then(|| system.momentum(of, state, first))?;
         Some([now.to_f64(), deviation.to_f64()])
     };
     Look {

@@ -14,7 +14,8 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// same scheme, so that the event has the order of the scheme and the steps do not move. Several events of one step come in
     /// the order of their times. A zero at the start is none; one that falls on the end of a step is counted
     /// once, when it is reached, also where the function turns back there. Where rounding leaves no time at which the function is zero, the
-    /// state is the first behind the passage, so that a motion that goes on from there does not pass again. A function that passes through
+    /// state is the first behind the passage, so that a motion that goes on from there does not pass again; so it is where a force jumps at
+    /// the passage and no shortened step of an implicit scheme ends there. A function that passes through
     /// zero twice within one step may be missed: take steps shorter than it lasts. A value that is NaN is on no side of zero, and a
     /// function that has no other is never an event; [watched](Simulation::watch), its drift is NaN.
     ///

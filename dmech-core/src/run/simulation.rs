@@ -207,7 +207,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// [`run_until`](Simulation::run_until) is shortened to land on the end exactly; [`run`](Simulation::run) and
     /// [`record_every`](Simulation::record_every) count steps. To find the next step the
     /// rule looks at ∂a/∂q five times, which the report counts as five evaluations; steps that turn the motion by less than
-    /// 1/16 are equal in rows, and it looks once in a row.
+    /// 1/16 are equal in rows, and it looks once in a row, or before a longest step has gone by: a row ends where the motion has become
+    /// fast.
     ///
     /// ```
     /// use dmech_core::prelude::*;

@@ -29,7 +29,9 @@ use crate::system::System;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Watch<R: Real = f64> {
+pub struct Watch<X, R: Real = f64> {
+    /// The first state.
+    first: X,
     /// Energies at the start, by `Invariant as usize`; 0 where there is none.
     energies: [R; Invariant::ALL.len()],
     work: Compensated<R>,
@@ -42,14 +44,15 @@ pub struct Watch<R: Real = f64> {
     courses: Option<Courses>,
 }
 
-impl<R: Real> Watch<R> {
+impl<X: Clone, R: Real> Watch<X, R> {
     /// Starts from the first state.
-    pub fn begin<Y: System<Scalar = R>, S: Scheme<Y>>(stepper: &Stepper<Y, S>) -> Self {
+    pub fn begin<Y: System<State = X, Scalar = R>, S: Scheme<Y>>(stepper: &Stepper<Y, S>) -> Self {
         Self::of(stepper)
     }
 
-    pub(super) fn of<X>(motion: &dyn Motion<X, R>) -> Self {
-        let mut watch: Self = Watch {
+    pub(super) fn of(motion: &dyn Motion<X, R>) -> Self {
+        let mut watch = Watch {
+            first: motion.state(),
             energies: [R::ZERO; Invariant::ALL.len()],
             work: Compensated::new(R::ZERO),
             drifts: [None; Invariant::ALL.len()],
@@ -58,10 +61,10 @@ impl<R: Real> Watch<R> {
             #[cfg(feature = "plot")]
             courses: None,
         };
-        let state = motion.state();
-        let (t, look) = (motion.clock()(&state), motion.look(&state));
+        let state = &watch.first;
+        let (t, look) = (motion.clock()(state), motion.look(state, state));
         for (k, name) in motion.own_names().iter().enumerate().take(MAX_OWN) {
-            watch.own_start[k] = motion.own(k, &state);
+            watch.own_start[k] = motion.own(k, state);
             watch.own.add(name, Drift::new(t, watch.own_start[k].to_f64()));
         }
         for invariant in Invariant::ALL {
@@ -75,19 +78,22 @@ impl<R: Real> Watch<R> {
 
     /// Makes one step and adds its work.
     #[inline(always)]
-    pub fn step<Y: System<Scalar = R>, S: Scheme<Y>>(&mut self, stepper: &mut Stepper<Y, S>) -> Result<(), Error> {
+    pub fn step<Y: System<State = X, Scalar = R>, S: Scheme<Y>>(
+        &mut self,
+        stepper: &mut Stepper<Y, S>,
+    ) -> Result<(), Error> {
         stepper.step_and(|Stepper { system, scheme, stride, .. }, before, after| {
             self.work.add(scheme.work(system, stride, before, after));
         })
     }
 
     /// Looks at a recorded state.
-    pub fn observe<Y: System<Scalar = R>, S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &Y::State) {
+    pub fn observe<Y: System<State = X, Scalar = R>, S: Scheme<Y>>(&mut self, stepper: &Stepper<Y, S>, state: &X) {
         self.see(stepper, state);
     }
 
-    pub(super) fn see<X>(&mut self, motion: &dyn Motion<X, R>, state: &X) {
-        let (t, look) = (motion.clock()(state), motion.look(state));
+    pub(super) fn see(&mut self, motion: &dyn Motion<X, R>, state: &X) {
+        let (t, look) = (motion.clock()(state), motion.look(state, &self.first));
         for invariant in Invariant::ALL {
             // Before it is rounded to `f64`, which may have fewer digits.
             let energy = self.energy(invariant, &look);
@@ -125,7 +131,7 @@ impl<R: Real> Watch<R> {
     }
 
     /// Looks at the invariants that the law declares itself.
-    pub(super) fn see_own<X>(&mut self, motion: &dyn Motion<X, R>, state: &X) {
+    pub(super) fn see_own(&mut self, motion: &dyn Motion<X, R>, state: &X) {
         for (k, drift) in self.own.iter_mut().enumerate() {
             let value = motion.own(k, state);
             let (t, deviation) = (motion.clock()(state), (value - self.own_start[k]).to_f64());

@@ -43,7 +43,7 @@ impl<Y: System> Departure<Y> {
         t: f64,
         ([q, v], mut effort): Reached<Y>,
     ) -> Result<(Y::State, Effort<Y::Scalar>), Error> {
-        if !Y::is_finite(&q) || !Y::is_finite(&v) {
+        if !Y::is_finite(&q) || !Y::is_finite(&v) || !system.is_placed(t) {
             return Err(system.not_finite(step, [&q, &v], self.t, t - self.t));
         }
         effort += Effort::of(1);

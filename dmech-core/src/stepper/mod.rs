@@ -12,6 +12,9 @@ use crate::span::possible;
 use crate::system::{Effort, Particle, System};
 use departure::Departure;
 
+/// How often a shortened step is halved that has no solution.
+pub(crate) const HALVINGS: u32 = 4;
+
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
 ///
 /// Time is t₀ + k h after k equal steps, never a running sum. A step that fails leaves the motion where it was.
@@ -139,7 +142,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         let t = Y::Scalar::from_f64(self.t());
         let mut next = self.copy();
         match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
-            Ok(effort) if self.scheme.finite(&next) => {
+            Ok(effort) if self.scheme.finite(&next) && self.is_placed(self.steps + 1, &next) => {
                 self.steps += 1;
                 self.evaluations += effort.evaluations.to_u64();
                 self.iterations += effort.iterations.to_u64();
@@ -153,6 +156,12 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
                 Err(error)
             }
         }
+    }
+
+    /// Whether driven bodies are somewhere after so many steps from the start.
+    #[inline(always)]
+    fn is_placed(&self, steps: u64, memory: &S::Memory) -> bool {
+        self.system.is_placed(self.scheme.time(Y::time(&self.start), steps, self.dt, memory))
     }
 
     /// The memory once more, for steps that may fail.
@@ -220,6 +229,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             let effort = self.scheme.step(&self.system, &self.stride, t, memory, &mut self.workspace).ok()?;
             evaluations += effort.evaluations.to_u64();
             iterations += effort.iterations.to_u64();
+            if !self.is_placed(step + 1, memory) {
+                return None;
+            }
         }
         self.scheme.finite(memory).then_some([evaluations, iterations])
     }
@@ -240,7 +252,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     }
 
     /// The state at a time in the next step, both ends included, by a shortened step of the same scheme: the stepper does not move, and what it
-    /// returns has the order of the scheme. For pictures between the steps of a game, for output at given times.
+    /// returns has the order of the scheme. Where that has no solution, as on a seam at which a force jumps, it is made in parts. For pictures between the steps of a game, for output at given times.
     ///
     /// # Errors
     /// [`Error::OutsideStep`]; otherwise as [`step`](Stepper::step).
@@ -255,7 +267,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if self.waits {
             Departure::prepared(&self.system, &self.start)?;
         }
-        self.between(self.steps() + 1, &self.state(), t).map(|(state, _)| state)
+        self.between_in_parts(self.steps() + 1, &self.state(), t, HALVINGS).map(|(state, _)| state)
     }
 
     /// The state at a later time, within a step of a number, by a single one from a state, and what it costs.
@@ -269,6 +281,28 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             Ok(reached) => departure.reached(system, step, t, reached),
             Err(cause) => Err(departure.unsolved(system, step, dt, cause)),
         }
+    }
+
+    /// The same, by two steps of half the length where the single one has no solution, as where it would end on a seam at which a force
+    /// jumps: of each, so many times. The error is that of the single step.
+    pub(crate) fn between_in_parts(
+        &self,
+        step: u64,
+        from: &Y::State,
+        t: f64,
+        halvings: u32,
+    ) -> Result<(Y::State, Effort<Y::Scalar>), Error> {
+        let whole = self.between(step, from, t);
+        if halvings == 0 || !matches!(whole, Err(Error::NotConverged { .. })) {
+            return whole;
+        }
+        let middle = 0.5 * Y::time(from) + 0.5 * t;
+        let parts = self.between_in_parts(step, from, middle, halvings - 1).and_then(|(state, mut effort)| {
+            let (state, rest) = self.between_in_parts(step, &state, t, halvings - 1)?;
+            effort += rest;
+            Ok((state, effort))
+        });
+        parts.or(whole)
     }
 
     /// The length of the next step.

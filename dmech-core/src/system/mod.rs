@@ -295,6 +295,11 @@ pub trait System: Sized {
     fn check_potential(&self, _start: &Self::State) -> Result<(), Error> {
         Ok(())
     }
+    /// Whether what is moved along given paths has a finite place and velocity at t.
+    #[inline(always)]
+    fn is_placed(&self, _t: f64) -> bool {
+        true
+    }
     /// Why a step of length dt from time t, backward if that is negative, has no solution.
     fn unsolved(&self, step: u64, from: [&Self::Vector; 2], t: f64, dt: f64, cause: NotConverged) -> Error;
     /// Why a step led to what is not finite.

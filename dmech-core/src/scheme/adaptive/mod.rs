@@ -27,7 +27,8 @@ use pacing::MIDDLE;
 /// ```
 ///
 /// Several steps in a row are equal where they are so short that ω hardly changes: n counts rows, of m steps and mε ≤ ⅛, and
-/// mε takes the place of ε in the rule for ρ.
+/// mε takes the place of ε in the rule for ρ. Where there is a longest step, ω is looked at before so long a time has gone by within
+/// a row, and if ρ has fallen below ⅔ of it the row ends there.
 ///
 /// The density ρ of the steps follows the frequency ω of the linearised motion, so that a step turns that by the angle ε:
 /// in the time τ that counts steps, dτ = ρ dt, ρ = ω has dρ/dτ = d ln ω/dt. The law gives ω. With K = ∂a/∂q, and K̇ and K̈
@@ -227,7 +228,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         let mut effort = self.scheme.step(system, now, t, memory, inner)?;
         effort.evaluations += stretched;
         let longest = Y::dt(stride);
-        if self.made(pacing) {
+        if self.made(longest, pacing) {
             let end = pacing.time.value();
             let q = self.scheme.position(memory);
             let v = self.scheme.velocity(system, now, end, memory);

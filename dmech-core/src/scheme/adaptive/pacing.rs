@@ -54,25 +54,30 @@ impl<S: Adaptable> Adaptive<S> {
         pacing.dt = R::either(pacing.landing, left, dt);
     }
 
-    /// The step was made: where the law is to be looked at.
+    /// The step was made: where the law is to be looked at, at the end of a row and, so that no contact is passed unseen, before
+    /// more than the longest step has gone by.
     #[inline(always)]
-    pub(crate) fn made<R: Real>(&self, pacing: &mut Pacing<R>) -> R::Mask {
-        let Pacing { dt, landing, range: [shortest, longest], .. } = *pacing;
+    pub(crate) fn made<R: Real>(&self, longest: R, pacing: &mut Pacing<R>) -> R::Mask {
+        let Pacing { dt, landing, range: [least, most], .. } = *pacing;
         pacing.last = dt;
         pacing.left -= R::ONE;
         pacing.time.add(dt);
         let Compensated { hi, lo } = pacing.time;
         let (end, either) = (R::from_f64(self.end), |yes, no| R::either(landing, yes, no));
         pacing.time = Compensated { hi: either(end, hi), lo: either(R::ZERO, lo) };
-        pacing.range = [either(shortest, shortest.min(dt)), either(longest, longest.max(dt))];
-        pacing.left.less(R::ONE)
+        pacing.range = [either(least, least.min(dt)), either(most, most.max(dt))];
+        let steps = (longest / dt).floor();
+        pacing.left.less(R::ONE).or((pacing.left - steps * (pacing.left / steps).floor()).equal(R::ZERO))
     }
 
-    /// ρ follows what the law was seen to be like, where that was looked at.
+    /// ρ follows what the law was seen to be like, where that was looked at: at the end of a row, and within one where the motion has
+    /// become so fast that the row ends.
     #[inline(always)]
     pub(crate) fn looked<R: Real>(&self, look: &Look<R>, due: R::Mask, pacing: &mut Pacing<R>) {
-        pacing.density = R::either(due, self.follow(pacing.density, look), pacing.density);
-        pacing.left = R::either(due, R::from_f64(self.row), pacing.left);
+        let fast = pacing.density.less(look.within(BAND, pacing.density));
+        let ends = due.and(pacing.left.less(R::ONE).or(fast));
+        pacing.density = R::either(ends, self.follow(pacing.density, look), pacing.density);
+        pacing.left = R::either(ends, R::from_f64(self.row), pacing.left);
     }
 
     /// ρ in the next step from that in the last.

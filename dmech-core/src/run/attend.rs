@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 #[cfg(feature = "plot")]
 use super::course::Course;
 use super::event::Event;
-use super::zero::{MOST, zero};
+use super::zero::zero;
 use crate::error::Error;
 use crate::invariant::Drift;
 
@@ -167,28 +167,13 @@ impl<X: Clone> Within<'_, X> {
         if values[1] == 0.0 {
             return Ok(self.end.clone());
         }
-        let found = zero(|t| (self.at)(t).map(|state| function(&state)), [start, end], values);
-        match found.and_then(|time| if time == end { Ok(self.end.clone()) } else { (self.at)(time) }) {
-            Err(Error::NotConverged { .. }) => Ok(self.first_behind(values, function)),
-            found => found,
-        }
-    }
-
-    /// By halves; what has no state counts as not behind.
-    #[cold]
-    fn first_behind(&mut self, [before, _]: [f64; 2], function: &mut impl FnMut(&X) -> f64) -> X {
-        let ([mut low, mut high], mut state) = (self.times, self.end.clone());
-        for _ in 0..MOST {
-            let middle = 0.5 * low + 0.5 * high;
-            if middle == low || middle == high {
-                break;
-            }
-            match (self.at)(middle) {
-                Ok(there) if (function(&there) > 0.0) != (before > 0.0) => (high, state) = (middle, there),
-                _ => low = middle,
-            }
-        }
-        state
+        // Where no shortened step ends, nothing is behind.
+        let mut value = |t| match (self.at)(t) {
+            Err(Error::NotConverged { .. }) => Ok(values[0]),
+            state => state.map(|state| function(&state)),
+        };
+        let time = zero(&mut value, [start, end], values)?;
+        if time == end { Ok(self.end.clone()) } else { (self.at)(time) }
     }
 
     /// Tells of an event, and whether it ends the run.

@@ -53,9 +53,9 @@ pub(crate) struct Log<X, R: Real, O> {
     between: Spent,
 }
 
-/// A few roundings of the time.
-fn is_rounding(apart: f64, t: f64) -> bool {
-    apart.abs() <= 4.0 * f64::EPSILON * t.abs()
+/// Whether states are a few roundings of the time apart.
+fn is_rounding<X>(state: &X, other: &X, time: fn(&X) -> f64) -> bool {
+    (time(other) - time(state)).abs() <= 4.0 * f64::EPSILON * time(other).abs()
 }
 
 /// Evaluations and corrections.
@@ -265,22 +265,23 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let Log { run, attend, happened, time, .. } = self;
         let time = *time;
         in_order(happened, time);
-        let stop = happened.iter().find(|event| event.stops).map(|event| event.event.state().clone());
-        let mut stopped: Option<X> = None;
+        let stopped = happened.iter().find(|event| event.stops).map(|event| event.event.state().clone());
+        let mut passed = false;
         for Happened { stops, event } in happened.drain(..) {
             match &stopped {
+                // Found later by a rounding; a run that goes on from the stop would not pass it.
+                Some(stop) if passed => {
+                    if attend.is_behind(0, &event, stop) {
+                        run.happened(event.at(stop.clone()));
+                    }
+                }
                 // Found earlier by a rounding, but the stop is before it: a run that goes on from there will pass it.
-                None if !stops
-                    && stop.as_ref().is_some_and(|stop| {
-                        is_rounding(time(stop) - time(event.state()), time(stop)) && !attend.is_behind(0, &event, stop)
-                    }) => {}
-                None => {
-                    stopped = stops.then(|| event.state().clone());
+                Some(stop)
+                    if !stops && is_rounding(event.state(), stop, time) && !attend.is_behind(0, &event, stop) => {}
+                _ => {
+                    passed = stops;
                     run.happened(event);
                 }
-                // Found later by a rounding; a run that goes on from the stop would not pass it.
-                Some(stop) if attend.is_behind(0, &event, stop) => run.happened(event.at(stop.clone())),
-                Some(_) => {}
             }
         }
         let end = time(stopped.as_ref().unwrap_or(after));

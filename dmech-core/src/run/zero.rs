@@ -1,7 +1,7 @@
 //! A zero between two times.
 
 /// More halvings than there are numbers between two of `f64`.
-pub(super) const MOST: u32 = 200;
+const MOST: u32 = 200;
 
 /// The time of a zero between two times at which a function has values of different signs, to the rounding of the time: inverse
 /// quadratic interpolation where three values promise that it is good, halving elsewhere. Where no time gives a zero, the first that is

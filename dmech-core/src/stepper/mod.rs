@@ -252,7 +252,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     }
 
     /// The state at a time in the next step, both ends included, by a shortened step of the same scheme: the stepper does not move, and what it
-    /// returns has the order of the scheme. Where that has no solution, as on a seam at which a force jumps, it is made in parts. For pictures between the steps of a game, for output at given times.
+    /// returns has the order of the scheme. Where that has no solution, as on a seam at which a force jumps, it is made in parts. For
+    /// pictures between the steps of a game, for output at given times.
     ///
     /// # Errors
     /// [`Error::OutsideStep`]; otherwise as [`step`](Stepper::step).

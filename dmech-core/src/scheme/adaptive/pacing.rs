@@ -66,8 +66,12 @@ impl<S: Adaptable> Adaptive<S> {
         let (end, either) = (R::from_f64(self.end), |yes, no| R::either(landing, yes, no));
         pacing.time = Compensated { hi: either(end, hi), lo: either(R::ZERO, lo) };
         pacing.range = [either(least, least.min(dt)), either(most, most.max(dt))];
+        let ends = pacing.left.less(R::ONE);
+        if !longest.finite().any() {
+            return ends;
+        }
         let steps = (longest / dt).floor();
-        pacing.left.less(R::ONE).or((pacing.left - steps * (pacing.left / steps).floor()).equal(R::ZERO))
+        ends.or((pacing.left - steps * (pacing.left / steps).floor()).equal(R::ZERO))
     }
 
     /// ρ follows what the law was seen to be like, where that was looked at: at the end of a row, and within one where the motion has

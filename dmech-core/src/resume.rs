@@ -8,8 +8,9 @@ use crate::setup::Setup;
 use crate::stepper::Stepper;
 
 impl<L, X, S, O> Simulation<L, X, S, O> {
-    /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter, only when: a scene is set
-    /// up again as it was, and its bodies move to where they were. Checkpoints are of motions in `f64`.
+    /// A stepper that goes on from a checkpoint, bit for bit. Where this simulation starts does not matter, if its law has a
+    /// value there, only when: a scene is set up again as it was, and its bodies move to where they were. Checkpoints are of
+    /// motions in `f64`.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] says what differs: the number of bodies, the scheme, dt, a mass, a pin, a law. Otherwise as

@@ -24,6 +24,14 @@ impl Span {
         }
     }
 
+    /// The time that so many steps take from a start, where it is known before.
+    pub(crate) fn time(self, start: f64, steps: u64, dt: f64) -> f64 {
+        match self {
+            Span::Steps(_) => steps as f64 * dt,
+            Span::Until(end) => end - start,
+        }
+    }
+
     /// The steps that it takes from a time, of equal length or such as follow the motion.
     pub(crate) fn steps(self, start: f64, dt: f64, follow: bool) -> Result<u64, Error> {
         self.check(dt)?;

@@ -340,6 +340,9 @@ fn distances_that_the_time_cannot_tell_are_refused() {
     assert_eq!(refused.cause(), Error::RecordDt { dt });
     let many = planet().scheme(Leapfrog).dt(0.1).record_dt(1e-12).run_until(1e4).unwrap_err();
     assert!(matches!(many.cause(), Error::Recording { .. }), "{many}");
+    // Of steps that follow the motion only their end is known.
+    let follow = planet().scheme(Implicit).adaptive(1e-3).record_dt(1e-12).run_until(1e4).unwrap_err();
+    assert!(matches!(follow.cause(), Error::Recording { states: 9_999_300_000_000_000, .. }), "{follow}");
     let law = Kepler { gm: 1.3 };
     let late = Simulation::new(law, law.pericentre(0.9, 0.4)).scheme(Leapfrog).dt(1e3).record_dt(3e-14).run(9);
     assert!(late.is_err());

@@ -31,9 +31,9 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
         let (simulation, attend) = (block.member)(k).apart();
         let due = simulation.due().clone();
         let every = if let Due::Every(n) = due { Some(n) } else { None };
-        let Prepared { mut stepper, run, steps: left } = simulation.prepare(block.span)?;
+        let Prepared { mut stepper, run, steps: left, states } = simulation.prepare(block.span)?;
         stepper.scheme.watch(S::SEES_ROUGH || block.work, &mut stepper.workspace);
-        let (log, outcome) = begin_log(&stepper, run, due, attend, (left, block.work))?;
+        let (log, outcome) = begin_log(&stepper, run, due, attend, (states, block.work))?;
         // It may begin where it is to end.
         let left = if stepper.arrived() { 0 } else { left };
         Ok(Member { k, stepper, log, left, every, before: None, outcome })
@@ -133,12 +133,12 @@ fn begin_log<O: Attend<State<D>>, const D: usize>(
     run: Run<State<D>>,
     due: Due,
     attend: O,
-    (steps, work): (u64, bool),
+    (expected, work): (u64, bool),
 ) -> Result<Begun<O, D>, Interrupted<State<D>>> {
     let states = matches!(due, Due::Every(_));
     let mut log = Log::new(motion, run, due, (attend, Forget { states }));
     if !states && !O::STREAMS {
-        log = log.with_room(motion, steps)?;
+        log = log.with_room(motion, expected)?;
     }
     if !work {
         log.watch.forget_work();

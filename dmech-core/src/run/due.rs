@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::error::Error;
-use crate::span::moves_on;
+use crate::span::{UNCOUNTED, moves_on};
 
 /// Which states are recorded.
 #[derive(Clone, Debug)]
@@ -47,12 +47,13 @@ impl Due {
         self.check(if matches!(self, Due::At(_)) { f64::NEG_INFINITY } else { 0.0 })
     }
 
-    /// How many states so many steps of a length from the start will give, where that is known before.
-    pub(crate) fn states(&self, steps: u64, length: f64) -> u64 {
+    /// How many states so many steps, which take so much time, will give where that is known before.
+    pub(crate) fn states(&self, steps: u64, time: f64) -> u64 {
         match self {
+            Due::Every(_) if steps == UNCOUNTED => 0,
             Due::Every(n) => steps.checked_div(*n).map_or(0, |states| states.saturating_add(1)),
             Due::At(times) => times.len() as u64,
-            Due::Apart(dt) if length.is_finite() => (steps as f64 * length / dt) as u64,
+            Due::Apart(dt) if time.is_finite() => (time / dt) as u64,
             Due::Apart(_) => 0,
         }
     }

@@ -12,13 +12,13 @@ use super::report::Work;
 use super::{Interrupted, Run, Watch};
 use crate::error::Error;
 use crate::invariant::MAX_OWN;
-use crate::span::UNCOUNTED;
 
-/// Makes `steps` steps, or fewer if the motion arrives or is stopped before, and records the states that are due.
+/// Makes `steps` steps, or fewer if the motion arrives or is stopped before, and records the states that are due: `states` of them,
+/// or more.
 pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
     motion: &mut dyn Motion<X, R>,
     run: Run<X>,
-    steps: u64,
+    [steps, states]: [u64; 2],
     (due, attend): (Due, O),
     shown: Shown,
 ) -> Result<Run<X>, Interrupted<X>> {
@@ -27,7 +27,7 @@ pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
     log.watch.keep_courses(log.start);
     // A stream keeps none.
     if !O::STREAMS {
-        log = log.with_room(motion, steps)?;
+        log = log.with_room(motion, states)?;
     }
     log.write(motion, steps, Follow::new(shown, steps))
 }
@@ -83,9 +83,8 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         Log { run, watch, time, due, start, next, recorded, until_record, looked_at, attend, happened, between }
     }
 
-    /// With room for the states of so many steps: more than there is memory for are refused.
-    pub(crate) fn with_room(mut self, motion: &dyn Motion<X, R>, steps: u64) -> Result<Self, Interrupted<X>> {
-        let states = if steps == UNCOUNTED { 0 } else { self.due.states(steps, motion.dt()) };
+    /// With room for so many states: more than there is memory for are refused.
+    pub(crate) fn with_room(mut self, motion: &dyn Motion<X, R>, states: u64) -> Result<Self, Interrupted<X>> {
         match self.run.expect(states, motion.size()) {
             Ok(()) => Ok(self),
             Err(cause) => Err(Interrupted::new(self.run, cause)),

@@ -335,9 +335,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     {
         let (due, shown) = (self.settings.due.clone(), self.settings.shown.clone());
         let (bare, attend) = self.apart();
-        let Prepared { mut stepper, run, steps } = bare.prepare(span)?;
+        let Prepared { mut stepper, run, steps, states } = bare.prepare(span)?;
         stepper.scheme.watch(true, &mut stepper.workspace);
-        record(&mut stepper, run, steps, (due, attend), shown)
+        record(&mut stepper, run, [steps, states], (due, attend), shown)
     }
 }
 
@@ -348,14 +348,16 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
         let scheme = if let Span::Until(end) = span { scheme.until(end) } else { scheme };
         let (first, mass) = (start.start(), start.mass(settings.mass));
         let run = Run::empty(first, &scheme, settings.dt.unwrap_or(f64::NAN), mass);
-        let prepared = settings.due.check(<X::System as System>::time(run.last())).and_then(|()| {
+        let due = settings.due.clone();
+        let prepared = due.check(<X::System as System>::time(run.last())).and_then(|()| {
             let stepper = Simulation { law, start, scheme, settings, attend: () }.stepper()?;
             stepper.system.check_potential(&stepper.start)?;
-            let steps = span.steps(stepper.t(), stepper.dt, stepper.scheme.tolerance().is_some())?;
-            Ok((steps, stepper))
+            let (t, dt) = (stepper.t(), stepper.dt);
+            let steps = span.steps(t, dt, stepper.scheme.tolerance().is_some())?;
+            Ok((steps, due.states(steps, span.time(t, steps, dt)), stepper))
         });
         match prepared {
-            Ok((steps, stepper)) => Ok(Prepared { stepper, run, steps }),
+            Ok((steps, states, stepper)) => Ok(Prepared { stepper, run, steps, states }),
             Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }
@@ -366,6 +368,8 @@ pub(crate) struct Prepared<Y: System, S: Scheme<Y>> {
     pub(crate) stepper: Stepper<Y, S>,
     pub(crate) run: Run<Y::State>,
     pub(crate) steps: u64,
+    /// States that it will record, as far as their number is known.
+    pub(crate) states: u64,
 }
 
 /// A simulation that is accompanied by one thing more.

@@ -19,6 +19,9 @@ pub(super) fn svg<X>(
     kept: &str,
 ) -> io::Result<String> {
     let none = |words: String| io::Error::new(io::ErrorKind::Unsupported, words);
+    if run.steps() == 0 && run.states().is_empty() && drift.is_none() {
+        return Err(none(format!("this run has ended before its first state: there is no \"{name}\" to draw")));
+    }
     let drift =
         drift.ok_or_else(|| none(format!("this law and {} have no invariant \"{name}\"; a quantity of your own is followed by `.watch` and drawn by `plot_drift_of`", run.report.scheme())))?;
     let course = course.ok_or_else(|| none(format!("this run did not keep the course of \"{name}\"")))?;

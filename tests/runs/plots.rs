@@ -294,7 +294,8 @@ fn what_is_not_there_is_an_error_and_no_picture() {
     let streamed = planet().scheme(Leapfrog).dt(0.01).stream(Csv::new(Vec::new())).run(10).unwrap();
     assert_eq!(streamed.plot(place("never.svg")).unwrap_err().kind(), std::io::ErrorKind::Unsupported);
     // The law has an energy; the run has ended before there was one.
-    let refused = Simulation::new(Kepler { gm: 1.3 }, State::new([0.0; 2], [0.1, 0.2])).scheme(Leapfrog).dt(0.01).run(3);
+    let refused =
+        Simulation::new(Kepler { gm: 1.3 }, State::new([0.0; 2], [0.1, 0.2])).scheme(Leapfrog).dt(0.01).run(3);
     let error = refused.unwrap_err().run().plot_energy(place("never.svg")).unwrap_err();
     assert!(error.to_string().starts_with("this run has ended before its first state"), "{error}");
     assert!(!place("never.svg").exists());

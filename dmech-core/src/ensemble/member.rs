@@ -29,9 +29,13 @@ pub(super) struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, O, const D: us
 impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Member<L, S, O, D> {
     pub(super) fn begin(block: &Block<'_, L, S, O, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
         let (simulation, attend) = (block.member)(k).apart();
-        let due = simulation.due().clone();
+        let run = simulation.empty_run();
+        let Prepared { mut stepper, steps: left, states, settings } = match simulation.prepare(block.span) {
+            Ok(prepared) => prepared,
+            Err(cause) => return Err(Interrupted::new(run, cause)),
+        };
+        let due = settings.due;
         let every = if let Due::Every(n) = due { Some(n) } else { None };
-        let Prepared { mut stepper, run, steps: left, states } = simulation.prepare(block.span)?;
         stepper.scheme.watch(S::SEES_ROUGH || block.work, &mut stepper.workspace);
         let (log, outcome) = begin_log(&stepper, run, due, attend, (states, block.work))?;
         // It may begin where it is to end.

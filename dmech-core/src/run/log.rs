@@ -7,21 +7,34 @@ use dmech_scalar::Real;
 use super::attend::{Attend, Happened, Within, in_order};
 use super::due::Due;
 use super::motion::Motion;
-use super::progress::{Follow, Shown};
+use super::progress::Follow;
 use super::report::Work;
+use super::simulation::Settings;
 use super::{Interrupted, Run, Watch};
 use crate::error::Error;
 use crate::invariant::MAX_OWN;
+use crate::stepper::in_parts;
 
-/// Makes `steps` steps, or fewer if the motion arrives or is stopped before, and records the states that are due: `states` of them,
-/// or more.
+/// A run before its first step, whatever the law and the scheme.
+pub(crate) struct Begun<'m, X, R> {
+    pub(crate) motion: &'m mut dyn Motion<X, R>,
+    /// Steps that it makes, or fewer if the motion arrives or is stopped before.
+    pub(crate) steps: u64,
+    /// States that it will record, as far as their number is known.
+    pub(crate) states: u64,
+    pub(crate) settings: Settings,
+}
+
+/// Makes the steps, and records the states that are due.
 pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
-    motion: &mut dyn Motion<X, R>,
     run: Run<X>,
-    [steps, states]: [u64; 2],
-    (due, attend): (Due, O),
-    shown: Shown,
+    begun: Result<Begun<'_, X, R>, Error>,
+    attend: O,
 ) -> Result<Run<X>, Interrupted<X>> {
+    let Begun { motion, steps, states, settings: Settings { due, shown, .. } } = match begun {
+        Ok(begun) => begun,
+        Err(cause) => return Err(Interrupted::new(run, cause)),
+    };
     let mut log = Log::new(motion, run, due, attend);
     #[cfg(feature = "plot")]
     log.watch.keep_courses(log.start);
@@ -65,7 +78,7 @@ struct Spent([u64; 2]);
 impl Spent {
     /// The state at a time by a shortened step from a state, which is counted.
     fn state<X, R: Real>(&mut self, motion: &dyn Motion<X, R>, from: &X, t: f64) -> Result<X, Error> {
-        let (state, cost) = motion.between(from, t)?;
+        let (state, cost) = in_parts(&|from, t| motion.between(from, t), motion.clock(), from, t)?;
         self.0.iter_mut().zip(cost).for_each(|(spent, cost)| *spent += cost);
         Ok(state)
     }

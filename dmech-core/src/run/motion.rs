@@ -9,7 +9,7 @@ use super::report::Work;
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::scheme::Scheme;
-use crate::stepper::{HALVINGS, Stepper};
+use crate::stepper::Stepper;
 use crate::system::System;
 
 /// A motion with states X in the scalar R, whatever the law and the scheme. What a run does beside the steps is compiled once for
@@ -39,7 +39,7 @@ pub(crate) trait Motion<X, R: Real> {
     /// Whether the next step may reach a time.
     fn reaches(&self, t: f64) -> bool;
 
-    /// The state at a time by a shortened step from a state in the last step, and the evaluations and corrections that it takes.
+    /// The state at a time by a single step from a state in the last step, and the evaluations and corrections that it takes.
     fn between(&self, from: &X, t: f64) -> Result<(X, [u64; 2]), Error>;
 
     /// What there is of the invariants in the state now, and how far momenta are from those of another.
@@ -109,7 +109,7 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
     }
 
     fn between(&self, from: &Y::State, t: f64) -> Result<(Y::State, [u64; 2]), Error> {
-        let (state, effort) = self.between_in_parts(Stepper::steps(self), from, t, HALVINGS)?;
+        let (state, effort) = Stepper::between(self, Stepper::steps(self), from, t)?;
         Ok((state, [effort.evaluations.to_u64(), effort.iterations.to_u64()]))
     }
 

@@ -4,7 +4,7 @@ use dmech_scalar::Real;
 
 use super::attend::Attend;
 use super::due::Due;
-use super::log::record;
+use super::log::{Begun, record};
 use super::progress::Shown;
 use super::{Interrupted, Run};
 use crate::error::Error;
@@ -60,6 +60,17 @@ impl Settings {
         let dt = self.dt.or(unlimited).ok_or(Error::MissingTimeStep)?;
         check_step::<R>(scheme, dt)?;
         Ok(dt)
+    }
+
+    fn stepper<L, X: Setup<L>, S: Scheme<X::System>>(
+        &self,
+        law: L,
+        start: X,
+        scheme: S,
+    ) -> Result<Stepper<X::System, S>, Error> {
+        let dt = self.step_length::<<X::System as System>::Scalar>(&scheme)?;
+        let first = start.start();
+        Stepper::new(start.system(law, self.mass, dt)?, scheme, first, dt)
     }
 
     /// Refuses what would be refused of every member of an ensemble.
@@ -131,10 +142,6 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     pub(crate) fn attended<A>(self, also: A) -> Attended<L, X, S, O, A> {
         let Simulation { law, start, scheme, settings, attend } = self;
         Simulation { law, start, scheme, settings, attend: (attend, also) }
-    }
-
-    pub(crate) fn due(&self) -> &Due {
-        &self.settings.due
     }
 
     /// The length of the steps, if it is one.
@@ -292,10 +299,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         X: Setup<L>,
         S: Scheme<X::System>,
     {
-        let dt = self.step_length::<<X::System as System>::Scalar>()?;
-        let start = self.start.start();
-        let system = self.start.system(self.law, self.settings.mass, dt)?;
-        Stepper::new(system, self.scheme, start, dt)
+        self.settings.stepper(self.law, self.start, self.scheme)
     }
 
     /// Makes a number of steps, or fewer where an event or an observer stops the run.
@@ -333,43 +337,47 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
-        let (due, shown) = (self.settings.due.clone(), self.settings.shown.clone());
         let (bare, attend) = self.apart();
-        let Prepared { mut stepper, run, steps, states } = bare.prepare(span)?;
-        stepper.scheme.watch(true, &mut stepper.workspace);
-        record(&mut stepper, run, [steps, states], (due, attend), shown)
+        let (run, mut prepared) = (bare.empty_run(), bare.prepare(span));
+        let begun = match &mut prepared {
+            Ok(Prepared { stepper, steps, states, settings }) => {
+                stepper.scheme.watch(true, &mut stepper.workspace);
+                Ok(Begun { motion: stepper, steps: *steps, states: *states, settings: settings.clone() })
+            }
+            Err(cause) => Err(*cause),
+        };
+        record(run, begun, attend)
     }
 }
 
 impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
+    /// A run without a state.
+    pub(crate) fn empty_run(&self) -> Run<X::State> {
+        let Simulation { start, scheme, settings, .. } = self;
+        Run::empty(start.start(), scheme, settings.dt.unwrap_or(f64::NAN), start.mass(settings.mass))
+    }
+
     /// Everything that a run begins with, whatever accompanies it.
-    pub(crate) fn prepare(self, span: Span) -> Result<Prepared<X::System, S>, Interrupted<X::State>> {
+    pub(crate) fn prepare(self, span: Span) -> Result<Prepared<X::System, S>, Error> {
         let Simulation { law, start, scheme, settings, attend: () } = self;
         let scheme = if let Span::Until(end) = span { scheme.until(end) } else { scheme };
-        let (first, mass) = (start.start(), start.mass(settings.mass));
-        let run = Run::empty(first, &scheme, settings.dt.unwrap_or(f64::NAN), mass);
-        let due = settings.due.clone();
-        let prepared = due.check(<X::System as System>::time(run.last())).and_then(|()| {
-            let stepper = Simulation { law, start, scheme, settings, attend: () }.stepper()?;
-            stepper.system.check_potential(&stepper.start)?;
-            let (t, dt) = (stepper.t(), stepper.dt);
-            let steps = span.steps(t, dt, stepper.scheme.tolerance().is_some())?;
-            Ok((steps, due.states(steps, span.time(t, steps, dt)), stepper))
-        });
-        match prepared {
-            Ok((steps, states, stepper)) => Ok(Prepared { stepper, run, steps, states }),
-            Err(cause) => Err(Interrupted::new(run, cause)),
-        }
+        settings.due.check(X::System::time(&start.start()))?;
+        let stepper = settings.stepper(law, start, scheme)?;
+        stepper.system.check_potential(&stepper.start)?;
+        let (t, dt) = (stepper.t(), stepper.dt);
+        let steps = span.steps(t, dt, stepper.scheme.tolerance().is_some())?;
+        let states = settings.due.states(steps, span.time(t, steps, dt));
+        Ok(Prepared { stepper, steps, states, settings })
     }
 }
 
 /// A run before its first step.
 pub(crate) struct Prepared<Y: System, S: Scheme<Y>> {
     pub(crate) stepper: Stepper<Y, S>,
-    pub(crate) run: Run<Y::State>,
     pub(crate) steps: u64,
     /// States that it will record, as far as their number is known.
     pub(crate) states: u64,
+    pub(crate) settings: Settings,
 }
 
 /// A simulation that is accompanied by one thing more.

@@ -1,6 +1,7 @@
 //! Stepping without recording.
 
 mod departure;
+mod parts;
 
 use dmech_scalar::{Count, Real};
 
@@ -11,9 +12,7 @@ use crate::scheme::Scheme;
 use crate::span::possible;
 use crate::system::{Effort, Particle, System};
 use departure::Departure;
-
-/// How often a shortened step is halved that has no solution.
-pub(crate) const HALVINGS: u32 = 4;
+pub(crate) use parts::in_parts;
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
 ///
@@ -58,6 +57,7 @@ impl<Y: System + Clone, S: Scheme<Y>> Clone for Stepper<Y, S> {
 }
 
 /// What a scheme carries from a state on.
+#[inline(never)]
 fn begun<Y: System, S: Scheme<Y>>(
     step: u64,
     system: &Y,
@@ -268,7 +268,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if self.waits {
             Departure::prepared(&self.system, &self.start)?;
         }
-        self.between_in_parts(self.steps() + 1, &self.state(), t, HALVINGS).map(|(state, _)| state)
+        let single = |from: &Y::State, t| self.between(self.steps() + 1, from, t).map(|(state, _)| (state, [0; 2]));
+        in_parts(&single, Y::time, &self.state(), t).map(|(state, _)| state)
     }
 
     /// The state at a later time, within a step of a number, by a single one from a state, and what it costs.
@@ -282,28 +283,6 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             Ok(reached) => departure.reached(system, step, t, reached),
             Err(cause) => Err(departure.unsolved(system, step, dt, cause)),
         }
-    }
-
-    /// The same, by two steps of half the length where the single one has no solution, as where it would end on a seam at which a force
-    /// jumps: of each, so many times. The error is that of the single step.
-    pub(crate) fn between_in_parts(
-        &self,
-        step: u64,
-        from: &Y::State,
-        t: f64,
-        halvings: u32,
-    ) -> Result<(Y::State, Effort<Y::Scalar>), Error> {
-        let whole = self.between(step, from, t);
-        if halvings == 0 || !matches!(whole, Err(Error::NotConverged { .. })) {
-            return whole;
-        }
-        let middle = 0.5 * Y::time(from) + 0.5 * t;
-        let parts = self.between_in_parts(step, from, middle, halvings - 1).and_then(|(state, mut effort)| {
-            let (state, rest) = self.between_in_parts(step, &state, t, halvings - 1)?;
-            effort += rest;
-            Ok((state, effort))
-        });
-        parts.or(whole)
     }
 
     /// The length of the next step.

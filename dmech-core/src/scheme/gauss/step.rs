@@ -9,7 +9,7 @@ use crate::invariant::{Invariant, Kept};
 use crate::newton::{Counts, NotConverged};
 use crate::scheme::by_lane::by_lane;
 use crate::scheme::memory::{memory, q_and_v};
-use crate::scheme::{Effort, Method, Scheme};
+use crate::scheme::{Effort, Method, Reached, Scheme};
 use crate::system::stages;
 use crate::system::{Beginning, Staged};
 
@@ -73,6 +73,10 @@ pub struct Sweeps<Y: Staged> {
 impl<Y: Staged> Sweeps<Y> {
     fn new(system: &Y) -> Self {
         Sweeps { aim: system.aims(), watched: false, made: 0, of_each: Count::of(0) }
+    }
+
+    fn gave_up(&self, residual: f64) -> NotConverged {
+        NotConverged { iterations: self.made.into(), residual }
     }
 }
 
@@ -164,6 +168,20 @@ fn until_rounding<Y: Staged>(
     if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Astray(Y::nearing(aim).change())) }
 }
 
+/// A step that is made now and then: one copy of it for all that make such.
+#[cold]
+#[inline(never)]
+fn apart<Y: Staged>(
+    with: (&Y, &Tableau),
+    stride: &Y::Stride,
+    at: (Y::Scalar, Y::Scalar),
+    place: [&mut Y::Sum; 2],
+    pushes: &mut Y::Pushes,
+    sweeps: &mut Sweeps<Y>,
+) -> Result<Which<Y>, Astray> {
+    whole(with, stride, at, place, pushes, sweeps)
+}
+
 /// A step in two halves, of which each may be halved again. Returns the work done; the pushes become those of a force that stays
 /// as it is.
 #[cold]
@@ -182,7 +200,7 @@ fn in_parts<Y: Staged>(
         system.slope(t, Y::value(q), Y::value(v), &mut slope);
         *pushes = system.pushes(&half, &slope);
         let before = Y::value(v).clone();
-        if let Err(astray) = whole(with, &half, (t, Y::Scalar::ZERO), [&mut *q, &mut *v], pushes, sweeps) {
+        if let Err(astray) = apart(with, &half, (t, Y::Scalar::ZERO), [&mut *q, &mut *v], pushes, sweeps) {
             if halvings < HALVINGS {
                 work += in_parts(with, &half, t, [&mut *q, &mut *v], pushes, sweeps, halvings + 1)?;
                 continue;
@@ -254,19 +272,36 @@ macro_rules! stepped_by_stages {
                         }
                     }
                     Err(Astray(residual)) if Ended::<Y>::MANY => {
-                        return Err(NotConverged { iterations: sweeps.made.into(), residual });
+                        return Err(sweeps.gave_up(residual));
                     }
                     Err(_) => {
                         (*ratio, *rough) = (zero, *rough + one);
                         let made = in_parts(with, stride, t, [q, v], pushes, sweeps, 1);
-                        *parts = Some(made.map_err(|Astray(residual)| NotConverged {
-                            iterations: sweeps.made.into(),
-                            residual,
-                        })?);
+                        *parts = Some(made.map_err(|Astray(residual)| sweeps.gave_up(residual))?);
                     }
                 }
                 let evaluations = if Ended::<Y>::MANY { sweeps.of_each } else { Count::of(8 * sweeps.made) };
                 Ok(Effort { evaluations, iterations: Count::of(0) })
+            }
+
+            /// As the first step from there.
+            fn within(
+                &self,
+                system: &Y,
+                dt: Y::Scalar,
+                from: &Beginning<'_, Y>,
+            ) -> Result<Reached<Y>, NotConverged> {
+                let (with, t, mut sweeps) = ((system, Self::TABLEAU), from.t, Sweeps::new(system));
+                let stride = system.stride(dt, <Self as Scheme<Y>>::SHARE);
+                let GaussMemory { mut q, mut v, mut pushes, ratio, .. } =
+                    self.begin(system, &stride, from, &mut sweeps)?;
+                let made = apart(with, &stride, (t, ratio), [&mut q, &mut v], &mut pushes, &mut sweeps);
+                if made.is_err() {
+                    let made = in_parts(with, &stride, t, [&mut q, &mut v], &mut pushes, &mut sweeps, 1);
+                    made.map_err(|Astray(residual)| sweeps.gave_up(residual))?;
+                }
+                let effort = Effort { evaluations: Count::of(8 * sweeps.made), iterations: Count::of(0) };
+                Ok(([Y::value(&q).clone(), Y::value(&v).clone()], effort))
             }
 
             #[inline(always)]

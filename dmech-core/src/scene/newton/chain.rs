@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use super::{Equations, Progress, Solver, Trial, Unknown, Verdict, counted, unfit};
+use super::{Equations, Part, Progress, Solver, Trial, Unknown, Verdict, counted, unfit};
 use crate::newton::NotConverged;
 use crate::scene::matrix::block::{Block, invert, least_pivot, product, times};
 use crate::scene::terms::stencil::{Stencil, block, load, store};
@@ -51,19 +51,19 @@ impl<const D: usize> Solver<D> {
     pub(super) fn settle_chain<U: Unknown<D>>(
         &mut self,
         chain: &mut Elimination<D>,
-        equation: &Equations<'_, D>,
-        unknown: &U,
+        step: Part<'_, U, D>,
     ) -> Result<u32, NotConverged> {
+        let Part { equation, unknown, .. } = step;
         let mut progress = Progress::default();
         let limit = Trial::OF_GUESS.limit(equation.newton);
         for iteration in 1..=limit {
             let Some(force) = self.along(chain, equation, unknown, iteration == 1) else {
                 return Err(unfit::<U, D>(iteration));
             };
-            let [size, step] = self.back::<U>(chain, equation);
-            match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
+            let [size, reach] = self.back::<U>(chain, equation);
+            match progress.judge::<U, D>(equation, iteration, [size, reach, force])? {
                 Verdict::Settled if U::LINEAR || chain.positive => return Ok(iteration),
-                Verdict::Settled if self.continued_from_here(equation, unknown, 1.0) => return Ok(iteration),
+                Verdict::Settled if self.continued_from_here(step) => return Ok(iteration),
                 Verdict::Settled => return Err(NotConverged::NOT_CONTINUED),
                 Verdict::GoesOn => {}
                 Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),

@@ -82,3 +82,28 @@ pub(in crate::scene) trait Unknown<const D: usize> {
     /// Both for the bodies of a chain from `first` on, for the whole step and a G that does not depend on the velocity.
     fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>);
 }
+
+/// A part of a step, as long as θh: its equation, and the unknown force in it. The whole step has θ = 1.
+pub(super) struct Part<'a, U, const D: usize> {
+    pub(super) equation: &'a Equations<'a, D>,
+    pub(super) unknown: &'a U,
+    pub(super) theta: f64,
+}
+
+impl<U, const D: usize> Clone for Part<'_, U, D> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<U, const D: usize> Copy for Part<'_, U, D> {}
+
+impl<'a, U, const D: usize> Part<'a, U, D> {
+    pub(super) fn whole(equation: &'a Equations<'a, D>, unknown: &'a U) -> Self {
+        Part { equation, unknown, theta: 1.0 }
+    }
+
+    pub(super) fn of(self, theta: f64) -> Self {
+        Part { theta, ..self }
+    }
+}

@@ -1,6 +1,6 @@
 //! Where the guess is not good enough: lengthen the step gradually.
 
-use super::{Equations, Solver, Trial, Unknown};
+use super::{Equations, Part, Solver, Trial, Unknown};
 use crate::newton::NotConverged;
 use crate::newton::path::Path;
 use crate::system::Effort;
@@ -10,11 +10,11 @@ impl<const D: usize> Solver<D> {
     #[cold]
     pub(super) fn lengthen<U: Unknown<D>>(
         &mut self,
-        equation: &Equations<'_, D>,
-        unknown: &U,
+        step: Part<'_, U, D>,
         astray: NotConverged,
         longest: f64,
     ) -> Result<Effort, NotConverged> {
+        let Part { equation, unknown, .. } = step;
         let mut evaluations = astray.iterations as u32 + 1;
         self.delta.clear();
         self.place::<U>(equation);
@@ -28,7 +28,7 @@ impl<const D: usize> Solver<D> {
             } else {
                 self.predict(equation, theta, stretch.ahead);
             }
-            let settled = self.settle(equation, unknown, theta, if all { Trial::AT_REST } else { Trial::FOLLOWED });
+            let settled = self.settle(step.of(theta), if all { Trial::AT_REST } else { Trial::FOLLOWED });
             let doubted = all && settled.is_ok() && !self.matrix.is_positive();
             match if doubted { Err(NotConverged::NOT_CONTINUED) } else { settled } {
                 Ok(iterations) => {

@@ -11,6 +11,7 @@ mod tests;
 use dmech_scalar::{Lanes, Real, two_sum};
 
 use self::chain::Elimination;
+use self::equations::Part;
 pub(super) use self::equations::{Equations, Unknown};
 use self::progress::{Progress, Verdict};
 use super::matrix::{Kind, Matrix};
@@ -115,71 +116,59 @@ impl<const D: usize> Solver<D> {
         equation: &Equations<'_, D>,
         unknown: &U,
     ) -> Result<Effort, NotConverged> {
+        let step = Part::whole(equation, unknown);
         let settled = match self.chain.take() {
             Some(mut chain) if U::CHAIN && !U::FORCED => {
-                let settled = self.settle_chain(&mut chain, equation, unknown);
+                let settled = self.settle_chain(&mut chain, step);
                 if U::EXACT {
                     core::mem::swap(&mut self.rest, chain.rest());
                 }
                 self.chain = Some(chain);
-                settled.or_else(|astray| self.finish(equation, unknown, 1.0, astray))
+                settled.or_else(|astray| self.finish(step, astray))
             }
             chain => {
                 self.chain = chain;
                 self.guess(equation);
-                self.settle(equation, unknown, 1.0, Trial::OF_GUESS)
+                self.settle(step, Trial::OF_GUESS)
             }
         };
         match settled {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
-            Err(astray) => match self.lengthen(equation, unknown, astray, 1.0) {
-                Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(equation, unknown, lost, SHORT),
+            Err(astray) => match self.lengthen(step, astray, 1.0) {
+                Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),
                 found => found,
             },
         }
     }
 
-    /// Newton for a part θ of the step.
-    fn settle<U: Unknown<D>>(
-        &mut self,
-        equation: &Equations<'_, D>,
-        unknown: &U,
-        theta: f64,
-        trial: Trial,
-    ) -> Result<u32, NotConverged> {
-        let settled = self.approach(equation, unknown, theta, trial);
-        settled.or_else(|astray| self.finish(equation, unknown, theta, astray))
+    /// Newton for a part of the step.
+    fn settle<U: Unknown<D>>(&mut self, part: Part<'_, U, D>, trial: Trial) -> Result<u32, NotConverged> {
+        self.approach(part, trial).or_else(|astray| self.finish(part, astray))
     }
 
     /// Corrections until one is so small that the force is known to rounding, or until they no longer shrink.
-    fn approach<U: Unknown<D>>(
-        &mut self,
-        equation: &Equations<'_, D>,
-        unknown: &U,
-        theta: f64,
-        trial: Trial,
-    ) -> Result<u32, NotConverged> {
+    fn approach<U: Unknown<D>>(&mut self, part: Part<'_, U, D>, trial: Trial) -> Result<u32, NotConverged> {
         let mut progress = Progress::default();
         let mut since_factors = 0;
-        let limit = trial.limit(equation.newton);
+        let limit = trial.limit(part.equation.newton);
         for iteration in 1..=limit {
-            self.place::<U>(equation);
-            unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
+            self.place::<U>(part.equation);
+            part.unknown.gradient(part.theta, &self.place, &self.velocity, &mut self.gradient);
             if iteration == 1 || since_factors == trial.chord {
-                if !self.take_jacobian(equation, unknown, theta) {
+                if !self.take_jacobian(part) {
                     return Err(unfit::<U, D>(iteration));
                 }
                 since_factors = 0;
             }
             since_factors += 1;
-            let force = self.residual(equation, theta);
-            self.solve_linear(equation, theta);
+            let force = self.residual(part);
+            self.solve_linear(part);
             self.turn::<U>();
             let [size, step] = self.correct();
-            match progress.judge::<U, D>(equation, iteration, [size, step, force])? {
-                Verdict::Settled => return self.continued(equation, unknown, theta, iteration),
+            match progress.judge::<U, D>(part.equation, iteration, [size, step, force])? {
+                Verdict::Settled => return self.continued(part, iteration),
                 Verdict::GoesOn => {}
                 Verdict::Slow if since_factors > 1 => since_factors = trial.chord,
                 Verdict::Slow => return Err(NotConverged { iterations: iteration.into(), residual: size }),
@@ -189,10 +178,16 @@ impl<const D: usize> Solver<D> {
     }
 
     /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is not as it must be.
-    fn take_jacobian<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>, unknown: &U, theta: f64) -> bool {
+    fn take_jacobian<U: Unknown<D>>(&mut self, part: Part<'_, U, D>) -> bool {
+        let Part { equation, unknown, theta } = part;
         self.matrix.clear();
         unknown.jacobian(theta, &self.place, &self.velocity, equation.rate, &mut self.matrix);
-        self.factorise(equation, theta, kind::<U, D>())
+        if theta == 1.0 {
+            return self.matrix.factorise(equation.g, kind::<U, D>());
+        }
+        self.scaled.clone_from(equation.g);
+        self.scaled.flat_mut().iter_mut().for_each(|g| *g *= theta * theta);
+        self.matrix.factorise(&self.scaled, kind::<U, D>())
     }
 
     /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
@@ -219,7 +214,7 @@ impl<const D: usize> Solver<D> {
     }
 
     /// drift − g (G + known) − Δ, in the place of the position; the largest |g G| comes back, [as it counts](counted).
-    fn residual(&mut self, equation: &Equations<'_, D>, theta: f64) -> f64 {
+    fn residual<U>(&mut self, Part { equation, theta, .. }: Part<'_, U, D>) -> f64 {
         let square = theta * theta;
         let mut force = 0.0_f64;
         let out = self.place.flat_mut().iter_mut().zip(self.delta.flat());
@@ -260,16 +255,7 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    fn factorise(&mut self, equation: &Equations<'_, D>, theta: f64, must_be: Kind) -> bool {
-        if theta == 1.0 {
-            return self.matrix.factorise(equation.g, must_be);
-        }
-        self.scaled.clone_from(equation.g);
-        self.scaled.flat_mut().iter_mut().for_each(|g| *g *= theta * theta);
-        self.matrix.factorise(&self.scaled, must_be)
-    }
-
-    fn solve_linear(&mut self, equation: &Equations<'_, D>, theta: f64) {
+    fn solve_linear<U>(&mut self, Part { equation, theta, .. }: Part<'_, U, D>) {
         let g = if theta == 1.0 { equation.g } else { &self.scaled };
         self.matrix.solve(g, &mut self.place);
     }

@@ -1,6 +1,6 @@
 //! What corrections have led to: a root to rounding, and one that continues that of a shorter step.
 
-use super::{Equations, Solver, Unknown};
+use super::{Part, Solver, Unknown};
 use crate::newton::NotConverged;
 
 /// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
@@ -14,30 +14,25 @@ impl<const D: usize> Solver<D> {
     #[cold]
     pub(super) fn finish<U: Unknown<D>>(
         &mut self,
-        equation: &Equations<'_, D>,
-        unknown: &U,
-        theta: f64,
+        part: Part<'_, U, D>,
         astray: NotConverged,
     ) -> Result<u32, NotConverged> {
+        let Part { equation, unknown, theta } = part;
         let near = astray.residual <= NEAR * (equation.q.largest() + self.delta.largest());
         if !near {
             return Err(astray);
         }
         self.place::<U>(equation);
         unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
-        if !self.take_jacobian(equation, unknown, theta) {
+        if !self.take_jacobian(part) {
             return Err(astray);
         }
-        self.residual(equation, theta);
-        let rounding = self.residual_is_rounding(equation, theta);
-        self.solve_linear(equation, theta);
+        self.residual(part);
+        let rounding = self.residual_is_rounding(part);
+        self.solve_linear(part);
         self.turn::<U>();
         let [size, _] = self.correct();
-        if rounding && size.is_finite() {
-            self.continued(equation, unknown, theta, astray.iterations as u32 + 1)
-        } else {
-            Err(astray)
-        }
+        if rounding && size.is_finite() { self.continued(part, astray.iterations as u32 + 1) } else { Err(astray) }
     }
 
     /// The root found after so many corrections, if 1 + g J there may be that of a root which continues that of a shorter step.
@@ -46,37 +41,30 @@ impl<const D: usize> Solver<D> {
     /// a determinant of the same sign; but J may jump in between, and before a root is refused J is taken where it is.
     pub(super) fn continued<U: Unknown<D>>(
         &mut self,
-        equation: &Equations<'_, D>,
-        unknown: &U,
-        theta: f64,
+        part: Part<'_, U, D>,
         iterations: u32,
     ) -> Result<u32, NotConverged> {
-        if U::LINEAR || self.matrix.is_positive() || self.matrix_continues(equation, theta) {
+        if U::LINEAR || self.matrix.is_positive() || self.matrix_continues(part) {
             return Ok(iterations);
         }
-        self.continued_from_here(equation, unknown, theta).then_some(iterations).ok_or(NotConverged::NOT_CONTINUED)
+        self.continued_from_here(part).then_some(iterations).ok_or(NotConverged::NOT_CONTINUED)
     }
 
     /// The same, with J at the root.
     #[cold]
-    pub(super) fn continued_from_here<U: Unknown<D>>(
-        &mut self,
-        equation: &Equations<'_, D>,
-        unknown: &U,
-        theta: f64,
-    ) -> bool {
-        self.place::<U>(equation);
-        self.take_jacobian(equation, unknown, theta) && self.matrix_continues(equation, theta)
+    pub(super) fn continued_from_here<U: Unknown<D>>(&mut self, part: Part<'_, U, D>) -> bool {
+        self.place::<U>(part.equation);
+        self.take_jacobian(part) && self.matrix_continues(part)
     }
 
-    fn matrix_continues(&mut self, equation: &Equations<'_, D>, theta: f64) -> bool {
+    fn matrix_continues<U>(&mut self, Part { equation, theta, .. }: Part<'_, U, D>) -> bool {
         let g = if theta == 1.0 { equation.g } else { &self.scaled };
         self.matrix.continues(g)
     }
 
     /// Whether the residual is what rounding makes of the equation, for every coordinate: of h v, of the forces, of Δ, and,
     /// as forces are those of rounded positions and cancel one another, of J times the positions.
-    fn residual_is_rounding(&mut self, equation: &Equations<'_, D>, theta: f64) -> bool {
+    fn residual_is_rounding<U>(&mut self, Part { equation, theta, .. }: Part<'_, U, D>) -> bool {
         let reach = equation.q.largest() + self.delta.largest() + equation.h.abs() * equation.v.largest();
         // Until the correction is made it is of no use.
         let stiffness = &mut self.rest;

@@ -118,8 +118,9 @@ pub fn tolerances() -> Vec<f64> {
     (4..=30).map(|k| 10_f64.powf(-0.5 * f64::from(k))).collect()
 }
 
-/// Numbers of steps, √2 apart, from one that has steps of about `coarse`.
-pub(crate) fn steps(span: f64, coarse: f64) -> Vec<f64> {
-    let first = (span / coarse).ceil().max(1.0);
-    (0..40).map(|k| (first * 2_f64.powf(0.5 * f64::from(k))).round()).collect()
+/// Numbers of steps, √2 apart, from one that has steps of about `coarse`; for orders beyond ten, whose error falls by 2¹⁶ where the
+/// step is halved, half as far apart.
+pub(crate) fn steps(span: f64, coarse: f64, order: u32) -> Vec<f64> {
+    let (first, rung) = ((span / coarse).ceil().max(1.0), if order > 10 { 0.25 } else { 0.5 });
+    (0..40).map(|k| (first * 2_f64.powf(rung * f64::from(k))).round()).collect()
 }

@@ -67,7 +67,7 @@ macro_rules! entrants {
                 let run = move |steps: f64| {
                     finish(study().scheme($scheme).ladder([$problem.end / steps]).repetitions(1).run())
                 };
-                let knobs = steps($problem.end, $problem.coarse);
+                let knobs = steps($problem.end, $problem.coarse, order(&$scheme));
                 $entrants.push(Entrant::new(Crate::Dmech, name(&$scheme), $label, knobs, run));
             };
         }
@@ -116,4 +116,8 @@ pub fn chain_schemes(problem: &Problem<Fput, 64>) -> Vec<Entrant<'_>> {
 
 fn name<S: Method>(_: &S) -> &'static str {
     S::NAME
+}
+
+fn order<S: Method>(_: &S) -> u32 {
+    S::ORDER
 }

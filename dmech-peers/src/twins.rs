@@ -8,7 +8,7 @@ use crate::problem::Problem;
 /// Leap-frog, SRKN₁₄ᵃ, and Gauss's method of order 16 with its stages in lanes.
 pub fn twins<'a, M: Motion<D> + 'a, const D: usize>(problem: &'a Problem<M, D>) -> Vec<Entrant<'a>> {
     let twin = |name: &str, label, forces: u64, run: fn(M, f64, u64, &mut [f64; D], &mut [f64; D])| {
-        let knobs = steps(problem.end, problem.coarse);
+        let knobs = steps(problem.end, problem.coarse, 6);
         Entrant::new(Crate::Hand, name, label, knobs, move |steps| {
             Finish::of(&problem.truth, || {
                 let (mut q, mut v) = (problem.start.q, problem.start.v);
@@ -20,12 +20,11 @@ pub fn twins<'a, M: Motion<D> + 'a, const D: usize>(problem: &'a Problem<M, D>) 
     vec![
         twin("Leap-frog by hand", "leap-frog by hand", 1, leapfrog::<M, D>),
         twin("SRKN14 of order 6 by hand", "SRKN14 by hand", 14, srkn14::<M, D>),
-        // The error falls by 2¹⁶ where the step is halved: a ladder of smaller rungs.
         Entrant::new(
             Crate::Hand,
             "Gauss of order 16 by hand",
             "Gauss 16 by hand",
-            (0..40).map(|k| (problem.end / problem.coarse * 2_f64.powf(0.25 * f64::from(k))).round()).collect(),
+            steps(problem.end, problem.coarse, 16),
             |steps| Finish::of(&problem.truth, || Ok(gauss_in_equal_steps(problem, steps as u64))),
         ),
     ]

@@ -46,7 +46,7 @@ impl Line {
     }
 }
 
-/// Every entrant with every knob, from the coarsest until it is accurate enough or too slow; then all of these runs
+/// Every entrant with every knob, from the coarsest until it is accurate enough and no longer gets cheaper, or is too slow; then all of these runs
 /// again, round by round, of which the shortest times are kept.
 pub fn measure(entrants: &[Entrant<'_>], rounds: u32) -> Vec<Line> {
     let mut lines: Vec<_> = entrants.iter().map(first).collect();
@@ -63,11 +63,16 @@ pub fn measure(entrants: &[Entrant<'_>], rounds: u32) -> Vec<Line> {
 }
 
 fn first(entrant: &Entrant<'_>) -> Line {
-    let (mut runs, mut enough) = (Vec::new(), 0);
+    let (mut runs, mut enough, mut before) = (Vec::new(), 0, 0);
     for &knob in &entrant.knobs {
         let run = entrant.run(knob);
-        enough += u32::from(run.as_ref().is_ok_and(|finish| finish.error < ENOUGH));
-        let done = enough == 2 || run.as_ref().is_ok_and(|finish| finish.time > LONGEST);
+        let mut done = false;
+        if let Ok(Finish { error, evaluations, time }) = &run {
+            // Steps that are too long cost more than shorter ones where they are made in parts: the ladder goes on to those.
+            enough += u32::from(*error < ENOUGH && *evaluations >= before);
+            done = enough == 2 || *time > LONGEST;
+            before = *evaluations;
+        }
         runs.push((knob, run));
         if done {
             break;
@@ -102,15 +107,18 @@ mod tests {
         assert_eq!(cost_at(1e-9, &points), None);
     }
 
-    /// The ladder ends with the second run that is accurate enough, and a run that fails does not end it.
+    /// The ladder ends with the second run that is accurate enough and no cheaper than the one before, and a run that fails does not
+    /// end it.
     #[test]
     fn a_ladder_ends_where_it_is_accurate() {
         let run = |knob: f64| {
             let finish = Finish { error: knob, evaluations: (1.0 / knob) as u64, time: Duration::from_micros(7) };
             if knob == 1e-4 { Err("lost".to_owned()) } else { Ok(finish) }
         };
-        let knobs = vec![1e-2, 1e-4, 1e-13, 1e-8, 1e-14, 1e-15];
-        let lines = measure(&[Entrant::new(Crate::Hand, "made up", "m", knobs, run)], 1);
+        let measured = |knobs: Vec<f64>| measure(&[Entrant::new(Crate::Hand, "made up", "m", knobs, run)], 1);
+        let cheaper = measured(vec![1e-2, 1e-16, 1e-15, 1e-14, 1e-13, 1e-14, 1e-15]);
+        assert_eq!(cheaper[0].runs.len(), 6);
+        let lines = measured(vec![1e-2, 1e-4, 1e-13, 1e-8, 1e-14, 1e-15]);
         assert_eq!(lines[0].runs.len(), 5);
         assert!(lines[0].runs[1].1.is_err() && lines[0].runs[4].1.is_ok());
         let forces = lines[0].evaluations_at(1e-6).unwrap().value();

@@ -474,6 +474,33 @@ fn two_begin_a_store_at_once() {
     }
 }
 
+/// So have processes, which wait for one another to make the file.
+#[cfg(unix)]
+#[test]
+fn processes_that_begin_a_store_at_once() {
+    let sweep = || of::<Orbit, _, 2>(60, Leapfrog).dt(0.05).threads(1);
+    let at_once = |file: &Path| file.with_extension("begin");
+    if let Some(file) = std::env::var_os(CHILD).map(PathBuf::from) {
+        while !at_once(&file).exists() {
+            std::hint::spin_loop();
+        }
+        sweep().store(file).run(20).unwrap();
+        return;
+    }
+    let plain = sweep().run(20).unwrap();
+    for n in 0..30 {
+        let place = Place::new(&format!("processes-{n}"));
+        let begin = || child("store::processes_that_begin_a_store_at_once", &place.file(), "").spawn().unwrap();
+        let processes = [(); 4].map(|()| begin());
+        std::thread::sleep(Duration::from_millis(30));
+        fs::write(at_once(&place.file()), "").unwrap();
+        for mut process in processes {
+            assert!(process.wait().unwrap().success(), "of the four in place {n}");
+        }
+        the_same(&plain, &sweep().store(place.file()).run(20).unwrap());
+    }
+}
+
 /// The sweep that is killed, a part of a second long.
 fn killed(members: usize) -> Made<Orbit, Leapfrog, 2> {
     of::<Orbit, _, 2>(members, Leapfrog).dt(0.002).look_every(100).threads(2)

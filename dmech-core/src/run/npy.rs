@@ -6,13 +6,16 @@ use super::csv::Columns;
 use super::stream::Sink;
 
 /// A table of NumPy, `numpy.load("motion.npy")`: a row of `f64` for each state, with the columns of [`Csv`](crate::Csv). The number of rows
-/// is put into its head when the run ends, also where it ends early.
+/// is put into its head when the run ends, also where it ends early. Each state is written at once: behind a `BufWriter` little is
+/// gained, and a disk that is full may keep the number of rows from the head.
 #[derive(Clone, Debug)]
 pub struct Npy<W> {
     out: W,
     columns: u64,
     /// Where in the writer the table begins.
     origin: u64,
+    /// The bytes of a state.
+    row: Vec<u8>,
 }
 
 impl<W: Write + Seek> Npy<W> {
@@ -21,7 +24,7 @@ impl<W: Write + Seek> Npy<W> {
 
     /// A table to a writer, from where that stands.
     pub fn new(out: W) -> Self {
-        Npy { out, columns: 0, origin: 0 }
+        Npy { out, columns: 0, origin: 0, row: Vec::new() }
     }
 
     fn head(&mut self, rows: u64) -> io::Result<()> {
@@ -43,13 +46,9 @@ impl<X: Columns, W: Write + Seek> Sink<X> for Npy<W> {
     }
 
     fn write(&mut self, state: &X) -> io::Result<()> {
-        let mut written = Ok(());
-        state.numbers(&mut |x| {
-            if written.is_ok() {
-                written = self.out.write_all(&x.to_le_bytes());
-            }
-        });
-        written
+        self.row.clear();
+        state.numbers(&mut |x| self.row.extend(x.to_le_bytes()));
+        self.out.write_all(&self.row)
     }
 
     fn end(&mut self, rows: u64) -> io::Result<()> {

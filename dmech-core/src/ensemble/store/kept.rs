@@ -2,10 +2,11 @@
 
 use core::ops::Range;
 use std::path::Path;
-use std::time::Duration;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use rusqlite::types::Value;
-use rusqlite::{Connection, OpenFlags, Transaction, TransactionBehavior};
+use rusqlite::{Connection, ErrorCode, OpenFlags, Transaction, TransactionBehavior};
 
 use super::layout::{Layout, TABLES};
 use super::record::{Members, read};
@@ -22,6 +23,19 @@ const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The smallest page of a database, in bytes.
 const SMALLEST: u64 = 512;
+
+/// Waits for somebody else where SQLite itself does not: while he makes the journal, or goes through what a killed one has left.
+fn patiently<T>(mut ask: impl FnMut() -> rusqlite::Result<T>) -> rusqlite::Result<T> {
+    let begun = Instant::now();
+    loop {
+        match ask() {
+            Err(busy) if busy.sqlite_error_code() == Some(ErrorCode::DatabaseBusy) && begun.elapsed() < PATIENCE => {
+                thread::sleep(Duration::from_millis(2));
+            }
+            answer => return answer,
+        }
+    }
+}
 
 fn tables_of(database: &Connection) -> Result<i64, StoreError> {
     Ok(database.query_row("SELECT COUNT(*) FROM sqlite_master", [], |row| row.get(0))?)
@@ -78,7 +92,7 @@ impl Store {
         }
         // Others may read while this writes, and what is committed outlives the process. The loss of power may take the last blocks, not
         // the file: they are moved again. Where there is no WAL, as on a network, every block waits for the disk.
-        let journal: String = database.query_row("PRAGMA journal_mode = WAL", [], |row| row.get(0))?;
+        let journal: String = patiently(|| database.query_row("PRAGMA journal_mode = WAL", [], |row| row.get(0)))?;
         let synchronous = if journal.eq_ignore_ascii_case("wal") { "NORMAL" } else { "FULL" };
         database.execute_batch(&format!("PRAGMA synchronous = {synchronous}"))?;
         let layout = Layout::of::<X>(ensemble.columns());

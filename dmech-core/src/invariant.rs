@@ -133,7 +133,8 @@ pub struct Drift<R = f64> {
 
 impl<R: Real> Drift<R> {
     pub(crate) fn new(t: R, start: R) -> Self {
-        let (mean_t, [mean_x, max_abs, moment_tt, moment_tx]) = (t, [R::ZERO; 4]);
+        // What is no number at the start has not stayed where it was.
+        let (max_abs, mean_t, [mean_x, moment_tt, moment_tx]) = (start - start, t, [R::ZERO; 3]);
         Drift { start, last: start, max_abs, samples: R::ONE, mean_t, mean_x, moment_tt, moment_tx }
     }
 
@@ -237,5 +238,9 @@ mod tests {
         wave.observe(5.0, f64::NAN, f64::NAN);
         wave.observe(6.0, 2.0, 0.0);
         assert!(wave.max_abs().is_nan());
+        for start in [f64::NAN, f64::INFINITY] {
+            let lost = Drift::new(0.0, start);
+            assert!(lost.max_abs().is_nan() && lost.max_relative().is_nan(), "{lost:?}");
+        }
     }
 }

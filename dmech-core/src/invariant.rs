@@ -134,7 +134,7 @@ pub struct Drift<R = f64> {
 impl<R: Real> Drift<R> {
     pub(crate) fn new(t: R, start: R) -> Self {
         // What is no number at the start has not stayed where it was.
-        let (max_abs, mean_t, [mean_x, moment_tt, moment_tx]) = (start - start, t, [R::ZERO; 3]);
+        let (max_abs, mean_t, [mean_x, moment_tt, moment_tx]) = ((R::ZERO * start).abs(), t, [R::ZERO; 3]);
         Drift { start, last: start, max_abs, samples: R::ONE, mean_t, mean_x, moment_tt, moment_tx }
     }
 

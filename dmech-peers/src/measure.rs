@@ -46,8 +46,8 @@ impl Line {
     }
 }
 
-/// Every entrant with every knob, from the coarsest until it is accurate enough and no longer gets cheaper, or is too slow; then all of these runs
-/// again, round by round, of which the shortest times are kept.
+/// Every entrant with every knob, from the coarsest until it is accurate enough and no longer gets cheaper, or is too slow;
+/// then all of these runs again, round by round, of which the shortest times are kept.
 pub fn measure(entrants: &[Entrant<'_>], rounds: u32) -> Vec<Line> {
     let mut lines: Vec<_> = entrants.iter().map(first).collect();
     for _ in 0..rounds {

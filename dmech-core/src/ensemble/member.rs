@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::block::{Block, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Attend, Due, Follow, Interrupted, Log, Motion, Prepared, Run};
+use crate::run::{Attend, Due, Follow, Interrupted, Log, Motion, Plan, Run};
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::stepper::Stepper;
@@ -30,7 +30,7 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
     pub(super) fn begin(block: &Block<'_, L, S, O, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
         let (simulation, attend) = (block.member)(k).apart();
         let run = simulation.empty_run();
-        let Prepared { mut stepper, steps: left, states, settings } = match simulation.prepare(block.span) {
+        let (mut stepper, Plan { steps: left, states, settings }) = match simulation.prepare(block.span) {
             Ok(prepared) => prepared,
             Err(cause) => return Err(Interrupted::new(run, cause)),
         };

@@ -9,32 +9,19 @@ use super::due::Due;
 use super::motion::Motion;
 use super::progress::Follow;
 use super::report::Work;
-use super::simulation::Settings;
+use super::simulation::{Plan, Settings};
 use super::{Interrupted, Run, Watch};
 use crate::error::Error;
 use crate::invariant::MAX_OWN;
 use crate::stepper::in_parts;
 
-/// A run before its first step, whatever the law and the scheme.
-pub(crate) struct Begun<'m, X, R> {
-    pub(crate) motion: &'m mut dyn Motion<X, R>,
-    /// Steps that it makes, or fewer if the motion arrives or is stopped before.
-    pub(crate) steps: u64,
-    /// States that it will record, as far as their number is known.
-    pub(crate) states: u64,
-    pub(crate) settings: Settings,
-}
-
 /// Makes the steps, and records the states that are due.
 pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
+    motion: &mut dyn Motion<X, R>,
     run: Run<X>,
-    begun: Result<Begun<'_, X, R>, Error>,
+    Plan { steps, states, settings: Settings { due, shown, .. } }: Plan,
     attend: O,
 ) -> Result<Run<X>, Interrupted<X>> {
-    let Begun { motion, steps, states, settings: Settings { due, shown, .. } } = match begun {
-        Ok(begun) => begun,
-        Err(cause) => return Err(Interrupted::new(run, cause)),
-    };
     let mut log = Log::new(motion, run, due, attend);
     #[cfg(feature = "plot")]
     log.watch.keep_courses(log.start);

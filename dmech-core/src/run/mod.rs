@@ -50,7 +50,7 @@ pub(crate) use report::Work;
 pub(crate) use restored::Restored;
 #[cfg(feature = "progress")]
 pub(crate) use shown::bar;
-pub(crate) use simulation::Prepared;
+pub(crate) use simulation::Plan;
 #[cfg(any(feature = "ranks", feature = "store"))]
 pub(crate) use simulation::Settings;
 pub use simulation::{Attended, Simulation};

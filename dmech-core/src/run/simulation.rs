@@ -4,7 +4,7 @@ use dmech_scalar::Real;
 
 use super::attend::Attend;
 use super::due::Due;
-use super::log::{Begun, record};
+use super::log::record;
 use super::progress::Shown;
 use super::{Interrupted, Run};
 use crate::error::Error;
@@ -338,15 +338,14 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         O: Attend<X::State>,
     {
         let (bare, attend) = self.apart();
-        let (run, mut prepared) = (bare.empty_run(), bare.prepare(span));
-        let begun = match &mut prepared {
-            Ok(Prepared { stepper, steps, states, settings }) => {
+        let run = bare.empty_run();
+        match bare.prepare(span) {
+            Ok((mut stepper, plan)) => {
                 stepper.scheme.watch(true, &mut stepper.workspace);
-                Ok(Begun { motion: stepper, steps: *steps, states: *states, settings: settings.clone() })
+                record(&mut stepper, run, plan, attend)
             }
-            Err(cause) => Err(*cause),
-        };
-        record(run, begun, attend)
+            Err(cause) => Err(Interrupted::new(run, cause)),
+        }
     }
 }
 
@@ -358,7 +357,7 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
     }
 
     /// Everything that a run begins with, whatever accompanies it.
-    pub(crate) fn prepare(self, span: Span) -> Result<Prepared<X::System, S>, Error> {
+    pub(crate) fn prepare(self, span: Span) -> Result<(Stepper<X::System, S>, Plan), Error> {
         let Simulation { law, start, scheme, settings, attend: () } = self;
         let scheme = if let Span::Until(end) = span { scheme.until(end) } else { scheme };
         settings.due.check(X::System::time(&start.start()))?;
@@ -367,13 +366,13 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
         let (t, dt) = (stepper.t(), stepper.dt);
         let steps = span.steps(t, dt, stepper.scheme.tolerance().is_some())?;
         let states = settings.due.states(steps, span.time(t, steps, dt));
-        Ok(Prepared { stepper, steps, states, settings })
+        Ok((stepper, Plan { steps, states, settings }))
     }
 }
 
-/// A run before its first step.
-pub(crate) struct Prepared<Y: System, S: Scheme<Y>> {
-    pub(crate) stepper: Stepper<Y, S>,
+/// How far a run goes, and what it records.
+pub(crate) struct Plan {
+    /// Steps that it makes, or fewer if the motion arrives or is stopped before.
     pub(crate) steps: u64,
     /// States that it will record, as far as their number is known.
     pub(crate) states: u64,

@@ -6,9 +6,8 @@
 //!
 //! All get the same force, written by hand and inlined, the tolerances 10⁻² to 10⁻¹⁵ (relative and absolute alike) or
 //! their own ladder of steps (for order 16, by hand as generated, one of smaller rungs), and no output but the last state;
-//! fixed-size vectors where the crate can use them. What
-//! was given to each program is said in its file. dmech gets the declared potential. The time of a run includes the making
-//! of the solver (not of heyoka's, which compiles it), and is the shortest of several rounds in which all take turns. heyoka
+//! fixed-size vectors where the crate can use them. What was given to each program is said in its file. dmech gets the
+//! declared potential. The time of a run includes the making of the solver (not of heyoka's, which compiles it), and is the shortest of several rounds in which all take turns. heyoka
 //! runs in a process of its own, where `DMECH_PYTHON` or `python3` is a Python that has it. The error is the distance of the
 //! final position (of all coordinates) from the exact one; the time to an error lies on the line between two runs, in
 //! logarithms. A dash says that no run of at most 40 ms reaches it; ≤ that already the coarsest run does.

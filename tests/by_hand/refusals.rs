@@ -206,6 +206,28 @@ fn a_number_of_steps_beyond_all_bounds_is_refused() {
     assert!(matches!(error, Error::StepVanished { .. }), "{error}");
 }
 
+/// Near t = 0 each step changes the time, however short it is; an end that no number of them comes to is refused there as elsewhere.
+#[test]
+fn an_end_beyond_the_reach_of_steps_that_follow_the_motion_is_refused() {
+    // A period of 2π·10⁻³⁰.
+    let oscillator = |t| Simulation::new(Bowl { broken: &[] }, State { t, ..State::new([0.3], [0.0]) }).mass(1e-60);
+    for t in [0.0, -1e-35, 1e-300, 1.0] {
+        let adaptive = oscillator(t).scheme(Nystrom::order8()).adaptive(1e-9);
+        let failed = adaptive.clone().run_until(2.0).unwrap_err();
+        assert!(matches!(failed.cause(), Error::StepVanished { dt, .. } if dt < 1e-29), "from {t}: {failed}");
+        assert_eq!(failed.run().steps() > 1000, t != 1.0, "from {t}: {failed}");
+        if t != 1.0 {
+            // One that comes to it, and none.
+            assert!(adaptive.clone().run_until(t + 1e-25).unwrap().steps() > 10_000);
+            assert_eq!(adaptive.run(10_000).unwrap().steps(), 10_000);
+        }
+    }
+    // A motion that begins so fast, and does not stay so.
+    let thrown = State::new([1e-22, 0.0], [3e11, 0.0]);
+    let run = Simulation::new(SUN, thrown).scheme(Nystrom::order4()).adaptive(1e-3).run_until(2.0).unwrap();
+    assert!(run.report().dt_range().unwrap()[0] < 1e-17 * run.last().t);
+}
+
 /// x²/2, of which some quantities are not a number beyond x = 1/2.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bowl {

@@ -142,6 +142,25 @@ fn adaptive_members() {
     }
 }
 
+/// One whose steps are too short to come to the end does not keep the others in its lanes.
+#[test]
+fn adaptive_members_beside_one_that_cannot_come_to_the_end() {
+    let mass = |k: usize| if k == 5 { 1e-60 } else { 1.0 + k as f64 };
+    let ensemble = Ensemble::of(11).law(Saddle::member).start(Saddle::start).mass(mass).scheme(Gauss::order16());
+    let run = ensemble.adaptive(1e-9).run_until(2.0).unwrap();
+    for k in 0..11 {
+        let alone = Simulation::new(Saddle::member(k), Saddle::start(k)).mass(mass(k)).scheme(Gauss::order16());
+        match (alone.adaptive(1e-9).run_until(2.0), run.member(k)) {
+            (Ok(alone), Ok(member)) => assert_eq!(alone.last(), member.last(), "{k}"),
+            (Err(alone), Err(member)) => {
+                assert_eq!((k, alone.cause(), alone.run().steps()), (5, member.cause(), member.run().steps()));
+            }
+            (alone, member) => panic!("{k}: {} alone, {} together", alone.is_ok(), member.is_ok()),
+        }
+    }
+    assert_eq!(run.failures().count(), 1);
+}
+
 /// Scenes, each of another size, with events that stop some of them.
 #[test]
 fn scenes_and_events() {

@@ -217,7 +217,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         let Paced { stride, workspace, longest, .. } = all;
         let mut made = 0;
         while made < steps && !self.has_arrived(&pacing).any() {
-            if !pacing.moves_on().all() {
+            if !pacing.moves_on().and(self.is_in_reach(&pacing)).all() {
                 return None;
             }
             let t = pacing.time.value();

@@ -231,7 +231,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// # Errors
     /// When run: [`Error::Tolerance`](crate::Error::Tolerance), and [`Error::TurnVanished`](crate::Error::TurnVanished) for one so small
     /// that a step would turn the motion by less than 2⁻⁵², as 4·10⁻³² does of `DiscreteGradient` and 10⁻²⁶⁰ of `Gauss`;
-    /// [`Error::NoTimeScale`](crate::Error::NoTimeScale), and [`Error::StepVanished`](crate::Error::StepVanished) in a collision.
+    /// [`Error::NoTimeScale`](crate::Error::NoTimeScale), and [`Error::StepVanished`](crate::Error::StepVanished) in a collision, or
+    /// where 4096 rows had no step longer than 2⁻⁵³ of the time that is left.
     pub fn adaptive(self, tolerance: f64) -> Simulation<L, X, Adaptive<S>, O>
     where
         S: Adaptable,

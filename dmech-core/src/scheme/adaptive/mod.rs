@@ -98,6 +98,9 @@ impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemor
     }
 }
 
+/// Rows after which the longest step tells how long the steps of a motion are: one more than doubles it at most.
+const MANY: f64 = 4096.0;
+
 /// The angle that a row of equal steps turns at most, unless it is a single step.
 const ROW: f64 = 0.125;
 
@@ -127,7 +130,7 @@ impl<S: Adaptable> Adaptive<S> {
     /// Whether there is a next step.
     #[inline]
     pub(crate) fn is_ready(&self, step: u64, pacing: &Pacing) -> Result<(), Error> {
-        if pacing.moves_on() || self.has_arrived(pacing) {
+        if pacing.moves_on() && (self.is_in_reach(pacing) || step as f64 <= MANY * self.row) || self.has_arrived(pacing) {
             return Ok(());
         }
         let (time, dt) = (pacing.time.value(), pacing.dt);

@@ -30,7 +30,7 @@ use model::{Parsed, Refusal, Refused};
 pub struct Derivation {
     /// What was declared.
     pub model: Model,
-    /// The declared potential as an expression.
+    /// The declared potential, force and invariants as expressions.
     pub lowered: Lowered,
     /// The programs derived from its potential.
     pub kernels: Kernels,
@@ -41,15 +41,15 @@ pub struct Derivation {
 }
 
 /// A law between two bodies with everything that follows from it, before it is printed.
-pub struct PairDerivation {
+pub(crate) struct PairDerivation {
     /// What was declared.
-    pub model: Model,
+    pub(crate) model: Model,
     /// The declared potential and force as expressions.
-    pub lowered: Lowered,
+    pub(crate) lowered: Lowered,
     /// What it reads of the bodies.
-    pub pair: LoweredPair,
+    pub(crate) pair: LoweredPair,
     /// The programs derived.
-    pub kernels: PairKernels,
+    pub(crate) kernels: PairKernels,
 }
 
 /// A law of one body or of two.
@@ -73,25 +73,11 @@ pub fn derive(item: TokenStream) -> TokenStream {
 /// # Errors
 /// Everything that is wrong with the law, each with its span.
 pub fn derivation_of_impl(item: TokenStream) -> Result<Derivation, Vec<syn::Error>> {
-    match derived(item)? {
+    let model = model::from_impl(TokenStream::new(), item).model;
+    match derive_all(model).map_err(|refused| refused.mistakes.errors)? {
         Derived::One(derivation) => Ok(*derivation),
         Derived::Pair(derivation) => Err(vec![diagnostics::pair::not_of_one_body(&derivation.model.self_ty)]),
     }
-}
-
-/// What the attribute would derive from an impl block with a `#[pair]` or a `#[pair_force]`.
-///
-/// # Errors
-/// Everything that is wrong with the law, each with its span.
-pub fn derivation_of_pair(item: TokenStream) -> Result<PairDerivation, Vec<syn::Error>> {
-    match derived(item)? {
-        Derived::Pair(derivation) => Ok(*derivation),
-        Derived::One(derivation) => Err(vec![diagnostics::pair::of_one_body(&derivation.model.self_ty)]),
-    }
-}
-
-fn derived(item: TokenStream) -> Result<Derived, Vec<syn::Error>> {
-    derive_all(model::from_impl(TokenStream::new(), item).model).map_err(|refused| refused.mistakes.errors)
 }
 
 fn derive_all(model: Result<Model, Refused>) -> Result<Derived, Refused> {

@@ -13,9 +13,19 @@ pub struct Solution {
     pub x: Vec<Expr>,
     /// What is positive where A has grown from the unit matrix without having been singular on the way: the pivots of a symmetric
     /// A, all of which are positive only if A is positive definite; of any other A its determinant, which an even number of
-    /// changes of sign would leave positive too. If there are more of these than unknowns, pivots follow on the determinant: where they
-    /// are positive as well there is no doubt.
+    /// changes of sign would leave positive too.
     pub positive: Vec<Expr>,
+    /// What these numbers are.
+    pub asked: Asked,
+}
+
+/// Of which numbers it is asked whether they are positive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// Of all pivots, or of the determinant alone.
+    Positive,
+    /// Of the determinant, and then of the pivots: where they are positive as well there is no doubt.
+    Oriented,
 }
 
 /// How often a correction is made.
@@ -89,9 +99,9 @@ pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], corrections: Correction
         let doubled = several && !g.is_zero(a[n - 1][n - 2]);
         let factors: Vec<_> = (0..n).filter(|i| !doubled || i + 2 != n).map(|i| pivots[i]).collect();
         let determinant = g.mul(&factors);
-        return Solution {
-            x,
-            positive: if several { [vec![determinant], pivots].concat() } else { vec![determinant] },
+        return match several {
+            true => Solution { x, positive: [vec![determinant], pivots].concat(), asked: Asked::Oriented },
+            false => Solution { x, positive: vec![determinant], asked: Asked::Positive },
         };
     }
     // Each once, and not what is 1 whatever the step is.
@@ -101,7 +111,7 @@ pub fn solve(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr], corrections: Correction
         seen.push(*pivot);
         new
     });
-    Solution { x, positive: positive.collect() }
+    Solution { x, positive: positive.collect(), asked: Asked::Positive }
 }
 
 /// Whether it is so as it is written: equal expressions are one expression.
@@ -134,5 +144,5 @@ fn cramer(g: &mut Graph, a: &[Vec<Expr>], r: &[Expr]) -> Solution {
             g.div(sum, determinant)
         })
         .collect();
-    Solution { x, positive: vec![determinant] }
+    Solution { x, positive: vec![determinant], asked: Asked::Positive }
 }

@@ -77,14 +77,26 @@ where
         let (a, b) = (dice.near(q, 0.3).map(R::from_f64), dice.near(q, 0.3).map(R::from_f64));
         let (v, c) = (dice.near([0.4; D], 0.5).map(R::from_f64), R::from_f64(0.013));
         let ends = [(&variables.a[..], &a[..]), (&variables.b[..], &b[..])];
-        same(&[law.potential(a)], oracle.run(&kernels.potential, &[arguments(&variables.q, &a)]), "potential");
-        same(&law.gradient(a), oracle.run(&kernels.gradient, &[arguments(&variables.q, &a)]), "gradient");
-        same(&law.hessian(a).concat(), oracle.run(&kernels.hessian, &[arguments(&variables.q, &a)]), "hessian");
+        same(
+            &[law.potential(a)],
+            oracle.run(&kernels.pointwise.potential, &[arguments(&variables.q, &a)]),
+            "potential",
+        );
+        same(&law.gradient(a), oracle.run(&kernels.pointwise.gradient, &[arguments(&variables.q, &a)]), "gradient");
+        same(
+            &law.hessian(a).concat(),
+            oracle.run(&kernels.pointwise.hessian, &[arguments(&variables.q, &a)]),
+            "hessian",
+        );
         let all = [arguments(&variables.q, &a), (&variables.v[..], &v[..]), (&[variables.c][..], &[c][..])];
         same(&law.field(R::ONE, R::ZERO).kick(c, a, v), oracle.run(&kernels.kick, &all), "kick");
-        same(&law.discrete_gradient(a, b), oracle.run(&kernels.discrete_gradient, &ends), "discrete gradient");
+        same(
+            &law.discrete_gradient(a, b),
+            oracle.run(&kernels.pointwise.discrete_gradient, &ends),
+            "discrete gradient",
+        );
         let jacobian = law.discrete_gradient_jacobian(a, b).concat();
-        same(&jacobian, oracle.run(&kernels.discrete_gradient_jacobian, &ends), "Jacobian");
+        same(&jacobian, oracle.run(&kernels.pointwise.discrete_gradient_jacobian, &ends), "Jacobian");
     }
     assert!(compared > 100, "{compared} numbers compared");
 }

@@ -109,7 +109,3 @@ pub(crate) fn one_body_beside(name: &Ident) -> Error {
 pub(crate) fn not_of_one_body(self_ty: &impl ToTokens) -> Error {
     at(self_ty, "this is a law between two bodies")
 }
-
-pub(crate) fn of_one_body(self_ty: &impl ToTokens) -> Error {
-    at(self_ty, "this is a law of one body, not between two")
-}

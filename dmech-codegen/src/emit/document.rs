@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt::Write;
 
 use dmech_symbolic::expression::{Expr, Graph};
-use dmech_symbolic::kernel::{self, ForcedKernels, Kernels, Step};
+use dmech_symbolic::kernel::{self, ForcedKernels, Kernels, Step, Way};
 use dmech_symbolic::program::Program;
 
 use crate::Derivation;
@@ -14,7 +14,7 @@ use crate::lower::{Parameter, Source};
 pub(super) fn pointwise_texts(graph: &Graph, kernels: &Kernels) -> [Vec<String>; 5] {
     let formulas = Formulas { graph, dimension: kernels.formulas.gradient.len(), lines: vec![] };
     let of = |what: &str, list: &[Expr]| formulas.components(what, "", list);
-    let (found, [potential, gradient, hessian, discrete, jacobian]) = (&kernels.formulas, kernels.pointwise());
+    let (found, [potential, gradient, hessian, discrete, jacobian]) = (&kernels.formulas, kernels.pointwise.each());
     [
         block("The potential.", &[("Φ".to_owned(), shown(graph, found.potential))], potential),
         block("The gradient.", &of("∂Φ/∂", &found.gradient), gradient),
@@ -80,12 +80,10 @@ pub(super) fn increment(what: &str, step: &Step) -> String {
 
 /// How a step is solved, which follows from the structure of the law.
 fn way(step: &Step) -> &'static str {
-    match step {
-        Step::Linear(_) => "It is linear in Δ: one solve, no iteration.",
-        Step::Central(_) => {
-            "The force is along q: one unknown, s = |q + Δ|²; here its coefficient and two derivatives."
-        }
-        Step::Newton(_) => "One Newton correction.",
+    match step.way {
+        Way::Linear => "It is linear in Δ: one solve, no iteration.",
+        Way::Central => "The force is along q: one unknown, s = |q + Δ|²; here its coefficient and two derivatives.",
+        Way::Newton => "One Newton correction.",
     }
 }
 
@@ -96,8 +94,8 @@ pub(super) fn derivation(derivation: &Derivation) -> String {
     let mut costs = vec![("kick", &kernels.kick)];
     if model.potential.is_some() {
         formulas.potential(&kernels.formulas);
-        costs.extend([("gradient", &kernels.gradient), ("hessian", &kernels.hessian)]);
-        costs.push(("discrete gradient", &kernels.discrete_gradient));
+        costs.extend([("gradient", &kernels.pointwise.gradient), ("hessian", &kernels.pointwise.hessian)]);
+        costs.push(("discrete gradient", &kernels.pointwise.discrete_gradient));
     }
     if let Some(forced) = forced {
         formulas.force(&forced.formulas.force);

@@ -1,18 +1,18 @@
-//! The impl block, and what stands in for it where the law has errors.
+//! The impl blocks of a law of one body.
 
 use dmech_symbolic::expression::Expr;
 use dmech_symbolic::kernel::Kernels;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
-use syn::{GenericParam, Lifetime};
 
 use super::document::pointwise_texts;
+use super::generics::{generic_name, hidden_lifetime, module, parameters_of, scalar_name};
+use super::marker::{marker, told};
 use super::names::{Names, ident, receiver, runtime, underscored};
+use super::pointwise::{FORCE, POTENTIAL};
 use super::printer::{Printer, Reached};
-use super::rank::{POINTWISE, Rank};
 use crate::Derivation;
 use crate::lower::{Lowered, Parameter, Source};
-use crate::model::Model;
 
 /// The traits of mechanics for the user's type, with everything derived from its potential and force.
 ///
@@ -67,22 +67,14 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let own_generics = quote!(<#(#own),*>);
     let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
     let items = super::author::items(model, &quote!(#d), None);
-    let marker = |name: &str, holds: bool| {
-        let name = ident(name);
-        holds.then(|| {
-            quote! {
-                #[automatically_derived]
-                impl #own_generics #runtime::#name for #self_ty #where_clause {}
-            }
-        })
-    };
     let velocity_independent = !forced.as_ref().is_some_and(|forced| forced.depends_on_velocity);
     let linear_in_velocity = forced.as_ref().is_none_or(|forced| forced.linear_in_velocity);
     let markers = [
-        marker("VelocityIndependent", velocity_independent),
-        marker("LinearInVelocity", linear_in_velocity),
-        marker("MassIndependent", !names(&phi, is_mass) && !names(forces, is_mass)),
+        velocity_independent.then_some("VelocityIndependent"),
+        linear_in_velocity.then_some("LinearInVelocity"),
+        (!names(&phi, is_mass) && !names(forces, is_mass)).then_some("MassIndependent"),
     ];
+    let markers = markers.into_iter().flatten().map(|name| marker(model, &runtime, name));
     let moment = generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment");
     let law_at =
         |time: TokenStream| quote!(<Self as #runtime::Law<#d, #scalar>>::field(#receiver, #scalar::ONE, #time));
@@ -129,18 +121,13 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     // A law that is only run counts as used.
     let declared = model.fields.is_none().then(|| model.formulas().map(|f| &f.ident).collect::<Vec<_>>());
     let declared = declared.iter().flatten();
-    let text = super::document::derivation(derivation);
+    let told = told(model, &runtime, &super::document::derivation(derivation));
     quote! {
         #[allow(clippy::approx_constant)]
         const _: () = {
             use #module as #runtime;
 
-            #[automatically_derived]
-            impl #own_generics #runtime::Derivation for #self_ty #where_clause {
-                fn derivation(&#receiver) -> &'static ::core::primitive::str {
-                    #text
-                }
-            }
+            #told
             #(#markers)*
 
             #[automatically_derived]
@@ -231,19 +218,12 @@ pub(super) fn numbers_of_law(parameters: &[Parameter]) -> impl Iterator<Item = &
 impl Printer<'_> {
     /// The functions of `Potential` for the law itself, by its moment.
     fn of_moment(&self, kernels: &Kernels, moment: &TokenStream) -> TokenStream {
-        let (scalar, d, runtime, receiver) = (&self.scalar, &self.dimension, &self.runtime, receiver());
-        let documents = pointwise_texts(self.graph, kernels);
-        let functions = POINTWISE.iter().zip(&documents).map(|(&(name, rank), text)| {
-            let arguments = if name.starts_with("discrete") { &["a", "b"][..] } else { &["q"] };
-            let arguments: Vec<_> = arguments.iter().map(|argument| ident(argument)).collect();
-            let (name, result) = (ident(name), rank.array(scalar, d));
-            quote! {
-                #(#[doc = #text])*
-                #[inline(always)]
-                fn #name(&#receiver, #(#arguments: [#scalar; #d]),*) -> #result {
-                    #runtime::Potential::#name(&#moment, #(#arguments),*)
-                }
-            }
+        let (runtime, point, ends) = (&self.runtime, [ident("q")], ["a", "b"].map(ident));
+        let functions = POTENTIAL.iter().zip(pointwise_texts(self.graph, kernels)).map(|(function, text)| {
+            let (name, arguments) = (ident(function.name), function.of(&point, &ends));
+            let value = quote!(#runtime::Potential::#name(&#moment, #(#arguments),*));
+            let function = function.with_body((&self.scalar, &self.dimension), arguments, &value);
+            quote!(#(#[doc = #text])* #function)
         });
         functions.collect()
     }
@@ -252,8 +232,7 @@ impl Printer<'_> {
     fn force_of_moment(&self, moment: &TokenStream, t: &Ident) -> TokenStream {
         let (scalar, d, runtime, receiver) = (&self.scalar, &self.dimension, &self.runtime, receiver());
         let [q, v] = ["q", "v"].map(ident);
-        let list = [("force", Rank::Vector), ("force_dq", Rank::Matrix), ("force_dv", Rank::Matrix)];
-        let functions = list.map(|(name, rank)| {
+        let functions = FORCE.map(|(name, rank)| {
             let (name, result) = (ident(name), rank.array(scalar, d));
             quote! {
                 #[inline(always)]
@@ -272,92 +251,4 @@ pub(super) fn degree(degree: Option<u32>) -> Option<TokenStream> {
     Some(quote! {
         const DEGREE: ::core::option::Option<::core::primitive::u32> = ::core::option::Option::Some(#degree);
     })
-}
-
-/// Potential and force without content, for a law of one body that has errors.
-pub(super) fn stub(model: &Model) -> TokenStream {
-    let (scalar, runtime) = (scalar_name(model), module(model));
-    let (d, any_dimension) = dimension(model);
-    let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
-    let parameters: Vec<_> = parameters_of(model).collect();
-    let function = |name: &str, arguments: &[&str], result: &TokenStream| {
-        let name = ident(name);
-        let arguments = arguments.iter().map(|a| ident(a));
-        quote!(fn #name(&self, #(#arguments: [#scalar; #d]),*) -> #result { ::core::unreachable!() })
-    };
-    let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-    let functions = [
-        function("potential", &["_q"], &quote!(#scalar)),
-        function("gradient", &["_q"], &vector),
-        function("hessian", &["_q"], &matrix),
-        function("discrete_gradient", &["_a", "_b"], &vector),
-        function("discrete_gradient_jacobian", &["_a", "_b"], &matrix),
-    ];
-    let names = ["force", "force_dq", "force_dv"].map(ident);
-    let results = [&vector, &matrix, &matrix];
-    let generics = quote!(<#(#parameters,)* #any_dimension #scalar: #runtime::Real>);
-    quote! {
-        #[automatically_derived]
-        impl <#(#parameters),*> #runtime::Conservative for #self_ty #where_clause {}
-        #[automatically_derived]
-        impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
-            #(fn #names(&self, _q: #vector, _v: #vector, _t: #scalar) -> #results { ::core::unreachable!() })*
-        }
-        #[automatically_derived]
-        impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
-            #(#functions)*
-        }
-    }
-}
-
-/// The number of coordinates as it is printed, and the parameter that it is where it may be any.
-pub(super) fn dimension(model: &Model) -> (TokenStream, Option<TokenStream>) {
-    if model.dimension > 0 {
-        let d = Literal::usize_unsuffixed(model.dimension);
-        return (quote!(#d), None);
-    }
-    let name = generic_name(model, ["D", "Dim", "__D", "__Dim"], "__DmechDimension");
-    // In braces, as an argument without them would be a type of the user's that is called so.
-    (quote!({ #name }), Some(quote!(const #name: usize,)))
-}
-
-/// The hidden module of the facade that generated code refers to.
-pub(super) fn module(model: &Model) -> TokenStream {
-    let krate = &model.krate;
-    quote!(#krate::__private::v1)
-}
-
-/// The generic parameters of the law as an impl block declares them: a struct's may have defaults, a block's not.
-pub(super) fn parameters_of(model: &Model) -> impl Iterator<Item = GenericParam> + '_ {
-    model.generics.params.iter().cloned().map(|mut parameter| {
-        match &mut parameter {
-            GenericParam::Type(ty) => ty.default = None,
-            GenericParam::Const(constant) => constant.default = None,
-            GenericParam::Lifetime(_) => {}
-        }
-        parameter
-    })
-}
-
-/// R, unless the user's own type or generics have that name.
-pub(super) fn scalar_name(model: &Model) -> Ident {
-    generic_name(model, ["R", "Scalar", "__R", "__Scalar"], "__DmechScalar")
-}
-
-/// The lifetime of the law in a hidden struct: 'law, unless the user's generics have it.
-pub(super) fn hidden_lifetime(model: &Model) -> Lifetime {
-    let name = generic_name(model, ["law", "held", "__law", "__held"], "__dmech_law");
-    Lifetime::new(&format!("'{name}"), Span::mixed_site())
-}
-
-/// The first name that stands nowhere where the user's own text is printed beside it: not in the type of the law, its
-/// generics and their bounds, the data of the bodies, or the path of the facade.
-pub(super) fn generic_name(model: &Model, candidates: [&str; 4], last_resort: &str) -> Ident {
-    let Model { self_ty, generics, krate, .. } = model;
-    let (bounds, data) = (&generics.where_clause, model.pair.as_ref().map(|pair| &pair.data));
-    let data = data.into_iter().flatten();
-    let tokens = quote!(#self_ty #generics #bounds #(#data)* #krate).to_string();
-    let words: Vec<&str> = tokens.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
-    let free = candidates.into_iter().find(|name| !words.contains(name));
-    ident(free.unwrap_or(last_resort))
 }

@@ -1,15 +1,16 @@
 //! The functions of the implementation, one for each kernel.
 
 use dmech_symbolic::expression::Symbol;
-use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, KickByMean, Step};
+use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Kernels, KickByMean};
 use dmech_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::document::{force_texts, increment, pointwise_texts, step_texts};
 use super::names::{ident, underscored};
+use super::pointwise::{FORCE, POTENTIAL};
 use super::printer::Printer;
-use super::rank::{POINTWISE, Rank};
+use super::rank::Rank;
 use crate::lower::Source;
 
 impl Printer<'_> {
@@ -18,8 +19,8 @@ impl Printer<'_> {
         let [kick_doc, gradient_kick_doc, implicit_doc, exact_doc] = step_texts(kernels);
         let kick = self.kick(&kick_doc, &kernels.kick);
         let gradient_kick = self.gradient_kick(&gradient_kick_doc, &kernels.gradient_kick);
-        let implicit = self.step("implicit_increment", &kernels.implicit, false);
-        let exact = self.step("discrete_increment", &kernels.discrete, true);
+        let implicit = self.step("implicit_increment", &kernels.implicit);
+        let exact = self.step("discrete_increment", &kernels.discrete);
         quote! {
             #kick
             #gradient_kick
@@ -71,7 +72,7 @@ impl Printer<'_> {
 
     /// The functions of `Potential` that are taken at a point, or between two.
     pub(super) fn pointwise(&self, kernels: &Kernels) -> TokenStream {
-        self.pointwise_functions("q", kernels.pointwise(), &pointwise_texts(self.graph, kernels))
+        self.pointwise_functions("q", kernels.pointwise.each(), &pointwise_texts(self.graph, kernels))
     }
 
     /// The same of the programs, with the name of the point.
@@ -83,10 +84,9 @@ impl Printer<'_> {
     ) -> TokenStream {
         let at = [(point, &self.variables.q[..])];
         let ends = [("a", &self.variables.a[..]), ("b", &self.variables.b[..])];
-        let list = POINTWISE.iter().zip(programs).zip(documents);
-        let functions = list.map(|((&(name, rank), program), text)| {
-            let arrays = if name.starts_with("discrete") { &ends[..] } else { &at[..] };
-            let function = self.function(name, arrays, &[], rank, program);
+        let list = POTENTIAL.iter().zip(programs).zip(documents);
+        let functions = list.map(|((function, program), text)| {
+            let function = self.function(function.name, function.of(&at, &ends), &[], function.rank, program);
             quote!(#(#[doc = #text])* #function)
         });
         functions.collect()
@@ -95,12 +95,8 @@ impl Printer<'_> {
     /// The functions of `Force`: they take the time as an argument.
     pub(super) fn force_functions(&self, forced: &ForcedKernels) -> TokenStream {
         let time = self.parameters.iter().find(|p| matches!(p.source, Source::Time)).map(|p| p.symbol);
-        let list = [
-            ("force", Rank::Vector, &forced.force),
-            ("force_dq", Rank::Matrix, &forced.force_dq),
-            ("force_dv", Rank::Matrix, &forced.force_dv),
-        ];
-        let functions = list.into_iter().zip(force_texts(self.graph, forced)).map(|((name, rank, program), text)| {
+        let list = FORCE.iter().zip([&forced.force, &forced.force_dq, &forced.force_dv]);
+        let functions = list.zip(force_texts(self.graph, forced)).map(|((&(name, rank), program), text)| {
             let used = time.is_some_and(|t| program.symbols().contains(&t));
             let t = underscored(&time.map_or_else(|| ident("t"), |t| self.names.symbol(t)), used);
             let function = self.function_of_time(name, &self.motion(), &[], Some(&t), rank, program);
@@ -113,12 +109,12 @@ impl Printer<'_> {
     pub(super) fn field_functions(&self, kernels: &Kernels, forced: &ForcedKernels) -> TokenStream {
         let slope = self.function("slope", &self.motion(), &[], Rank::Vector, &forced.slope);
         let half = self.function("half_force", &self.motion(), &[], Rank::Vector, &forced.half_force);
-        let potential = self.step("potential_increment", &kernels.discrete, true);
+        let potential = self.step("potential_increment", &kernels.discrete);
         let (half_doc, workless) = match &forced.discrete {
             ForcedStep::Mean(_) => (" F/2, the share of the start of a step in the mean force.", None),
             ForcedStep::Middle { slope, change } => (
                 " Nothing: a force that does no work is taken in the middle of the step.",
-                Some(self.middle_step(slope, change, forced.discrete_is_linear)),
+                Some(self.middle_step(slope, change)),
             ),
         };
         let slope_doc = format!(" ∇Φ − F: minus all that acts. Cost: {}.", forced.slope.cost());
@@ -133,22 +129,16 @@ impl Printer<'_> {
 
     /// The steps of a law with a force.
     pub(super) fn forced_steps(&self, forced: &ForcedKernels) -> TokenStream {
-        let wrap = |program: &Program, linear: bool| match linear {
-            true => Step::Linear(program.clone()),
-            false => Step::Newton(program.clone()),
-        };
         let exact = match &forced.discrete {
-            ForcedStep::Mean(program) => {
-                let step = wrap(program, forced.discrete_is_linear);
+            ForcedStep::Mean(step) => {
                 let exact_doc =
-                    increment("the energy-exact step: Δ + g (∇̄Φ(a, q + Δ) − F′/2) = c, F′ at (q + Δ, v′)", &step);
-                let exact = self.step("discrete_increment", &step, true);
+                    increment("the energy-exact step: Δ + g (∇̄Φ(a, q + Δ) − F′/2) = c, F′ at (q + Δ, v′)", step);
+                let exact = self.step("discrete_increment", step);
                 quote!(#[doc = #exact_doc] #exact)
             }
             ForcedStep::Middle { .. } => self.rounded_middle_step(),
         };
-        let trapezoid = wrap(&forced.implicit, forced.implicit_is_linear);
-        let implicit = self.step("implicit_increment", &trapezoid, false);
+        let implicit = self.step("implicit_increment", &forced.implicit);
         let kick = self.kick(&format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost()), &forced.kick);
         let kick_by_mean = self.kick_by_mean(forced);
         let gradient_kick = forced.gradient_kick.as_ref().map(|program| {
@@ -156,7 +146,7 @@ impl Printer<'_> {
             self.gradient_kick(&doc, program)
         });
         let implicit_doc =
-            increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &trapezoid);
+            increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &forced.implicit);
         quote! {
             #kick
             #kick_by_mean

@@ -1,5 +1,6 @@
 //! The energy-exact step of a force that does no work.
 
+use dmech_symbolic::kernel::{Step, Way};
 use dmech_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -18,8 +19,9 @@ impl Printer<'_> {
     /// let (change, turned, positive) = { … ([δ], [J δ], […]) };
     /// Correction::sum(change, slope, turned).if_positive(positive)
     /// ```
-    pub(super) fn middle_step(&self, slope: &Program, change: &Program, linear: bool) -> TokenStream {
+    pub(super) fn middle_step(&self, slope: &Program, change: &Step) -> TokenStream {
         let Self { scalar, runtime, variables, dimension: d, .. } = self;
+        let (linear, asked, change) = (change.way == Way::Linear, asked(change.asked), &change.program);
         let [equation, a, delta, b] = ["equation", "a", "delta", "b"].map(ident);
         let [first, turned, moved, grown] = ["slope", "turned", "change", "positive"].map(ident);
         let receiver = receiver();
@@ -45,7 +47,6 @@ impl Printer<'_> {
         let (changes, rest) = solution.split_at(variables.q.len());
         let (turns, positive) = rest.split_at(variables.q.len());
         let correction = quote!(#runtime::newton::Correction::sum(#moved, #first, #turned));
-        let asked = asked(positive.len(), variables.q.len());
         let result = if linear { quote!((#correction, #grown)) } else { quote!(#correction.#asked(#grown)) };
         let solver = ident(if linear { "once_middle" } else { "drive_middle" });
         let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };

@@ -1,17 +1,20 @@
-//! Kernels → tokens: the implementation of `Potential` for the user's type.
+//! Kernels → tokens: the traits of mechanics for the user's type.
 
 mod author;
 mod body;
 mod document;
 mod function;
+mod generics;
 mod implementation;
 mod invariant;
 mod kernels;
+mod marker;
 mod middle;
 mod names;
 mod operation;
 mod pair;
 mod pair_document;
+mod pointwise;
 mod printer;
 mod rank;
 mod region;

@@ -3,19 +3,18 @@
 use dmech_symbolic::expression::Symbol;
 use dmech_symbolic::kernel::{PairForce, PairFormulas, PairPotential};
 use dmech_symbolic::program::Program;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use syn::parse_quote;
 
 use super::body::{Printed, body};
-use super::implementation::{
-    degree, dimension, generic_name, hidden_lifetime, module, names_of_numbers, numbers_of_law, parameters_of,
-    scalar_name,
-};
+use super::generics::{PairGenerics, generic_name, hidden_lifetime, module};
+use super::implementation::{degree, names_of_numbers, numbers_of_law};
+use super::marker::{marker, told};
 use super::names::{Names, ident, receiver, runtime, underscored};
 use super::pair_document::{self, force_texts, potential_texts};
+use super::pointwise::{POTENTIAL, blind};
 use super::printer::{Printer, Reached};
-use super::rank::{POINTWISE, Rank};
+use super::rank::Rank;
 use crate::PairDerivation;
 use crate::lower::{LoweredPair, Read, Source, data};
 use crate::model::Model;
@@ -26,8 +25,8 @@ use crate::model::Model;
 pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let PairDerivation { model, lowered, pair, kernels } = derivation;
     let LoweredPair { variables: of_two, layout, .. } = pair;
-    let names = Generics::of(model);
-    let Generics { scalar, own, foreign, with_data, author, data: data_type, dimension, .. } = &names;
+    let names = PairGenerics::of(model);
+    let PairGenerics { scalar, foreign, with_data, author, data: data_type, dimension, .. } = &names;
     let (module, runtime, self_ty) = (module(model), runtime(), &model.self_ty);
     let where_clause = &model.generics.where_clause;
     let receiver = receiver();
@@ -43,27 +42,19 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         layout,
         law: Reached::Numbers,
     };
-    let text = pair_document::derivation(derivation);
+    let told = told(model, &runtime, &pair_document::derivation(derivation));
     let (constants, functions) = potential(&printer, derivation);
     let force = kernels.force.as_ref().map(|force| printer.pair_force(force, derivation));
     let acts = kernels.potential.is_none().then(|| {
         quote! { const POTENTIAL: bool = false; }
     });
-    let symmetric = kernels.symmetric.then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #own #runtime::Symmetric for #self_ty #where_clause {}
-        }
-    });
     let velocity_independent = !kernels.force.as_ref().is_some_and(|force| force.depends_on_velocity);
-    let velocity_independent = velocity_independent.then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #own #runtime::VelocityIndependent for #self_ty #where_clause {}
-            #[automatically_derived]
-            impl #own #runtime::LinearInVelocity for #self_ty #where_clause {}
-        }
-    });
+    let markers = [
+        kernels.symmetric.then_some("Symmetric"),
+        velocity_independent.then_some("VelocityIndependent"),
+        velocity_independent.then_some("LinearInVelocity"),
+    ];
+    let markers = markers.into_iter().flatten().map(|name| marker(model, &runtime, name));
     let autonomous = !lowered.parameters.iter().any(|p| matches!(p.source, Source::Time));
     let items = super::author::items(model, dimension, Some(data_type));
     let reads = reads(&printer, &names, model, layout);
@@ -81,14 +72,8 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
         const _: () = {
             use #module as #runtime;
 
-            #[automatically_derived]
-            impl #own #runtime::Derivation for #self_ty #where_clause {
-                fn derivation(&#receiver) -> &'static ::core::primitive::str {
-                    #text
-                }
-            }
-            #symmetric
-            #velocity_independent
+            #told
+            #(#markers)*
             #reads
 
             #[automatically_derived]
@@ -155,56 +140,10 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     }
 }
 
-/// The generic parameters of the impl blocks.
-struct Generics {
-    scalar: Ident,
-    /// The law's own.
-    own: TokenStream,
-    /// The dimension, where it is any, and the scalar, without the law's own.
-    foreign: TokenStream,
-    /// With the law's own and the data of the bodies, where they are any.
-    with_data: TokenStream,
-    /// The same without the scalar.
-    author: TokenStream,
-    /// The same without the dimension.
-    reads: TokenStream,
-    data: TokenStream,
-    dimension: TokenStream,
-}
-
-impl Generics {
-    fn of(model: &Model) -> Self {
-        let runtime = module(model);
-        let scalar = scalar_name(model);
-        let (dimension, any_dimension) = dimension(model);
-        let data = match model.pair.as_ref().and_then(|pair| pair.data.as_ref()) {
-            Some(data) => quote!(#data),
-            None => {
-                let name = generic_name(model, ["P", "Data", "__P", "__Data"], "__DmechData");
-                quote!(#name)
-            }
-        };
-        let any_data = model.pair.as_ref().is_none_or(|pair| pair.data.is_none());
-        let parameters: Vec<_> = parameters_of(model).collect();
-        let last_data = any_data.then(|| quote!(#data));
-        let any_data = any_data.then(|| quote!(#data,));
-        Self {
-            own: quote!(<#(#parameters),*>),
-            foreign: quote!(<#any_dimension #scalar: #runtime::Real>),
-            with_data: quote!(<#(#parameters,)* #any_dimension #any_data #scalar: #runtime::Real>),
-            author: quote!(<#(#parameters,)* #any_dimension #any_data>),
-            reads: quote!(<#(#parameters,)* #last_data>),
-            scalar,
-            data,
-            dimension,
-        }
-    }
-}
-
 /// What the law reads of a body.
-fn reads(printer: &Printer<'_>, names: &Generics, model: &Model, layout: &[Read]) -> TokenStream {
+fn reads(printer: &Printer<'_>, names: &PairGenerics, model: &Model, layout: &[Read]) -> TokenStream {
     let (runtime, self_ty, where_clause) = (&printer.runtime, &model.self_ty, &model.generics.where_clause);
-    let Generics { data: data_type, reads, .. } = names;
+    let PairGenerics { data: data_type, reads, .. } = names;
     let count = Literal::usize_unsuffixed(layout.len());
     let (mass, data) = (ident("mass"), data());
     let reads_mass = layout.iter().any(|read| matches!(read, Read::Mass));
@@ -246,47 +185,27 @@ fn potential(printer: &Printer<'_>, derivation: &PairDerivation) -> (TokenStream
         #piecewise
         #degree
     };
-    let Some(potential) = potential else { return (constants, printer.no_potential()) };
+    let Some(potential) = potential else {
+        let (scalar, d) = (&printer.scalar, &printer.dimension);
+        return (constants, blind("_d", (scalar, d), |rank| rank.zero(scalar, d)));
+    };
     let documents = potential_texts(derivation, potential);
     let functions = if is_radial(potential) {
         printer.radial(potential, derivation, &documents)
     } else {
-        printer.pointwise_functions("d", potential.pointwise(), &documents)
+        printer.pointwise_functions("d", potential.pointwise.each(), &documents)
     };
     (constants, functions)
 }
 
 impl Printer<'_> {
-    /// A force alone.
-    fn no_potential(&self) -> TokenStream {
-        let (scalar, d, receiver) = (&self.scalar, &self.dimension, receiver());
-        let functions = POINTWISE.map(|(name, rank)| {
-            let result = rank.array(scalar, d);
-            let zero = match rank {
-                Rank::Scalar => quote!(#scalar::ZERO),
-                Rank::Vector => quote!([#scalar::ZERO; #d]),
-                Rank::Matrix | Rank::Matrices => quote!([[#scalar::ZERO; #d]; #d]),
-            };
-            let arguments = if name.starts_with("discrete") { &["_a", "_b"][..] } else { &["_d"] };
-            let (name, arguments) = (ident(name), arguments.iter().map(|argument| ident(argument)));
-            quote! {
-                #[inline(always)]
-                fn #name(&#receiver, #(#arguments: [#scalar; #d]),*) -> #result {
-                    #zero
-                }
-            }
-        });
-        quote!(#(#functions)*)
-    }
-
     /// A potential of the distance.
     fn radial(&self, radial: &PairPotential, derivation: &PairDerivation, documents: &[Vec<String>; 5]) -> TokenStream {
         let pair = &derivation.pair.variables;
-        let ends = [("a", pair.s_a), ("b", pair.s_b)];
-        let list = POINTWISE.iter().zip(radial.pointwise()).zip(documents);
-        let functions = list.map(|((&(name, rank), program), text)| {
-            let arguments = if name.starts_with("discrete") { &ends[..] } else { &[("d", pair.s)] };
-            let function = self.radial_function(name, arguments, rank, program);
+        let (at, ends) = ([("d", pair.s)], [("a", pair.s_a), ("b", pair.s_b)]);
+        let list = POTENTIAL.iter().zip(radial.pointwise.each()).zip(documents);
+        let functions = list.map(|((function, program), text)| {
+            let function = self.radial_function(function.name, function.of(&at, &ends), function.rank, program);
             quote!(#(#[doc = #text])* #function)
         });
         functions.collect()
@@ -339,48 +258,5 @@ impl Printer<'_> {
             #(#[doc = #force_doc])* #force
             #(#[doc = #jacobians_doc])* #jacobians
         }
-    }
-}
-
-/// What acts between two bodies without content, for a law that has errors.
-pub(super) fn pair_stub(model: &Model) -> TokenStream {
-    let Generics { scalar, own, foreign, with_data, reads, data, dimension: d, .. } = Generics::of(model);
-    let (runtime, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
-    let pair = generic_name(model, ["Pair", "Acting", "__Pair", "__Acting"], "__DmechPair");
-    let (held, numbers, q) = (hidden_lifetime(model), ident("_numbers"), ident("_d"));
-    let (vector, matrix) = (quote!([#scalar; #d]), quote!([[#scalar; #d]; #d]));
-    let unreachable = quote!({ ::core::unreachable!() });
-    // Where it is not known that the law was meant for two bodies, its generics need not be `Sync`.
-    let mut generics = model.generics.clone();
-    if generics.type_params().next().is_some() {
-        generics.make_where_clause().predicates.push(parse_quote!(#self_ty: ::core::marker::Sync));
-    }
-    let shared = &generics.where_clause;
-    quote! {
-        const _: () = {
-            #[automatically_derived]
-            impl #own #runtime::Symmetric for #self_ty #where_clause {}
-            #[automatically_derived]
-            impl #reads #runtime::Reads<#data> for #self_ty #where_clause {
-                type Numbers = [::core::primitive::f64; 0];
-                fn numbers(_: ::core::primitive::f64, _: &#data) -> Self::Numbers #unreachable
-            }
-            pub struct #pair;
-            #[automatically_derived]
-            impl #with_data #runtime::PairLaw<#d, #data, #scalar> for #self_ty #shared {
-                type Between<#held> = #pair where Self: #held;
-                fn between(&self, _: [#scalar; 0], #numbers: [#scalar; 0], _: #scalar) -> #pair #unreachable
-            }
-            #[automatically_derived]
-            impl #foreign #runtime::Potential<#d, #scalar> for #pair {
-                fn potential(&self, #q: #vector) -> #scalar #unreachable
-                fn gradient(&self, #q: #vector) -> #vector #unreachable
-                fn hessian(&self, #q: #vector) -> #matrix #unreachable
-                fn discrete_gradient(&self, #q: #vector, _: #vector) -> #vector #unreachable
-                fn discrete_gradient_jacobian(&self, #q: #vector, _: #vector) -> #matrix #unreachable
-            }
-            #[automatically_derived]
-            impl #foreign #runtime::Between<#d, #scalar> for #pair {}
-        };
     }
 }

@@ -8,7 +8,7 @@ use crate::PairDerivation;
 
 /// The paragraphs above the functions of `Potential`.
 pub(super) fn potential_texts(derivation: &PairDerivation, potential: &PairPotential) -> [Vec<String>; 5] {
-    let [energy, gradient, hessian, discrete, jacobian] = potential.pointwise();
+    let [energy, gradient, hessian, discrete, jacobian] = potential.pointwise.each();
     let jacobian = costly("∂∇̄Φ/∂b.", jacobian);
     match &potential.formulas {
         PairFormulas::Radial(found) => {
@@ -78,8 +78,8 @@ pub(super) fn derivation(derivation: &PairDerivation) -> String {
             "not symmetric: for chains and bonds, where one body is the first".into()
         });
         found.extend(of_degree(potential.degree.filter(|_| kernels.force.is_none())));
-        costs.extend([("gradient", &potential.gradient), ("hessian", &potential.hessian)]);
-        costs.push(("discrete gradient", &potential.discrete_gradient));
+        costs.extend([("gradient", &potential.pointwise.gradient), ("hessian", &potential.pointwise.hessian)]);
+        costs.push(("discrete gradient", &potential.pointwise.discrete_gradient));
     }
     if let Some(force) = &kernels.force {
         formulas.force(&force.formulas);

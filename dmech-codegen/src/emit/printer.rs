@@ -15,7 +15,7 @@ pub(super) enum Reached {
     Numbers,
 }
 
-/// What all functions share.
+/// Names, variables and ways to what is read.
 pub(super) struct Printer<'a> {
     pub(super) graph: &'a Graph,
     pub(super) names: Names,

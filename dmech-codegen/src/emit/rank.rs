@@ -3,15 +3,6 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// The functions of `Potential` at a point, or between two.
-pub(super) const POINTWISE: [(&str, Rank); 5] = [
-    ("potential", Rank::Scalar),
-    ("gradient", Rank::Vector),
-    ("hessian", Rank::Matrix),
-    ("discrete_gradient", Rank::Vector),
-    ("discrete_gradient_jacobian", Rank::Matrix),
-];
-
 /// What the results of a program are gathered into.
 #[derive(Clone, Copy)]
 pub(super) enum Rank {
@@ -30,6 +21,16 @@ impl Rank {
             Self::Vector => quote!([#scalar; #d]),
             Self::Matrix => quote!([[#scalar; #d]; #d]),
             Self::Matrices => quote!([[[#scalar; #d]; #d]; 3]),
+        }
+    }
+
+    /// The whole with nothing but zeros.
+    pub(super) fn zero(self, scalar: &Ident, d: &TokenStream) -> TokenStream {
+        match self {
+            Self::Scalar => quote!(#scalar::ZERO),
+            Self::Vector => quote!([#scalar::ZERO; #d]),
+            Self::Matrix => quote!([[#scalar::ZERO; #d]; #d]),
+            Self::Matrices => quote!([[[#scalar::ZERO; #d]; #d]; 3]),
         }
     }
 

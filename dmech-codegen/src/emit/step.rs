@@ -1,6 +1,7 @@
 //! The functions that solve a step.
 
-use dmech_symbolic::kernel::Step;
+use dmech_symbolic::kernel::{Given, Step, Way};
+use dmech_symbolic::linear::Asked;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -9,17 +10,16 @@ use super::names::{ident, receiver, underscored};
 use super::printer::Printer;
 
 impl Printer<'_> {
-    pub(super) fn step(&self, name: &str, step: &Step, between: bool) -> TokenStream {
+    pub(super) fn step(&self, name: &str, step: &Step) -> TokenStream {
         let Self { scalar, runtime, variables, dimension: d, .. } = self;
         let (name, receiver) = (ident(name), receiver());
         let equation = ident("equation");
-        let program = match step {
-            Step::Linear(program) | Step::Newton(program) | Step::Central(program) => program,
-        };
+        let Step { way, given, program, .. } = step;
+        let between = *given == Given::InParts;
         let used = program.symbols();
         let parameters = self.bind_parameters(&used, false);
         let Printed { statements, outputs } = body(program, &self.names, scalar);
-        let solution = if let Step::Central(_) = step {
+        let solution = if let Way::Central = way {
             let solver = ident(if between { "discrete" } else { "implicit" });
             let arguments = if between { vec![variables.s_a, variables.s_b] } else { vec![variables.s] };
             let arguments = arguments.into_iter().map(|s| underscored(&self.names.symbol(s), used.contains(&s)));
@@ -30,9 +30,9 @@ impl Printer<'_> {
                 })
             }
         } else {
-            let solver = ident(match (step, between) {
-                (Step::Linear(_), false) => "once",
-                (Step::Linear(_), true) => "once_discrete",
+            let solver = ident(match (way, between) {
+                (Way::Linear, false) => "once",
+                (Way::Linear, true) => "once_discrete",
                 (_, false) => "drive",
                 (_, true) => "drive_discrete",
             });
@@ -49,18 +49,14 @@ impl Printer<'_> {
             });
             let needs_equation = known.is_some() || velocities.iter().chain(&scalars).any(Option::is_some);
             let closure_equation = underscored(&equation, needs_equation);
-            // δ, then G + J δ or both apart, then what has to be positive.
-            let (constructor, vectors) = if between { ("in_parts", 3) } else { ("rounded", 2) };
-            let constructor = ident(constructor);
-            let (vectors, positive) = outputs.split_at(vectors * variables.q.len());
+            let constructor = ident(if between { "in_parts" } else { "rounded" });
+            let (vectors, positive) = outputs.split_at(given.vectors() * variables.q.len());
             let vectors = vectors.chunks(variables.q.len());
             let correction = quote!(#runtime::newton::Correction::#constructor(#([#(#vectors),*]),*));
-            let result = match step {
-                Step::Linear(_) => quote!((#correction, [#(#positive),*])),
-                _ => {
-                    let asked = asked(positive.len(), variables.q.len());
-                    quote!(#correction.#asked([#(#positive),*]))
-                }
+            let asked = asked(step.asked);
+            let result = match way {
+                Way::Linear => quote!((#correction, [#(#positive),*])),
+                _ => quote!(#correction.#asked([#(#positive),*])),
             };
             quote! {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
@@ -87,7 +83,10 @@ impl Printer<'_> {
     }
 }
 
-/// What is asked of so many numbers for so many unknowns: more of them are a determinant and pivots.
-pub(super) fn asked(numbers: usize, unknowns: usize) -> Ident {
-    ident(if numbers > unknowns { "if_oriented" } else { "if_positive" })
+/// The function of a correction that asks it.
+pub(super) fn asked(what: Asked) -> Ident {
+    ident(match what {
+        Asked::Positive => "if_positive",
+        Asked::Oriented => "if_oriented",
+    })
 }

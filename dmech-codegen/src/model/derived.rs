@@ -72,28 +72,18 @@ fn model(item: ItemStruct, errors: &mut Vec<syn::Error>) -> Model {
     if arguments.dimension == 0 && !arguments.names(Quantity::Refused) {
         errors.push(law::no_position(&closure));
     }
+    let formula = Formula {
+        role: Role::Potential,
+        ident: attribute.path().segments[0].ident.clone(),
+        arguments: arguments.list,
+        closure: Some(Box::new(closure.clone())),
+        body: block(*closure.body),
+    };
     Model {
-        self_ty,
-        krate,
-        name,
         dimension: arguments.dimension,
-        names_mass: arguments.names(Quantity::Mass),
-        names_time: arguments.names(Quantity::Time),
-        docs: item.attrs.iter().filter(|a| a.path().is_ident("doc")).cloned().collect(),
-        potential: Some(Formula {
-            role: Role::Potential,
-            ident: attribute.path().segments[0].ident.clone(),
-            arguments: arguments.list,
-            closure: Some(Box::new(closure.clone())),
-            body: block(*closure.body),
-        }),
-        force: None,
-        invariants: vec![],
-        pair: None,
-        methods: BTreeMap::new(),
-        constants: BTreeMap::new(),
+        potential: Some(formula),
         fields: Some(fields(&item.fields)),
-        generics: item.generics,
+        ..Model::unread(self_ty, item.generics, krate, name)
     }
 }
 

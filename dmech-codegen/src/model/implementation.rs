@@ -9,8 +9,7 @@ use crate::diagnostics::{self, Mistakes, law};
 use crate::role::Role;
 
 use super::{
-    Formula, Model, PairSignature, Parsed, Quantity, Sibling, attribute, finish, nesting, options, outline, pair,
-    signature,
+    Formula, Model, PairSignature, Parsed, Sibling, attribute, finish, nesting, options, outline, pair, signature,
 };
 
 /// How many invariants a run watches for a law: `MAX_OWN` of the core.
@@ -85,10 +84,7 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
             insert(&mut methods, method.sig.ident.to_string(), method.clone(), false);
         }
     }
-    let docs = potential.iter().chain(&force).flat_map(|method| method.attrs.clone());
-    let docs = docs.filter(|a| a.path().is_ident("doc")).collect();
     let mut dimension = 0;
-    let mut names = Vec::new();
     let mut data = None;
     let mut read = |method: ImplItemFn, role: Role, errors: &mut Vec<syn::Error>| {
         let before = errors.len();
@@ -107,9 +103,6 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
             (None, other) => data = other,
             _ => {}
         }
-        if role != Role::Invariant {
-            names.extend(checked.list.iter().map(|argument| argument.quantity));
-        }
         let formula =
             Formula { role, ident: method.sig.ident, arguments: checked.list, body: method.block, closure: None };
         (formula, checked.result)
@@ -125,21 +118,14 @@ fn model(block: ItemImpl, misspelt: Option<Misspelt>, krate: Path, mistakes: &mu
         errors.push(diagnostics::pair::invariant_of_two(&first.ident));
     }
     Some(Model {
-        self_ty: *self_ty,
-        generics,
-        krate,
-        name,
         dimension,
-        names_mass: names.contains(&Quantity::Mass),
-        names_time: names.contains(&Quantity::Time),
-        docs,
         pair: role_is_pair.then_some(PairSignature { data }),
         potential,
         force,
         invariants,
         methods,
         constants,
-        fields: None,
+        ..Model::unread(*self_ty, generics, krate, name)
     })
 }
 

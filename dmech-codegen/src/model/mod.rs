@@ -19,7 +19,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use proc_macro2::TokenStream;
-use syn::{Attribute, Block, ExprClosure, Generics, Ident, ImplItemConst, ImplItemFn, Item, Path, Type, parse_quote};
+use syn::{Block, ExprClosure, Generics, Ident, ImplItemConst, ImplItemFn, Item, Path, Type, parse_quote};
 
 use crate::diagnostics::Mistakes;
 use crate::role::Role;
@@ -73,12 +73,6 @@ pub struct Model {
     pub name: String,
     /// The number of coordinates.
     pub dimension: usize,
-    /// Whether the potential reads the mass, argument `m`.
-    pub names_mass: bool,
-    /// Whether the potential reads the time, argument `t`.
-    pub names_time: bool,
-    /// The doc comments of the potential.
-    pub docs: Vec<Attribute>,
     /// What only a law between two bodies has.
     pub pair: Option<PairSignature>,
     /// The potential, if the law has one.
@@ -126,9 +120,6 @@ impl Model {
             krate,
             name,
             dimension: 0,
-            names_mass: false,
-            names_time: false,
-            docs: vec![],
             pair: None,
             potential: None,
             force: None,

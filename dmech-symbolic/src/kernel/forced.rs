@@ -9,7 +9,8 @@ use crate::linear::{self, Corrections, Solution};
 use crate::program::Program;
 
 use super::mean::{KickByMean, LinearForce};
-use super::newton::{Force, correction, dot, mirrored, newton_matrix};
+use super::newton::{correction, dot, mirrored, newton_matrix};
+use super::step::{Given, Step};
 use super::vanishes::vanishes;
 use super::variables::Variables;
 
@@ -34,14 +35,10 @@ pub struct ForcedKernels {
     pub kick_by_mean: Option<KickByMean>,
     /// v − c s + e J s, with s = ∇Φ − F and J = ∂s/∂q; none where the force depends on the velocity.
     pub gradient_kick: Option<Program>,
-    /// One Newton correction of the trapezoidal step, with the end velocity eliminated. Outputs: as of [`Step`](super::Step).
-    pub implicit: Program,
-    /// One Newton correction of the energy-exact step.
+    /// The trapezoidal step, with the end velocity eliminated.
+    pub implicit: Step,
+    /// The energy-exact step.
     pub discrete: ForcedStep,
-    /// The trapezoidal step is linear in the increment.
-    pub implicit_is_linear: bool,
-    /// The energy-exact step is linear in the increment.
-    pub discrete_is_linear: bool,
     /// The force depends on the velocity.
     pub depends_on_velocity: bool,
     /// The force is linear in the velocity, if only as it does not depend on it.
@@ -52,11 +49,11 @@ pub struct ForcedKernels {
     pub workless: bool,
 }
 
-/// One Newton correction of the energy-exact step for a law with a force.
+/// The energy-exact step for a law with a force.
 #[derive(Clone, Debug)]
 pub enum ForcedStep {
-    /// ∇̄Φ and the mean force. Outputs: as of [`Step`](super::Step).
-    Mean(Program),
+    /// ∇̄Φ and the mean force.
+    Mean(Step),
     /// A force that does no work, at the mean position and mean velocity.
     ///
     /// It does none in the step if it is at right angles to the very increment that the velocity follows from. The
@@ -65,9 +62,8 @@ pub enum ForcedStep {
     Middle {
         /// G.
         slope: Program,
-        /// From the residual as `rhs`: δ, J δ, and what is positive only where the solution has
-        /// [grown](linear::Solution::positive) from a step of no length.
-        change: Program,
+        /// From the residual as `rhs`: δ, J δ, and what is asked.
+        change: Step,
     },
 }
 
@@ -110,15 +106,15 @@ impl ForcedKernels {
         let half_force: Vec<_> = force.iter().map(|&f| graph.scale(share, f)).collect();
 
         let end = Point::at_end(graph, variables);
-        let (implicit, implicit_is_linear) = {
+        let implicit = {
             let here: Vec<_> = slope.iter().map(|&e| end.place(graph, e, variables)).collect();
             let (jacobian, constant) = by_increment(graph, &here, variables);
             let linear = constant && !piecewise;
             // The Hessian is symmetric.
             let jacobian = if symmetric { mirrored(&jacobian) } else { jacobian };
-            (correction(graph, &here, &jacobian, Corrections::of(linear), Force::Rounded, variables), linear)
+            correction(graph, &here, &jacobian, Corrections::of(linear), Given::Rounded, variables)
         };
-        let (discrete, discrete_is_linear) = {
+        let discrete = {
             let mut ends = TwoPoints::new(graph, q, a, b);
             let conservative = calculus::discrete_gradient(graph, phi, &mut ends);
             let point = if workless { Point::in_the_middle(graph, variables) } else { end };
@@ -140,13 +136,12 @@ impl ForcedKernels {
             // The discrete gradient of a quadratic potential has half its Hessian.
             let jacobian = if linear && symmetric { mirrored(&jacobian) } else { jacobian };
             let corrections = Corrections::of(linear);
-            let step = if workless {
+            if workless {
                 let change = change(graph, &jacobian, corrections, variables);
                 ForcedStep::Middle { slope: Program::schedule(graph, &total), change }
             } else {
-                ForcedStep::Mean(correction(graph, &total, &jacobian, corrections, Force::InParts, variables))
-            };
-            (step, linear)
+                ForcedStep::Mean(correction(graph, &total, &jacobian, corrections, Given::InParts, variables))
+            }
         };
         Self {
             force: Program::schedule(graph, force),
@@ -159,8 +154,6 @@ impl ForcedKernels {
             gradient_kick,
             implicit,
             discrete,
-            implicit_is_linear,
-            discrete_is_linear,
             depends_on_velocity,
             linear_in_velocity,
             piecewise,
@@ -240,13 +233,14 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
     (jacobian, linear)
 }
 
-/// δ and J δ with (1 + g J) δ = rhs, and what is positive only where the solution has grown from a step of no length.
-fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], corrections: Corrections, variables: &Variables) -> Program {
+/// δ and J δ with (1 + g J) δ = rhs.
+fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], corrections: Corrections, variables: &Variables) -> Step {
     let matrix = newton_matrix(graph, jacobian, variables);
     let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, corrections);
+    let Solution { x: delta, positive, asked } = linear::solve(graph, &matrix, &residual, corrections);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
-    Program::schedule(graph, &[delta, turned, positive].concat())
+    let program = Program::schedule(graph, &[delta, turned, positive].concat());
+    Step { way: corrections.into(), given: Given::InParts, asked, program }
 }
 
 /// Whether F·v vanishes identically: decided on the expression, products over sums expanded.

@@ -4,34 +4,25 @@ mod forced;
 mod mean;
 mod newton;
 mod pair;
+mod pointwise;
+mod step;
 mod vanishes;
 mod variables;
 
 pub use forced::{ForceFormulas, ForcedKernels, ForcedStep};
 pub use mean::KickByMean;
 pub use pair::{PairForce, PairFormulas, PairKernels, PairLaw, PairPotential, PairVariables, Radial};
+pub use pointwise::{Formulas, Pointwise};
+pub use step::{Given, Step, Way};
 pub use variables::{Variables, exchange};
 
-use crate::calculus::{self, TwoPoints};
+use crate::calculus;
 use crate::expression::{Expr, Graph, Substitution, Symbol};
-use crate::linear::Corrections;
+use crate::linear::{Asked, Corrections};
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
-use newton::{Force, correction, dot, mirrored};
-
-/// How an implicit step is solved.
-#[derive(Clone, Debug)]
-pub enum Step {
-    /// Constant Hessian: one correction from Δ = 0 is the solution. Outputs: as of Newton's method.
-    Linear(Program),
-    /// Newton's method in all coordinates. Outputs of one correction: δ, G + J δ of the trapezoidal step; δ, G, J δ of the
-    /// energy-exact steps; and then what is positive only where the solution [has grown](crate::linear::Solution::positive) from
-    /// that of a step of no length.
-    Newton(Program),
-    /// One scalar unknown. Outputs: the coefficient of the force and its first two derivatives.
-    Central(Program),
-}
+use newton::{correction, dot, mirrored};
 
 /// Everything generated for one potential.
 #[derive(Clone, Debug)]
@@ -40,39 +31,16 @@ pub struct Kernels {
     pub formulas: Formulas,
     /// What was detected.
     pub structure: Structure,
-    /// Φ(q).
-    pub potential: Program,
-    /// ∇Φ(q).
-    pub gradient: Program,
-    /// The Hessian, row by row.
-    pub hessian: Program,
+    /// The potential and its derivatives.
+    pub pointwise: Pointwise,
     /// v − c ∇Φ(q).
     pub kick: Program,
     /// v − c ∇Φ(q) + e H ∇Φ(q).
     pub gradient_kick: Program,
-    /// ∇̄Φ(a, b), symmetric to the bit.
-    pub discrete_gradient: Program,
-    /// ∂∇̄Φ/∂b, row by row.
-    pub discrete_gradient_jacobian: Program,
     /// The trapezoidal step.
     pub implicit: Step,
     /// The energy-exact steps.
     pub discrete: Step,
-}
-
-/// The formulas behind the programs.
-#[derive(Clone, Debug)]
-pub struct Formulas {
-    /// Φ(q).
-    pub potential: Expr,
-    /// ∇Φ(q).
-    pub gradient: Vec<Expr>,
-    /// ∂²Φ/∂q∂q.
-    pub hessian: Vec<Vec<Expr>>,
-    /// ∇̄Φ(a, b).
-    pub discrete_gradient: Vec<Expr>,
-    /// ∂∇̄Φ/∂b.
-    pub discrete_gradient_jacobian: Vec<Vec<Expr>>,
 }
 
 impl Kernels {
@@ -89,41 +57,8 @@ impl Kernels {
             Some(central) => central_gradient_kick(graph, central, variables),
             None => gradient_kick(graph, &formulas, variables),
         };
-        let exchange = exchange(graph, variables);
-        Self {
-            potential: Program::schedule(graph, &[phi]),
-            gradient: Program::schedule(graph, &formulas.gradient),
-            hessian: Program::schedule(graph, &formulas.hessian.concat()),
-            kick,
-            gradient_kick,
-            discrete_gradient: Program::schedule_symmetric(graph, &formulas.discrete_gradient, exchange),
-            discrete_gradient_jacobian: Program::schedule(graph, &formulas.discrete_gradient_jacobian.concat()),
-            implicit,
-            discrete,
-            formulas,
-            structure,
-        }
-    }
-
-    /// The programs at a point, or between two: potential, gradient, Hessian, discrete gradient and its Jacobian.
-    pub fn pointwise(&self) -> [&Program; 5] {
-        let Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian, .. } = self;
-        [potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian]
-    }
-}
-
-impl Formulas {
-    fn new(
-        graph: &mut Graph,
-        potential: Expr,
-        gradient: Vec<Expr>,
-        hessian: Vec<Vec<Expr>>,
-        variables: &Variables,
-    ) -> Self {
-        let mut ends = TwoPoints::new(graph, &variables.q, &variables.a, &variables.b);
-        let discrete_gradient = calculus::discrete_gradient(graph, potential, &mut ends);
-        let discrete_gradient_jacobian = calculus::jacobian(graph, &discrete_gradient, &variables.b);
-        Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian }
+        let pointwise = formulas.programs(graph, variables);
+        Self { pointwise, kick, gradient_kick, implicit, discrete, formulas, structure }
     }
 }
 
@@ -212,37 +147,34 @@ fn central_gradient_kick(graph: &mut Graph, central: Central, variables: &Variab
 fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, variables: &Variables) -> Step {
     if let Some(central) = structure.one_unknown() {
         let coefficient = central.coefficient(graph);
-        return Step::Central(with_two_derivatives(graph, coefficient, central.s, variables.s));
+        return one_unknown(graph, coefficient, central.s, variables.s, Given::Rounded);
     }
     let at_b: Vec<_> = variables.b.iter().map(|&b| graph.symbol(b)).collect();
     let mut moved = Substitution::new(graph, variables.q.iter().copied().zip(at_b));
     let force: Vec<_> = formulas.gradient.iter().map(|&e| moved.apply(graph, e)).collect();
     let jacobian: Vec<Vec<_>> =
         formulas.hessian.iter().map(|row| row.iter().map(|&e| moved.apply(graph, e)).collect()).collect();
-    let program =
-        correction(graph, &force, &jacobian, Corrections::of(structure.constant_hessian), Force::Rounded, variables);
-    if structure.constant_hessian { Step::Linear(program) } else { Step::Newton(program) }
+    let corrections = Corrections::of(structure.constant_hessian);
+    correction(graph, &force, &jacobian, corrections, Given::Rounded, variables)
 }
 
 fn discrete_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, variables: &Variables) -> Step {
     if let Some(central) = structure.one_unknown() {
         let coefficient = central.discrete_coefficient(graph, variables.s_a, variables.s_b);
-        return Step::Central(with_two_derivatives(graph, coefficient, variables.s_b, variables.s_b));
+        return one_unknown(graph, coefficient, variables.s_b, variables.s_b, Given::InParts);
     }
     let (force, jacobian) = (&formulas.discrete_gradient, &formulas.discrete_gradient_jacobian);
-    if structure.constant_hessian {
-        Step::Linear(correction(graph, force, &mirrored(jacobian), Corrections::One, Force::InParts, variables))
-    } else {
-        Step::Newton(correction(graph, force, jacobian, Corrections::Several, Force::InParts, variables))
-    }
+    let (linear, corrections) = (structure.constant_hessian, Corrections::of(structure.constant_hessian));
+    let jacobian = if linear { &mirrored(jacobian) } else { jacobian };
+    correction(graph, force, jacobian, corrections, Given::InParts, variables)
 }
 
-/// f, f′, f″ with respect to one symbol, which is then called by another name.
-fn with_two_derivatives(graph: &mut Graph, f: Expr, symbol: Symbol, name: Symbol) -> Program {
+/// The step of a force along q: f, f′, f″ with respect to one symbol, which is then called by another name.
+fn one_unknown(graph: &mut Graph, f: Expr, symbol: Symbol, name: Symbol, given: Given) -> Step {
     let first = calculus::tangent(graph, f, &[symbol])[0];
     let second = calculus::tangent(graph, first, &[symbol])[0];
     let new_name = graph.symbol(name);
     let mut renamed = Substitution::new(graph, [(symbol, new_name)]);
     let outputs = [f, first, second].map(|e| renamed.apply(graph, e));
-    Program::schedule(graph, &outputs)
+    Step { way: Way::Central, given, asked: Asked::Positive, program: Program::schedule(graph, &outputs) }
 }

@@ -4,6 +4,7 @@ use crate::expression::{Expr, Graph};
 use crate::linear::{self, Corrections, Solution};
 use crate::program::Program;
 
+use super::step::{Given, Step};
 use super::variables::Variables;
 
 /// 1 + g J.
@@ -23,15 +24,6 @@ pub(super) fn newton_matrix(graph: &mut Graph, jacobian: &[Vec<Expr>], variables
         .collect()
 }
 
-/// How the force after a correction is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Force {
-    /// G + J δ.
-    Rounded,
-    /// G and J δ, which may be less than half an ulp of G: what conserves the energy must not lose it.
-    InParts,
-}
-
 /// One Newton correction of  Δ + g G = rhs:  (1 + g J) δ = rhs − g G − Δ, the force after it, and what is positive only where
 /// the solution has [grown from a step of no length](linear::Solution::positive).
 pub(super) fn correction(
@@ -39,9 +31,9 @@ pub(super) fn correction(
     force: &[Expr],
     jacobian: &[Vec<Expr>],
     corrections: Corrections,
-    given: Force,
+    given: Given,
     variables: &Variables,
-) -> Program {
+) -> Step {
     let n = force.len();
     let g = graph.symbol(variables.g);
     let matrix = newton_matrix(graph, jacobian, variables);
@@ -53,17 +45,17 @@ pub(super) fn correction(
             graph.sub(difference, delta)
         })
         .collect();
-    let Solution { x: delta, positive } = linear::solve(graph, &matrix, &residual, corrections);
+    let Solution { x: delta, positive, asked } = linear::solve(graph, &matrix, &residual, corrections);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     let mut outputs = match given {
-        Force::InParts => [delta, force.to_vec(), turned].concat(),
-        Force::Rounded => {
+        Given::InParts => [delta, force.to_vec(), turned].concat(),
+        Given::Rounded => {
             let updated = force.iter().zip(&turned).map(|(&force, &turned)| graph.add(&[force, turned])).collect();
             [delta, updated].concat()
         }
     };
     outputs.extend(positive);
-    Program::schedule(graph, &outputs)
+    Step { way: corrections.into(), given, asked, program: Program::schedule(graph, &outputs) }
 }
 
 /// x·y.

@@ -9,9 +9,9 @@ use crate::expression::{Expr, Graph, Substitution, Symbol, Unary};
 use crate::program::Program;
 use crate::structure::{Central, Structure};
 
-use super::Formulas;
+use super::pointwise::{Formulas, Pointwise};
 use super::vanishes::vanishes;
-use super::variables::{Variables, exchange};
+use super::variables::Variables;
 
 /// The variables of a pair law besides those of a potential in d.
 #[derive(Clone, Debug)]
@@ -55,16 +55,9 @@ pub struct PairKernels {
 pub struct PairPotential {
     /// What it depends on, as expressions.
     pub formulas: PairFormulas,
-    /// Φ.
-    pub potential: Program,
-    /// ∇Φ, or c.
-    pub gradient: Program,
-    /// The Hessian, row by row, or c, c′.
-    pub hessian: Program,
-    /// ∇̄Φ(a, b), or C, symmetric to the bit.
-    pub discrete_gradient: Program,
-    /// ∂∇̄Φ/∂b, row by row, or C, ∂C/∂s_b.
-    pub discrete_gradient_jacobian: Program,
+    /// The programs; of a potential of the distance for c in place of the gradient, c and c′ in place of the Hessian, and so C, and C
+    /// and ∂C/∂s_b.
+    pub pointwise: Pointwise,
     /// The force is linear in d: the Hessian does not depend on it.
     pub linear: bool,
     /// The potential is a choice between branches: its gradient may jump.
@@ -173,13 +166,8 @@ impl PairPotential {
             return Self::of_distance(graph, central, degree, pair);
         }
         let formulas = Formulas::new(graph, phi, gradient, hessian, variables);
-        let exchange = exchange(graph, variables);
         Self {
-            potential: Program::schedule(graph, &[phi]),
-            gradient: Program::schedule(graph, &formulas.gradient),
-            hessian: Program::schedule(graph, &formulas.hessian.concat()),
-            discrete_gradient: Program::schedule_symmetric(graph, &formulas.discrete_gradient, exchange),
-            discrete_gradient_jacobian: Program::schedule(graph, &formulas.discrete_gradient_jacobian.concat()),
+            pointwise: formulas.programs(graph, variables),
             linear: structure.constant_hessian,
             piecewise: structure.piecewise,
             degree,
@@ -201,21 +189,17 @@ impl PairPotential {
         let exchange = Substitution::new(graph, [(pair.s_a, s_b), (pair.s_b, s_a)]);
         Self {
             formulas: PairFormulas::Radial(Radial { potential, coefficient, discrete_coefficient }),
-            potential: Program::schedule(graph, &[potential]),
-            gradient: Program::schedule(graph, &[coefficient]),
-            hessian: Program::schedule(graph, &[coefficient, slope]),
-            discrete_gradient: Program::schedule_symmetric(graph, &[discrete_coefficient], exchange),
-            discrete_gradient_jacobian: Program::schedule(graph, &[discrete_coefficient, discrete_slope]),
+            pointwise: Pointwise {
+                potential: Program::schedule(graph, &[potential]),
+                gradient: Program::schedule(graph, &[coefficient]),
+                hessian: Program::schedule(graph, &[coefficient, slope]),
+                discrete_gradient: Program::schedule_symmetric(graph, &[discrete_coefficient], exchange),
+                discrete_gradient_jacobian: Program::schedule(graph, &[discrete_coefficient, discrete_slope]),
+            },
             linear: !piecewise && !graph.depends_on(coefficient, &[pair.s]),
             piecewise,
             degree,
         }
-    }
-
-    /// Its programs, in the order of [`Kernels::pointwise`](super::Kernels::pointwise).
-    pub fn pointwise(&self) -> [&Program; 5] {
-        let Self { potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian, .. } = self;
-        [potential, gradient, hessian, discrete_gradient, discrete_gradient_jacobian]
     }
 }
 

@@ -96,8 +96,8 @@ fn random_laws() {
         let kernels = law.kernels();
         let name = || format!("{} at {q:?}", law.graph.display(law.phi));
         let at = law.at(q, q);
-        let gradient = kernels.gradient.run(&at);
-        let hessian = kernels.hessian.run(&at);
+        let gradient = kernels.pointwise.gradient.run(&at);
+        let hessian = kernels.pointwise.hessian.run(&at);
         let allowed = bound(&case.tree, q, q).error;
         let value = |i: usize, si: f64, j: usize, sj: f64| {
             let mut at: Vec<_> = q.iter().map(|&x| big(x)).collect();

@@ -61,7 +61,7 @@ fn secant_identity_symmetry_and_limit() {
         }
         moving.set(moving.get() + 1);
         case.tree.count(&mut counts.borrow_mut());
-        let program = law.kernels().discrete_gradient;
+        let program = law.kernels().pointwise.discrete_gradient;
         let name = || law.graph.display(law.phi).to_string();
         let a = &case.a;
         let phi_a = exact(&case.tree, a);
@@ -105,9 +105,9 @@ fn plain_quotient(law: &Law, kernels: &Kernels, a: &[f64], b: &[f64]) -> Vec<f64
     let mut at = a.to_vec();
     (0..a.len())
         .map(|i| {
-            let before = kernels.potential.run(law.at(&at, &at))[0];
+            let before = kernels.pointwise.potential.run(law.at(&at, &at))[0];
             at[i] = b[i];
-            let after = kernels.potential.run(law.at(&at, &at))[0];
+            let after = kernels.pointwise.potential.run(law.at(&at, &at))[0];
             (after - before) / (b[i] - a[i])
         })
         .collect()
@@ -174,10 +174,10 @@ fn angles_turn_over_the_cut() {
             }
             wide.set(wide.get() + usize::from(turn > 1.0));
             let at = law.at(&a, &b);
-            let g = kernels.discrete_gradient.run(&at);
-            let exchanged = kernels.discrete_gradient.run(law.at(&b, &a));
+            let g = kernels.pointwise.discrete_gradient.run(&at);
+            let exchanged = kernels.pointwise.discrete_gradient.run(law.at(&b, &a));
             assert_eq!(g, exchanged);
-            let phi = |q: &[f64; 2]| kernels.potential.run(law.at(q, q))[0];
+            let phi = |q: &[f64; 2]| kernels.pointwise.potential.run(law.at(q, q))[0];
             let (start, end) = (phi(&a), phi(&b));
             let error = (g[0] * (b[0] - a[0]) + g[1] * (b[1] - a[1]) - (end - start)).abs();
             // |Φ| ≤ p r²; its value inherits three ulp of 3θ, and the secant as many as a turn has radians.
@@ -203,17 +203,17 @@ fn binary32_and_binary64_agree() {
             let (a, b) = (wide(&a32), wide(&b32));
             // Parameters and numbers are rounded too: another error of each leaf, which the figures do not contain.
             let Bound { error, variation, .. } = bound(&case.tree, &a, &b);
-            let run = |x: &[f32], y: &[f32]| kernels.discrete_gradient.run(law.values(|x| x as f32, x, x, y));
+            let run = |x: &[f32], y: &[f32]| kernels.pointwise.discrete_gradient.run(law.values(|x| x as f32, x, x, y));
             let (narrow, exchanged) = (run(&a32, &b32), run(&b32, &a32));
-            let exact = kernels.discrete_gradient.run(law.at(&a, &b));
+            let exact = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
             for i in 0..a.len() {
                 assert_eq!(narrow[i].to_bits(), exchanged[i].to_bits());
                 let allowed = f64::from(f32::EPSILON / 2.0) * (error[i] + variation[i]);
                 let place = || format!("{} at {a:?}, {b:?}", law.graph.display(law.phi));
                 secant.see(ratio((f64::from(narrow[i]) - exact[i]).abs(), allowed), place);
             }
-            let slope32 = kernels.gradient.run(law.values(|x| x as f32, &a32, &a32, &b32));
-            let slope = kernels.gradient.run(law.at(&a, &a));
+            let slope32 = kernels.pointwise.gradient.run(law.values(|x| x as f32, &a32, &a32, &b32));
+            let slope = kernels.pointwise.gradient.run(law.at(&a, &a));
             let Bound { error, variation, .. } = bound(&case.tree, &a, &a);
             for i in 0..a.len() {
                 let allowed = f64::from(f32::EPSILON / 2.0) * (error[i] + variation[i]);
@@ -244,7 +244,7 @@ fn tanh_in_binary32_over_any_distance() {
     ] {
         for (a, b) in [(a, b), (b, a)] {
             let [near, far] = [[a as f32], [b as f32]];
-            let slope = kernels.discrete_gradient.run(law.values(|x| x as f32, &near, &near, &far))[0];
+            let slope = kernels.pointwise.discrete_gradient.run(law.values(|x| x as f32, &near, &near, &far))[0];
             let expected =
                 (f64::from(far[0]).tanh() - f64::from(near[0]).tanh()) / (f64::from(far[0]) - f64::from(near[0]));
             let miss = (f64::from(slope) - expected).abs();

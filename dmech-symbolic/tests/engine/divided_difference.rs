@@ -195,8 +195,8 @@ fn powers_of_parameters_keep_their_digits_on_both_sides() {
         let kernels = law.kernels();
         for (a, b) in pairs(&[-31.0, -2.7, -0.4, -1e-7, 1e-9, 0.07, 1.3, 4.1e3]) {
             let s = exact(&|x| x.power(n), &big(a), &big(b));
-            let computed = kernels.discrete_gradient.run(law.at(&[a], &[b]))[0];
-            let turned = kernels.discrete_gradient.run(law.at(&[b], &[a]))[0];
+            let computed = kernels.pointwise.discrete_gradient.run(law.at(&[a], &[b]))[0];
+            let turned = kernels.pointwise.discrete_gradient.run(law.at(&[b], &[a]))[0];
             assert_eq!(computed, turned, "{a} and {b}");
             // Between places of which one is nearly the opposite of the other it is a difference.
             let size = narrow(&s).abs().max(a.abs().max(b.abs()).powi(n - 1));

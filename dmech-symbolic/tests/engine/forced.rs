@@ -3,7 +3,7 @@
 
 use crate::common::laws::Law;
 use crate::common::notation::{E, choose, squared, within};
-use dmech_symbolic::kernel::ForcedKernels;
+use dmech_symbolic::kernel::{ForcedKernels, ForcedStep, Way};
 
 /// F in q, v and parameters.
 type Force = fn(&[E], &[E], &[E]) -> Vec<E>;
@@ -85,8 +85,9 @@ fn steps_are_linear_where_their_jacobian_is_constant() {
         let [q, v, p] = list.map(|names| names.iter().map(|&s| E(law.graph.symbol(s))).collect::<Vec<_>>());
         let force: Vec<_> = within(&mut law.graph, || force(&q, &v, &p)).iter().map(|e| e.0).collect();
         let forced = ForcedKernels::new(&mut law.graph, law.phi, &force, None, &law.variables);
-        assert_eq!(forced.implicit_is_linear, implicit_is_linear, "{name}: the trapezoidal step");
-        assert_eq!(forced.discrete_is_linear, discrete_is_linear, "{name}: the energy-exact step");
+        let (ForcedStep::Mean(discrete) | ForcedStep::Middle { change: discrete, .. }) = &forced.discrete;
+        assert_eq!(forced.implicit.way == Way::Linear, implicit_is_linear, "{name}: the trapezoidal step");
+        assert_eq!(discrete.way == Way::Linear, discrete_is_linear, "{name}: the energy-exact step");
         assert_eq!(forced.workless, workless, "{name}: work");
     }
 }

@@ -65,7 +65,7 @@ fn the_program_agrees_with_dual_numbers() {
         let mut apart = vec![0.0_f64; d * d];
         for gap in [1.0, 0.3, 1e-1, 1e-3, 1e-6, 1e-9, 1e-12, 1e-16, 0.0] {
             let b = &case.b(gap);
-            let computed = kernels.discrete_gradient_jacobian.run(law.at(a, b));
+            let computed = kernels.pointwise.discrete_gradient_jacobian.run(law.at(a, b));
             let tracked = between(&law, &jacobian, &lift(Tracked::number, a), &lift(Tracked::number, b));
             for j in 0..d {
                 let fixed = lift(|x| Dual(Dual64::from_re(x)), a);
@@ -86,8 +86,8 @@ fn the_program_agrees_with_dual_numbers() {
                 }
             }
         }
-        let computed = kernels.discrete_gradient_jacobian.run(law.at(a, a));
-        let hessian = kernels.hessian.run(law.at(a, a));
+        let computed = kernels.pointwise.discrete_gradient_jacobian.run(law.at(a, a));
+        let hessian = kernels.pointwise.hessian.run(law.at(a, a));
         let tracked = between(&law, &jacobian, &lift(Tracked::number, a), &lift(Tracked::number, a));
         let curvature = between(&law, &kernels.formulas.hessian.concat(), &lift(Tracked::number, a), &[]);
         for k in 0..d * d {

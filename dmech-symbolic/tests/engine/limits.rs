@@ -12,7 +12,7 @@ use crate::common::tree::PARAMETERS;
 type Formula = fn(&[E], &[E]) -> E;
 
 fn gradient(law: &mut Law, q: &[f64]) -> Vec<f64> {
-    law.kernels().gradient.run(law.at(q, q))
+    law.kernels().pointwise.gradient.run(law.at(q, q))
 }
 
 /// A power that undoes a root goes into the branches: (cosh x ∛x)³ is x cosh³ x, also where it is clamped; a spring on a
@@ -36,7 +36,7 @@ fn roots_of_products_are_joined_with_their_factors() {
         let mut law = Law::build(2, |q, _| (q[0] * q[1]).of(root) * (q[0] * q[1]));
         let kernels = law.kernels();
         let (a, b) = ([0.25, 1e-9], [1e-9, 0.5]);
-        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        let g = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
         assert!(g.iter().all(|g| g.abs() < 1e-2), "{root:?}: {g:?}");
     }
 }
@@ -45,14 +45,14 @@ fn roots_of_products_are_joined_with_their_factors() {
 #[test]
 fn roots_may_vanish_on_a_seam() {
     let mut smooth = Law::build(2, |q, _| choose(q[1].less(0.0), 0.0, norm(q).of(Unary::Sinh) * q[1].powi(2)));
-    let jacobian = smooth.kernels().discrete_gradient_jacobian.run(smooth.at(&[0.0, 0.25], &[0.0, -1.0]));
+    let jacobian = smooth.kernels().pointwise.discrete_gradient_jacobian.run(smooth.at(&[0.0, 0.25], &[0.0, -1.0]));
     assert!(jacobian.iter().all(|x| x.is_finite()), "through the centre {jacobian:?}");
     let mut law = Law::build(2, |q, _| choose(q[1].at_most(0.0), (q[0] * q[1]).hypot(q[1]), 0.0));
     let kernels = law.kernels();
     let mut vanished = 0;
     for k in 1..200 {
         let (a, b) = ([-1.7, 0.37 * f64::from(k)], [0.23, -0.86]);
-        let jacobian = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+        let jacobian = kernels.pointwise.discrete_gradient_jacobian.run(law.at(&a, &b));
         assert!(jacobian.iter().all(|x| x.is_finite()), "{a:?} to {b:?}: {jacobian:?}");
         let share = a[1] / (a[1] - b[1]);
         vanished += u32::from((1.0 - share) * a[1] + share * b[1] == 0.0);
@@ -81,8 +81,8 @@ fn powers_within_choices_keep_their_digits() {
     let far = [[246.42340084359557, -1510.9167798084866], [-1.6005803964763388, -1.3592586450085888]];
     for (law, [a, b], allowed) in [(&mut odd, [[1e-9, 0.25], [-1.0, 0.25]], 1e-24), (&mut even, far, 1e-11)] {
         let kernels = law.kernels();
-        let g = kernels.discrete_gradient.run(law.at(&a, &b));
-        let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+        let g = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
+        let [start, end] = [a, b].map(|q| kernels.pointwise.potential.run(law.at(&q, &q))[0]);
         let work: f64 = (0..2).map(|i| g[i] * (b[i] - a[i])).sum();
         assert!((work - (end - start)).abs() < allowed, "{g:?} makes {work:e} of {:e}", end - start);
     }
@@ -102,10 +102,10 @@ fn even_functions_of_a_distance_are_smooth_at_the_centre() {
         });
         assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "{f:?}");
         let kernels = law.kernels();
-        let secant = |a: &[f64], b: &[f64]| kernels.discrete_gradient.run(law.at(a, b));
-        let hessian = kernels.hessian.run(law.at(&[0.0, 0.0], &[0.0, 0.0]));
+        let secant = |a: &[f64], b: &[f64]| kernels.pointwise.discrete_gradient.run(law.at(a, b));
+        let hessian = kernels.pointwise.hessian.run(law.at(&[0.0, 0.0], &[0.0, 0.0]));
         for a in [[0.0, 0.0], [0.3, -0.2], [1.1, 0.7]] {
-            let jacobian = kernels.discrete_gradient_jacobian.run(law.at(&a, &[0.0, 0.0]));
+            let jacobian = kernels.pointwise.discrete_gradient_jacobian.run(law.at(&a, &[0.0, 0.0]));
             for j in 0..2 {
                 let [mut low, mut high] = [[0.0, 0.0]; 2];
                 (low[j], high[j]) = (-1e-5, 1e-5);
@@ -144,17 +144,17 @@ fn roots_of_a_higher_order_have_a_centre() {
         let mut law = Law::build(2, |q, _| formula(q));
         let kernels = law.kernels();
         let centre = law.at(&[0.0, 0.0], &[0.0, 0.0]);
-        assert_eq!(kernels.discrete_gradient.run(&centre), [0.0, 0.0], "{k}");
+        assert_eq!(kernels.pointwise.discrete_gradient.run(&centre), [0.0, 0.0], "{k}");
         assert_eq!(gradient(&mut law, &[0.0, 0.0]), [0.0, 0.0], "{k}");
-        assert!(kernels.hessian.run(&centre).iter().all(|x| x.is_finite()), "{k}");
+        assert!(kernels.pointwise.hessian.run(&centre).iter().all(|x| x.is_finite()), "{k}");
         for (a, b) in
             [([0.0, 0.0], [0.0, 0.0]), ([0.0, 0.0], [0.3, -0.2]), ([0.3, -0.2], [0.0, 0.0]), ([0.3, 0.0], [0.2, 0.0])]
         {
-            let slope = kernels.discrete_gradient.run(law.at(&a, &b));
+            let slope = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
             let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
-            let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+            let [start, end] = [a, b].map(|q| kernels.pointwise.potential.run(law.at(&q, &q))[0]);
             assert!((work - (end - start)).abs() < 1e-15, "{k} from {a:?} to {b:?}");
-            let matrix = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+            let matrix = kernels.pointwise.discrete_gradient_jacobian.run(law.at(&a, &b));
             assert!(matrix.iter().all(|x| x.is_finite()), "{k} from {a:?} to {b:?}: {matrix:?}");
         }
     }
@@ -173,16 +173,16 @@ fn powers_of_distances_have_a_centre() {
             let kernels = law.kernels();
             let centre = [0.0, 0.0];
             for place in [[0.0, 0.0], [0.3, -0.2], [1e-9, 0.0], [3e-70, 4e-70]] {
-                let slope = kernels.discrete_gradient.run(law.at(&place, &centre));
+                let slope = kernels.pointwise.discrete_gradient.run(law.at(&place, &centre));
                 let work: f64 = (0..2).map(|i| slope[i] * place[i]).sum();
-                let [here, there] = [place, centre].map(|q| kernels.potential.run(law.at(&q, &q))[0]);
+                let [here, there] = [place, centre].map(|q| kernels.pointwise.potential.run(law.at(&q, &q))[0]);
                 assert!((work - (here - there)).abs() <= 1e-14 * here, "p = {p} from {place:?}: {slope:?}");
                 assert!(
-                    kernels.hessian.run(law.at(&place, &place)).iter().all(|x| x.is_finite()),
+                    kernels.pointwise.hessian.run(law.at(&place, &place)).iter().all(|x| x.is_finite()),
                     "p = {p} at {place:?}"
                 );
                 for (a, b) in [(place, centre), (centre, place)] {
-                    let matrix = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+                    let matrix = kernels.pointwise.discrete_gradient_jacobian.run(law.at(&a, &b));
                     assert!(matrix.iter().all(|x| x.is_finite()), "p = {p} from {a:?} to {b:?}: {matrix:?}");
                 }
             }
@@ -196,7 +196,7 @@ fn powers_of_nearly_nothing_have_a_newton_matrix() {
     let mut cube = Law::build(1, |q, _| 0.5 * q[0].powi(2) + q[0].abs().powi(3));
     let mut square = Law::build(1, |q, p| q[0].abs().powf(p[1].of(Unary::Round)));
     for (law, slope) in [(&mut cube, 0.5), (&mut square, 1.0)] {
-        let matrix = law.kernels().discrete_gradient_jacobian;
+        let matrix = law.kernels().pointwise.discrete_gradient_jacobian;
         for k in (10..1000).step_by(7) {
             let a = 2f64.powi(-k);
             for part in [1.0, 0.9, 1.3, 0.999] {
@@ -238,7 +238,7 @@ fn bounds_follow_the_scalar() {
     ];
     for (i, phi) in laws.into_iter().enumerate() {
         let mut law = Law::build(2, phi);
-        let matrix = law.kernels().discrete_gradient_jacobian;
+        let matrix = law.kernels().pointwise.discrete_gradient_jacobian;
         for k in 8..45_i32 {
             let a = [10f32.powi(-k), 0.0];
             for part in [1.0, 1.1, -0.7, 1e-10, 0.0] {
@@ -286,22 +286,22 @@ fn angles_reach_the_origin() {
         let places =
             [[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [-1.1, 0.4], [0.6, -0.4], [0.2, 0.3], [0.0, 0.2], [0.5, 0.0]];
         for (a, b) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
-            let slope = kernels.discrete_gradient.run(law.at(a, b));
+            let slope = kernels.pointwise.discrete_gradient.run(law.at(a, b));
             let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
-            let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(q, q))[0]);
+            let [start, end] = [a, b].map(|q| kernels.pointwise.potential.run(law.at(q, q))[0]);
             assert!((work - (end - start)).abs() < 1e-14, "{i} from {a:?} to {b:?}: {slope:?}");
             if a == b && *a != places[0] {
-                let tangent = kernels.gradient.run(law.at(a, a));
+                let tangent = kernels.pointwise.gradient.run(law.at(a, a));
                 assert!((0..2).all(|i| (slope[i] - tangent[i]).abs() < 1e-14), "at {a:?}: {slope:?}, {tangent:?}");
             }
             // Elsewhere it goes around.
             let around = i == 1 || [a, b].contains(&&places[0]);
             let out: f64 = (0..2).map(|i| slope[i] * (a[i] + b[i])).sum();
             assert!(around || out.abs() < 1e-14, "from {a:?} to {b:?}: {slope:?}");
-            let matrix = kernels.discrete_gradient_jacobian.run(law.at(a, b));
+            let matrix = kernels.pointwise.discrete_gradient_jacobian.run(law.at(a, b));
             assert!(matrix.iter().all(|x| x.is_finite()), "{i} from {a:?} to {b:?}: {matrix:?}");
         }
-        let hessian = kernels.hessian.run(law.at(&[0.0; 2], &[0.0; 2]));
+        let hessian = kernels.pointwise.hessian.run(law.at(&[0.0; 2], &[0.0; 2]));
         assert!(i == 0 || hessian.iter().all(|x| x.is_finite()), "{i}: {hessian:?}");
     }
 }
@@ -327,7 +327,7 @@ fn orders_are_those_of_the_place() {
         assert_eq!(gradient(&mut passing, &[1.0])[0].abs(), f64::INFINITY);
     }
     let mut round = Law::build(2, |q, p| squared(q).powf(p[0]));
-    assert_eq!(round.kernels().discrete_gradient.run(round.at(&[0.0; 2], &[0.0; 2])), [0.0; 2]);
+    assert_eq!(round.kernels().pointwise.discrete_gradient.run(round.at(&[0.0; 2], &[0.0; 2])), [0.0; 2]);
     let mut below = Law::build(2, |q, _| squared(q).cbrt() * norm(q).sqrt().sqrt());
     assert_ne!(gradient(&mut below, &[0.0; 2]), [0.0; 2]);
     let mut steep = Law::build(2, |q, _| norm(q) * q[0].powi(2).max(1.0));
@@ -366,7 +366,7 @@ fn what_touches_zero_is_flat_there() {
         let beside = place.map(|x| x + 1e-3);
         let kernels = law.kernels();
         for (a, b) in [(place, place), (place, beside), (beside, place)] {
-            let secant = kernels.discrete_gradient.run(law.at(&a, &b));
+            let secant = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
             assert!(secant.iter().all(|x| x.is_finite()), "{name}: {secant:?}");
         }
     }
@@ -389,7 +389,7 @@ fn what_touches_zero_is_flat_there() {
         |q, _| (1.0 - q[0].of(Unary::Cos) - q[1].powi(2)).powf(0.75),
     ];
     for phi in passing {
-        assert_eq!(Law::build(2, phi).kernels().gradient.cost().choices, 0);
+        assert_eq!(Law::build(2, phi).kernels().pointwise.gradient.cost().choices, 0);
     }
     let mut torus = Law::build(3, |q, _| ring(q).sqrt());
     assert!(gradient(&mut torus, &[0.6, 0.8, 0.0]).iter().any(|x| !x.is_finite()), "a distance has no slope at 0");
@@ -409,24 +409,24 @@ fn what_has_no_centre_chooses_nothing() {
         let mut law = Law::build(2, phi);
         let kernels = law.kernels();
         let choices = |program: &Program| program.cost().choices;
-        let [_, gradient, hessian, secant, matrix] = kernels.pointwise().map(choices);
+        let [_, gradient, hessian, secant, matrix] = kernels.pointwise.each().map(choices);
         assert_eq!([gradient, hessian, choices(&kernels.gradient_kick)], [0; 3], "{i}");
         // The exponential has its own choice, and one for each of its slopes.
         assert_eq!([secant, matrix], if i == 4 { [1, 5] } else { [0; 2] }, "{i}");
     }
     let mut round = Law::build(2, |q, _| norm(q) * norm(q).of(Unary::Tanh));
     let kernels = round.kernels();
-    let choices = kernels.pointwise().map(|program| program.cost().choices);
+    let choices = kernels.pointwise.each().map(|program| program.cost().choices);
     assert_eq!(choices[1..4], [1, 6, 2]);
-    assert_eq!(kernels.gradient.cost().multiplications, 6, "√s·1/√s cancels");
+    assert_eq!(kernels.pointwise.gradient.cost().multiplications, 6, "√s·1/√s cancels");
     let mut chain = Law::build(4, |q, p| (norm(&[q[0] - q[2], q[1] - q[3]]) - p[0]).powi(2));
     assert_eq!(chain.kernels().gradient_kick.cost().choices, 0);
     let mut soft = Law::build(2, |q, p| (p[1].powi(2) + squared(q)).powf(p[0]));
-    assert_eq!(soft.kernels().gradient.cost().choices, 0, "a parameter squared is not known to vanish");
+    assert_eq!(soft.kernels().pointwise.gradient.cost().choices, 0, "a parameter squared is not known to vanish");
     let mut soft = Law::build(1, |q, p| (1.0 + q[0].powi(2)).powf(p[0]));
     let kernels = soft.kernels();
-    assert_eq!(kernels.gradient.cost().choices, 0);
-    for program in kernels.pointwise() {
+    assert_eq!(kernels.pointwise.gradient.cost().choices, 0);
+    for program in kernels.pointwise.each() {
         let finite = |operation: &Operation| !matches!(operation, Operation::Number(x) if !x.value().is_finite());
         assert!(program.operations.iter().all(finite));
     }

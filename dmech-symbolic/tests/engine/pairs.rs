@@ -122,8 +122,8 @@ fn the_discrete_coefficient_is_the_divided_difference() {
             for gap in GAPS {
                 let s_b = s_a * (1.0 + gap);
                 let place = || format!("{name} between {s_a} and {s_b}");
-                let computed = radial.discrete_gradient.run(law.at_squares(&0.0, &s_a, &s_b))[0];
-                let turned = radial.discrete_gradient.run(law.at_squares(&0.0, &s_b, &s_a))[0];
+                let computed = radial.pointwise.discrete_gradient.run(law.at_squares(&0.0, &s_a, &s_b))[0];
+                let turned = radial.pointwise.discrete_gradient.run(law.at_squares(&0.0, &s_b, &s_a))[0];
                 assert_eq!(computed.to_bits(), turned.to_bits(), "{}", place());
                 let rise: Big = exact(s_b).minus(&exact(s_a));
                 let quotient = rise.over(&big(s_b).minus(&big(s_a)));
@@ -141,8 +141,8 @@ fn the_discrete_coefficient_is_the_divided_difference() {
                     growth.see(ratio(tracked.error, apart), place);
                 }
             }
-            let limit = radial.discrete_gradient.run(law.at_squares(&0.0, &s_a, &s_a))[0];
-            let slope = radial.gradient.run(law.at_squares(&s_a, &0.0, &0.0))[0];
+            let limit = radial.pointwise.discrete_gradient.run(law.at_squares(&0.0, &s_a, &s_a))[0];
+            let slope = radial.pointwise.gradient.run(law.at_squares(&s_a, &0.0, &0.0))[0];
             let scale = law.value(formulas.discrete_coefficient, &{
                 let s = Tracked::number(s_a);
                 law.at_squares(&s, &s, &s)
@@ -170,18 +170,21 @@ fn coefficients_are_derivatives() {
             law.value(e, &law.at_squares(&Dual(at), &Dual(Dual64::from_re(s_a)), &Dual(s_b))).0.eps
         };
         for s in SQUARES {
-            let [c, slope] = radial.hessian.run(law.at_squares(&s, &0.0, &0.0))[..] else { panic!("c and c′") };
+            let [c, slope] = radial.pointwise.hessian.run(law.at_squares(&s, &0.0, &0.0))[..] else {
+                panic!("c and c′")
+            };
             let see = |what: &str, computed: f64, twin: f64, scale: f64| {
                 worst.see((computed - twin).abs() / scale, || format!("{what} of {name} at {s}: {computed} {twin}"));
             };
             // Two schedules of one formula: the same but for the order of a few products.
-            let alone = radial.gradient.run(law.at_squares(&s, &0.0, &0.0))[0];
+            let alone = radial.pointwise.gradient.run(law.at_squares(&s, &0.0, &0.0))[0];
             schedules.see(ratio((c - alone).abs(), U * (c.abs() + 1.0)), || format!("{name} at {s}: {c} {alone}"));
             see("c", c, 2.0 * derivative(formulas.potential, s, 1.0, 1.0), c.abs() + 1.0);
             see("c′", slope, derivative(formulas.coefficient, s, 1.0, 1.0), slope.abs() + 1.0);
             for gap in GAPS {
                 let s_b = s * (1.0 + gap);
-                let [_, slope] = radial.discrete_gradient_jacobian.run(law.at_squares(&0.0, &s, &s_b))[..] else {
+                let [_, slope] = radial.pointwise.discrete_gradient_jacobian.run(law.at_squares(&0.0, &s, &s_b))[..]
+                else {
                     panic!("C and its derivative")
                 };
                 see("∂C/∂s_b", slope, derivative(formulas.discrete_coefficient, 0.0, s, s_b), slope.abs() + 1.0);
@@ -201,7 +204,7 @@ fn what_a_gradient_costs() {
     let cost = |name: &str| {
         let (_, phi) = RADIAL.into_iter().find(|(other, _)| *other == name).expect("in the list");
         let law = law(0, Some(&phi), None);
-        let costs = [&law.radial().1.gradient, &law.radial().1.hessian].map(Program::cost);
+        let costs = [&law.radial().1.pointwise.gradient, &law.radial().1.pointwise.hessian].map(Program::cost);
         costs.map(|cost| (cost.roots, cost.divisions, cost.functions))
     };
     assert_eq!(cost("gravity"), [(1, 1, 0); 2]);
@@ -217,7 +220,7 @@ fn the_distance_is_found_in_the_separation() {
     let by_d = law(3, Some(&|p| -p.k * p.a[1] * p.b[1] / norm(&p.d)), None);
     let by_r = law(0, Some(&RADIAL[0].1), None);
     let s = 1.7;
-    let run = |law: &Law| law.radial().1.gradient.run(law.at_squares(&s, &0.0, &0.0));
+    let run = |law: &Law| law.radial().1.pointwise.gradient.run(law.at_squares(&s, &0.0, &0.0));
     assert_eq!(run(&by_d), run(&by_r));
     let slanted = law(3, Some(&|p| p.k * (squared(&p.d) + p.d[0].powi(2)).powi(2)), None);
     let of_separation =
@@ -396,9 +399,7 @@ fn bodies_may_be_at_one_place() {
         let law = law(0, Some(&phi), None);
         let (_, radial) = law.radial();
         for (s_a, s_b) in [(0.0, 0.0), (0.3, 0.0), (0.0, 0.3), (1e-310, 0.0)] {
-            let programs =
-                [&radial.gradient, &radial.hessian, &radial.discrete_gradient, &radial.discrete_gradient_jacobian];
-            for (k, program) in programs.into_iter().enumerate() {
+            for (k, program) in radial.pointwise.each().into_iter().enumerate().skip(1) {
                 let found = program.run(law.at_squares(&s_b, &s_a, &s_b));
                 assert!(found.iter().all(|x| x.is_finite()), "{i}, {k} from {s_a:e} to {s_b:e}: {found:?}");
             }

@@ -86,7 +86,7 @@ fn ends(crossing: &(Vec<f64>, Vec<f64>), before: f64, after: f64) -> (Vec<f64>, 
 }
 
 fn value(law: &Law, kernels: &Kernels, q: &[f64]) -> f64 {
-    kernels.potential.run(law.at(q, q))[0]
+    kernels.pointwise.potential.run(law.at(q, q))[0]
 }
 
 /// |G·(b − a) − ΔΦ| within 4 ulp of |Φ(a)| + |Φ(b)| and of the slopes times the gap, symmetric, for steps that end
@@ -100,8 +100,8 @@ fn the_secant_identity_is_exact_across_the_seam() {
             for gap in [1.0, 0.4, 1e-1, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15] {
                 for (before, after) in [(0.5, 0.5), (0.3, 0.7), (0.0, 1.0), (1.0, 0.0), (-0.1, 1.0), (1.0, -0.2)] {
                     let (a, b) = ends(crossing, before * gap, after * gap);
-                    let g = kernels.discrete_gradient.run(law.at(&a, &b));
-                    let exchanged = kernels.discrete_gradient.run(law.at(&b, &a));
+                    let g = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
+                    let exchanged = kernels.pointwise.discrete_gradient.run(law.at(&b, &a));
                     // To the bit, but for the sign of a zero: 0/(b − a) has that of the gap.
                     assert_eq!(g, exchanged, "{name}");
                     let rise = value(&law, &kernels, &b) - value(&law, &kernels, &a);
@@ -139,22 +139,22 @@ fn each_branch_keeps_its_own_form() {
     let kernels = law.kernels();
     let [c, k] = [0.7, 3.3];
     for (a, b) in [(0.1, 0.6), (-2.0, 0.69), (0.5, 0.5)] {
-        assert_eq!(kernels.discrete_gradient.run(law.at(&[a], &[b])), [0.0]);
+        assert_eq!(kernels.pointwise.discrete_gradient.run(law.at(&[a], &[b])), [0.0]);
     }
     for (a, b) in [(0.8, 2.9), (0.71, 0.7100001), (1.3, 1.3)] {
         let expected = k * ((a + b) / 2.0 - c);
-        let g = kernels.discrete_gradient.run(law.at(&[a], &[b]))[0];
+        let g = kernels.pointwise.discrete_gradient.run(law.at(&[a], &[b]))[0];
         assert!((g - expected).abs() <= 4.0 * U * k * (a + b + c), "{g} {expected}");
     }
     // Across: the plain quotient.
-    let g = kernels.discrete_gradient.run(law.at(&[0.2], &[1.2]))[0];
+    let g = kernels.pointwise.discrete_gradient.run(law.at(&[0.2], &[1.2]))[0];
     assert!((g - k * 0.25 / 2.0).abs() < 1e-15, "{g}");
     // The gradient and the Hessian are those of the branch.
-    assert_eq!(kernels.gradient.run(law.at(&[0.2], &[0.2])), [0.0]);
-    let slope = kernels.gradient.run(law.at(&[1.2], &[1.2]))[0];
+    assert_eq!(kernels.pointwise.gradient.run(law.at(&[0.2], &[0.2])), [0.0]);
+    let slope = kernels.pointwise.gradient.run(law.at(&[1.2], &[1.2]))[0];
     assert!((slope - k * 0.5).abs() < 1e-15, "{slope}");
-    assert_eq!(kernels.hessian.run(law.at(&[1.2], &[1.2])), [k]);
-    assert_eq!(kernels.hessian.run(law.at(&[0.2], &[0.2])), [0.0]);
+    assert_eq!(kernels.pointwise.hessian.run(law.at(&[1.2], &[1.2])), [k]);
+    assert_eq!(kernels.pointwise.hessian.run(law.at(&[0.2], &[0.2])), [0.0]);
 }
 
 /// The tangent-continued oscillator is smooth in its slope: its discrete gradient approaches the gradient from both
@@ -165,10 +165,10 @@ fn the_quotient_approaches_the_gradient() {
         seams().into_iter().find(|s| s.name == "linear beyond, of r").expect("listed");
     let kernels = law.kernels();
     for crossing in &crossings {
-        let slope = kernels.gradient.run(law.at(&crossing.0, &crossing.0));
+        let slope = kernels.pointwise.gradient.run(law.at(&crossing.0, &crossing.0));
         let error = |gap: f64| -> f64 {
             let (a, b) = ends(crossing, 0.5 * gap, 0.5 * gap);
-            let g = kernels.discrete_gradient.run(law.at(&a, &b));
+            let g = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
             g.iter().zip(&slope).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
         };
         let (coarse, fine) = (error(1e-2), error(1e-4));
@@ -187,8 +187,8 @@ fn what_a_branch_would_be_elsewhere_does_not_matter() {
     let (a, b) = ([-3.3, 26.8, -6.9, 4.2], [0.9, -0.6, 0.5, 1.3]);
     let share = (0.7 - a[0]) / (b[0] - a[0]);
     let p: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a + share * (b - a)).collect();
-    let g = kernels.discrete_gradient.run(law.at(&a, &b));
-    let beyond = kernels.discrete_gradient.run(law.at(&p, &b));
+    let g = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
+    let beyond = kernels.pointwise.discrete_gradient.run(law.at(&p, &b));
     for (i, (g, beyond)) in g.iter().zip(&beyond).enumerate() {
         let expected = (1.0 - share) * beyond;
         assert!(beyond.abs() > 1e-3 && (g - expected).abs() <= 1e-14 * expected.abs(), "{i}: {g} {expected}");
@@ -206,7 +206,7 @@ fn what_both_branches_have_is_not_cut() {
     let kernels = law.kernels();
     let a = [0.3, -0.7, 0.4];
     for b in [[0.5, -0.4, -0.3], [-0.2, 0.9, -1.1], [-0.3, 0.7, -0.4], [-0.3, 0.7, -0.4 - 1e-9]] {
-        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        let g = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
         let rise = value(&law, &kernels, &b) - value(&law, &kernels, &a);
         let work: f64 = (0..3).map(|i| g[i] * (b[i] - a[i])).sum();
         assert!((work - rise).abs() < 16.0 * U * 10.0, "{b:?}: {g:?} makes {work} of {rise}");
@@ -226,11 +226,11 @@ fn what_both_branches_have_may_be_singular_on_the_seam() {
     let kernels = law.kernels();
     for a in [[1.4, 1.2], [-0.9, 0.3], [2.0, -1.1]] {
         let b = a.map(|x: f64| -x);
-        let g = kernels.discrete_gradient.run(law.at(&a, &b));
+        let g = kernels.pointwise.discrete_gradient.run(law.at(&a, &b));
         let rise = value(&law, &kernels, &b) - value(&law, &kernels, &a);
         let work: f64 = (0..2).map(|i| g[i] * (b[i] - a[i])).sum();
         assert!((work - rise).abs() < 16.0 * U * 10.0, "from {a:?} to its opposite {g:?} makes {work} of {rise}");
-        let jacobian = kernels.discrete_gradient_jacobian.run(law.at(&a, &b));
+        let jacobian = kernels.pointwise.discrete_gradient_jacobian.run(law.at(&a, &b));
         assert!(jacobian.iter().all(|x| x.is_finite()), "from {a:?} to its opposite {jacobian:?}");
     }
 }
@@ -251,7 +251,7 @@ fn ends_within_rounding_of_a_contact_are_finite() {
             let (a, b) = (touching(k), touching(k + 71));
             let overlaps = [a, b].map(|[x, y]| 0.7 - (x + 2.0 * y));
             met += u32::from(overlaps[0] != overlaps[1] && overlaps[0].max(overlaps[1]) > 0.0);
-            for program in [&kernels.discrete_gradient, &kernels.discrete_gradient_jacobian] {
+            for program in [&kernels.pointwise.discrete_gradient, &kernels.pointwise.discrete_gradient_jacobian] {
                 let found = program.run(law.at(&a, &b));
                 assert!(found.iter().all(|x| x.is_finite()), "u^{exponent} from {a:?} to {b:?}: {found:?}");
             }

@@ -10,7 +10,7 @@ use crate::common::notation::{norm, squared};
 use crate::common::tracked::Tracked;
 use crate::common::{U, Worst, for_all, ratio};
 use dmech_symbolic::expression::{Expr, Symbol, Unary};
-use dmech_symbolic::kernel::{Kernels, Step};
+use dmech_symbolic::kernel::{Kernels, Step, Way};
 use dmech_symbolic::program::{Operation, Program};
 use nalgebra::{DMatrix, DVector};
 
@@ -18,11 +18,11 @@ use nalgebra::{DMatrix, DVector};
 fn known(kernels: &Kernels) -> Vec<(&'static str, &Program, Vec<Expr>)> {
     let f = &kernels.formulas;
     vec![
-        ("potential", &kernels.potential, vec![f.potential]),
-        ("gradient", &kernels.gradient, f.gradient.clone()),
-        ("Hessian", &kernels.hessian, f.hessian.concat()),
-        ("discrete gradient", &kernels.discrete_gradient, f.discrete_gradient.clone()),
-        ("its Jacobian", &kernels.discrete_gradient_jacobian, f.discrete_gradient_jacobian.concat()),
+        ("potential", &kernels.pointwise.potential, vec![f.potential]),
+        ("gradient", &kernels.pointwise.gradient, f.gradient.clone()),
+        ("Hessian", &kernels.pointwise.hessian, f.hessian.concat()),
+        ("discrete gradient", &kernels.pointwise.discrete_gradient, f.discrete_gradient.clone()),
+        ("its Jacobian", &kernels.pointwise.discrete_gradient_jacobian, f.discrete_gradient_jacobian.concat()),
     ]
 }
 
@@ -30,8 +30,7 @@ fn all(kernels: &Kernels) -> Vec<&Program> {
     let mut programs: Vec<_> = known(kernels).into_iter().map(|(_, program, _)| program).collect();
     programs.extend([&kernels.kick, &kernels.gradient_kick]);
     for step in [&kernels.implicit, &kernels.discrete] {
-        let (Step::Linear(program) | Step::Newton(program) | Step::Central(program)) = step;
-        programs.push(program);
+        programs.push(&step.program);
     }
     programs
 }
@@ -71,7 +70,7 @@ fn programs_compute_their_expressions() {
                 at(s)
             }
         };
-        let slope = kernels.gradient.run(at);
+        let slope = kernels.pointwise.gradient.run(at);
         for (kicked, slope) in kernels.kick.run(at).into_iter().zip(slope) {
             assert!(
                 (kicked - (v - c * slope)).abs() <= 8.0 * U * (v + (c * slope).abs()),
@@ -80,7 +79,7 @@ fn programs_compute_their_expressions() {
             );
         }
         // And with the gradient of the force v − c ∇Φ + e H ∇Φ, also where one factor of q is all there is.
-        let (slope, hessian) = (kernels.gradient.run(at), kernels.hessian.run(at));
+        let (slope, hessian) = (kernels.pointwise.gradient.run(at), kernels.pointwise.hessian.run(at));
         let d = slope.len();
         for (i, kicked) in kernels.gradient_kick.run(at).into_iter().enumerate() {
             let row = hessian[d * i..d * (i + 1)].iter().zip(&slope).map(|(h, s)| h * s);
@@ -105,11 +104,11 @@ fn corrections_solve_their_equations() {
         let kernels = law.kernels();
         let (a, b) = (&case.a, &case.b(0.2));
         let steps = [
-            (&kernels.implicit, &kernels.gradient, &kernels.hessian, b),
-            (&kernels.discrete, &kernels.discrete_gradient, &kernels.discrete_gradient_jacobian, a),
+            (&kernels.implicit, &kernels.pointwise.gradient, &kernels.pointwise.hessian, b),
+            (&kernels.discrete, &kernels.pointwise.discrete_gradient, &kernels.pointwise.discrete_gradient_jacobian, a),
         ];
         for (k, (step, force, jacobian, start)) in steps.into_iter().enumerate() {
-            let (Step::Linear(program) | Step::Newton(program)) = step else { continue };
+            let Step { way: Way::Linear | Way::Newton, program, .. } = step else { continue };
             let values = law.values(|x| x, start, a, b);
             // Steps of a size that a simulation takes: g J small, so that no pivot is needed.
             let h = DMatrix::from_row_slice(d, d, &jacobian.run(&values));
@@ -141,7 +140,7 @@ fn corrections_solve_their_equations() {
                 worst.see(ratio((parts.sum::<f64>() - after[i]).abs(), 1e-13 * scale), place);
             }
             let mut counts = tried.get();
-            counts[usize::from(matches!(step, Step::Linear(_)))] += 1;
+            counts[usize::from(step.way == Way::Linear)] += 1;
             tried.set(counts);
         }
     });
@@ -241,9 +240,9 @@ fn powers_of_one_radius_share_root_and_division() {
     for dimension in [2, 3] {
         let (_, kernels) = kepler(dimension);
         for (name, program, roots, divisions) in [
-            ("gradient", &kernels.gradient, 1, 1),
-            ("Hessian", &kernels.hessian, 1, 1),
-            ("discrete gradient", &kernels.discrete_gradient, 2, 1),
+            ("gradient", &kernels.pointwise.gradient, 1, 1),
+            ("Hessian", &kernels.pointwise.hessian, 1, 1),
+            ("discrete gradient", &kernels.pointwise.discrete_gradient, 2, 1),
         ] {
             let cost = program.cost();
             println!("{name} in {dimension}: {cost}");
@@ -258,10 +257,10 @@ fn linear_laws_are_solved_in_closed_form() {
     for dimension in 1..=4 {
         let mut law = Law::build(dimension, |q, p| p[0] * squared(q) / 2.0);
         let kernels = law.kernels();
-        let Step::Linear(program) = &kernels.discrete else { panic!("a constant Hessian") };
-        let cost = program.cost();
+        assert_eq!(kernels.discrete.way, Way::Linear, "a constant Hessian");
+        let cost = kernels.discrete.program.cost();
         println!("linear step in {dimension}: {cost}");
         assert_eq!((cost.divisions, cost.roots, cost.functions), (1, 0, 0), "{cost}");
-        assert!(kernels.hessian.symbols().iter().all(|s| !law.variables.q.contains(s)));
+        assert!(kernels.pointwise.hessian.symbols().iter().all(|s| !law.variables.q.contains(s)));
     }
 }

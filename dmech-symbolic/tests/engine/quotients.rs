@@ -88,8 +88,8 @@ fn slopes_keep_their_digits_far_out() {
             let y = 0.37 * x.min(1e3);
             let q = &[x, y][..dimension];
             let exact = slope(x, y);
-            let [gradient, secant] =
-                [&kernels.gradient, &kernels.discrete_gradient].map(|kernel| kernel.run(law.at(q, q))[0]);
+            let [gradient, secant] = [&kernels.pointwise.gradient, &kernels.pointwise.discrete_gradient]
+                .map(|kernel| kernel.run(law.at(q, q))[0]);
             // What cancels between two roots is no term of a sum.
             let rational = !name.contains('√') && !name.starts_with("x/");
             for found in [gradient, if rational { secant } else { gradient }] {
@@ -109,7 +109,8 @@ fn secants_keep_their_digits_far_out() {
     for a in [-3e4, 0.2, 1.7, 5e6, 2e40] {
         for b in [a * (1.0 + 1e-9), 1.5 * a, -2.0 * a, 0.1] {
             let exact = (a + b) / (1.0 + a * a) / (1.0 + b * b);
-            let [there, back] = [(a, b), (b, a)].map(|(a, b)| kernels.discrete_gradient.run(law.at(&[a], &[b]))[0]);
+            let [there, back] =
+                [(a, b), (b, a)].map(|(a, b)| kernels.pointwise.discrete_gradient.run(law.at(&[a], &[b]))[0]);
             assert!((there / exact - 1.0).abs() < 8.0 * f64::EPSILON, "{a} to {b}: {there:e} for {exact:e}");
             assert_eq!(there, back, "{a} to {b}");
         }

@@ -4,7 +4,7 @@ use crate::common::laws::Law;
 use crate::common::notation::{E, norm, squared};
 use crate::common::tree::FUNCTIONS;
 use dmech_symbolic::expression::{Unary, evaluate};
-use dmech_symbolic::kernel::{Kernels, Step};
+use dmech_symbolic::kernel::{Kernels, Way};
 
 /// A law by its construction, in parameters p₀, p₁, p₂, and what must be seen in it.
 struct Example {
@@ -86,10 +86,10 @@ fn structure_is_seen() {
             let seen = (structure.constant_hessian, structure.diagonal_hessian, structure.central.is_some());
             let expected = (example.constant, example.diagonal, example.central);
             assert_eq!(seen, expected, "{}: {}", example.name, law.graph.display(law.phi));
-            let right = match (&kernels.implicit, &kernels.discrete) {
-                (Step::Linear(_), Step::Linear(_)) => example.constant,
-                (Step::Central(_), Step::Central(_)) => example.central && !example.constant,
-                (Step::Newton(_), Step::Newton(_)) => !example.central && !example.constant,
+            let right = match (kernels.implicit.way, kernels.discrete.way) {
+                (Way::Linear, Way::Linear) => example.constant,
+                (Way::Central, Way::Central) => example.central && !example.constant,
+                (Way::Newton, Way::Newton) => !example.central && !example.constant,
                 _ => false,
             };
             assert!(right, "{}", example.name);
@@ -124,7 +124,8 @@ fn central_coefficients() {
                         }
                     })
                 });
-                let (gradient, secant) = (kernels.gradient.run(&at), kernels.discrete_gradient.run(&at));
+                let (gradient, secant) =
+                    (kernels.pointwise.gradient.run(&at), kernels.pointwise.discrete_gradient.run(&at));
                 for i in 0..a.len() {
                     let close = |x: f64, y: f64| (x - y).abs() <= 32.0 * f64::EPSILON * (x.abs() + y.abs());
                     assert!(close(gradient[i], c * a[i]), "{}: {} {}", example.name, gradient[i], c * a[i]);
@@ -140,7 +141,11 @@ fn central_coefficients() {
 /// The central steps also read two derivatives of their coefficient: finite, and right, where both ends are equally far
 /// from the centre (a circular orbit) and nearly so.
 fn check_derivatives_of_the_coefficient(name: &str, law: &Law, kernels: &Kernels) -> usize {
-    let (Step::Central(discrete), Step::Central(implicit)) = (&kernels.discrete, &kernels.implicit) else { return 0 };
+    let Kernels { discrete, implicit, .. } = kernels;
+    if (discrete.way, implicit.way) != (Way::Central, Way::Central) {
+        return 0;
+    }
+    let (discrete, implicit) = (&discrete.program, &implicit.program);
     let at = |from: f64, to: f64| {
         let known = law.at(&[], &[]);
         let (s, a, b) = (law.variables.s, law.variables.s_a, law.variables.s_b);

@@ -130,7 +130,8 @@ impl<S: Adaptable> Adaptive<S> {
     /// Whether there is a next step.
     #[inline]
     pub(crate) fn is_ready(&self, step: u64, pacing: &Pacing) -> Result<(), Error> {
-        if pacing.moves_on() && (self.is_in_reach(pacing) || step as f64 <= MANY * self.row) || self.has_arrived(pacing) {
+        if pacing.moves_on() && (self.is_in_reach(pacing) || step as f64 <= MANY * self.row) || self.has_arrived(pacing)
+        {
             return Ok(());
         }
         let (time, dt) = (pacing.time.value(), pacing.dt);

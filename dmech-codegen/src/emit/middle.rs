@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Printed, body};
-use super::names::{ident, receiver, underscored};
+use super::names::{ident, receiver};
 use super::printer::Printer;
 use super::step::asked;
 
@@ -20,26 +20,15 @@ impl Printer<'_> {
     /// Correction::sum(change, slope, turned).if_positive(positive)
     /// ```
     pub(super) fn middle_step(&self, slope: &Program, change: &Step) -> TokenStream {
-        let Self { scalar, runtime, variables, dimension: d, .. } = self;
+        let Self { scalar, runtime, variables, .. } = self;
         let (linear, asked, change) = (change.way == Way::Linear, asked(change.asked), &change.program);
-        let [equation, a, delta, b] = ["equation", "a", "delta", "b"].map(ident);
+        let [equation, delta] = ["equation", "delta"].map(ident);
         let [first, turned, moved, grown] = ["slope", "turned", "change", "positive"].map(ident);
-        let receiver = receiver();
         let used: Vec<_> = slope.symbols().into_iter().chain(change.symbols()).collect();
         let parameters = self.bind_parameters(&used, false);
-        let ends = [(&a, &variables.a), (&delta, &variables.delta), (&b, &variables.b)];
-        let unpack = ends.map(|(array, symbols)| {
-            let pattern = self.pattern(symbols, &used)?;
-            Some(quote!(let #pattern = #array;))
-        });
-        let unpack = unpack.iter().flatten();
-        let scalars = [variables.g, variables.rate].map(|symbol| {
-            let name = self.names.symbol(symbol);
-            used.contains(&symbol).then(|| quote!(let #name = #equation.#name;))
-        });
-        let scalars = scalars.iter().flatten();
-        let closure_a = underscored(&a, self.pattern(&variables.a, &used).is_some());
-        let closure_b = underscored(&b, self.pattern(&variables.b, &used).is_some());
+        let unpack = self.pattern(&variables.delta, &used).map(|pattern| quote!(let #pattern = #delta;));
+        let (arguments, unpack_end) = self.unpacked(&[("b", &variables.b)], &used);
+        let read = self.read_of(&equation, &[("a", &variables.a)], &[variables.g, variables.rate], &used);
         let residual = self.pattern(&variables.rhs, &used);
         let residual = residual.map(|p| quote!(let #p = #equation.residual(#delta, #first);));
         let Printed { statements, outputs } = body(slope, &self.names, scalar);
@@ -48,45 +37,38 @@ impl Printer<'_> {
         let (turns, positive) = rest.split_at(variables.q.len());
         let correction = quote!(#runtime::newton::Correction::sum(#moved, #first, #turned));
         let result = if linear { quote!((#correction, #grown)) } else { quote!(#correction.#asked(#grown)) };
-        let solver = ident(if linear { "once_middle" } else { "drive_middle" });
+        let solver = ident(if linear { "twice_middle" } else { "drive_middle" });
         let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };
         let doc = format!(
             " The increment Δ of the energy-exact step, and what the rounding of G leaves out: Δ + g G = c with G = ∇̄Φ(a, q + Δ) − F \
              at the mean position and the mean velocity Δ/h, at right angles to Δ. {way}",
         );
-        quote! {
-            #[doc = #doc]
-            #[inline(always)]
-            fn workless_increment(
-                &#receiver,
-                #equation: &#runtime::newton::Equation<#d, #scalar>,
-            ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
+        let increment = self.increment(
+            "workless_increment",
+            quote! {
                 #parameters
-                #runtime::newton::#solver(#equation, |#equation, #closure_a, #delta, #closure_b| {
-                    #(#unpack)*
-                    #(#scalars)*
+                #runtime::newton::#solver(#equation, |#equation, #delta, #(#arguments),*| {
+                    #unpack
+                    #unpack_end
+                    #(#read)*
                     let #first = { #statements [#(#outputs),*] };
                     #residual
                     let (#moved, #turned, #grown) = { #solve ([#(#changes),*], [#(#turns),*], [#(#positive),*]) };
                     #result
                 })
-            }
-        }
+            },
+        );
+        quote!(#[doc = #doc] #increment)
     }
 
     /// The same as the increment of the energy-exact step.
     pub(super) fn rounded_middle_step(&self) -> TokenStream {
-        let Self { scalar, runtime, dimension: d, .. } = self;
-        let (receiver, equation) = (receiver(), ident("equation"));
+        let (runtime, receiver, equation) = (&self.runtime, receiver(), ident("equation"));
+        let body = quote!(#runtime::Field::workless_increment(#receiver, #equation));
+        let increment = self.increment("discrete_increment", body);
         quote! {
             /// That of `workless_increment`.
-            #[inline(always)]
-            fn discrete_increment(
-                &#receiver,
-                #equation: &#runtime::newton::Equation<#d, #scalar>,
-            ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
-                #runtime::Field::workless_increment(#receiver, #equation)
-            }
+            #increment
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The functions that solve a step.
 
+use dmech_symbolic::expression::Symbol;
 use dmech_symbolic::kernel::{Given, Step, Way};
 use dmech_symbolic::linear::Asked;
 use proc_macro2::{Ident, TokenStream};
@@ -11,8 +12,7 @@ use super::printer::Printer;
 
 impl Printer<'_> {
     pub(super) fn step(&self, name: &str, step: &Step) -> TokenStream {
-        let Self { scalar, runtime, variables, dimension: d, .. } = self;
-        let (name, receiver) = (ident(name), receiver());
+        let Self { scalar, runtime, variables, .. } = self;
         let equation = ident("equation");
         let Step { way, given, program, .. } = step;
         let between = *given == Given::InParts;
@@ -32,23 +32,14 @@ impl Printer<'_> {
         } else {
             let solver = ident(match (way, between) {
                 (Way::Linear, false) => "once",
-                (Way::Linear, true) => "once_discrete",
-                (_, false) => "drive",
-                (_, true) => "drive_discrete",
+                (Way::Linear, true) => "twice",
+                _ => "drive",
             });
-            let arrays = [("a", &variables.a[..]), ("delta", &variables.delta[..]), ("b", &variables.b[..])];
-            let (arguments, unpack) = self.unpacked(&arrays[usize::from(!between)..], &used);
+            let (arguments, unpack) = self.unpacked(&[("delta", &variables.delta), ("b", &variables.b)], &used);
             let known = self.pattern(&variables.rhs, &used).map(|pattern| quote!(let #pattern = #equation.known();));
-            let velocities = [("v", &variables.v), ("drift", &variables.drift)].map(|(field, symbols)| {
-                let field = ident(field);
-                self.pattern(symbols, &used).map(|pattern| quote!(let #pattern = #equation.#field;))
-            });
-            let scalars = [variables.g, variables.rate, variables.t_end].map(|symbol| {
-                let name = self.names.symbol(symbol);
-                used.contains(&symbol).then(|| quote!(let #name = #equation.#name;))
-            });
-            let needs_equation = known.is_some() || velocities.iter().chain(&scalars).any(Option::is_some);
-            let closure_equation = underscored(&equation, needs_equation);
+            let vectors = [("a", &variables.a), ("v", &variables.v), ("drift", &variables.drift)];
+            let read = self.read_of(&equation, &vectors, &[variables.g, variables.rate, variables.t_end], &used);
+            let closure_equation = underscored(&equation, known.is_some() || !read.is_empty());
             let constructor = ident(if between { "in_parts" } else { "rounded" });
             let (vectors, positive) = outputs.split_at(given.vectors() * variables.q.len());
             let vectors = vectors.chunks(variables.q.len());
@@ -62,13 +53,19 @@ impl Printer<'_> {
                 #runtime::newton::#solver(#equation, |#closure_equation, #(#arguments),*| {
                     #unpack
                     #known
-                    #(#velocities)*
-                    #(#scalars)*
+                    #(#read)*
                     #statements
                     #result
                 })
             }
         };
+        self.increment(name, quote!(#parameters #solution))
+    }
+
+    /// A function that solves the equation of a step.
+    pub(super) fn increment(&self, name: &str, body: TokenStream) -> TokenStream {
+        let Self { scalar, runtime, dimension: d, .. } = self;
+        let (name, receiver, equation) = (ident(name), receiver(), ident("equation"));
         // Without `always` the equation and its solution go through memory.
         quote! {
             #[inline(always)]
@@ -76,10 +73,28 @@ impl Printer<'_> {
                 &#receiver,
                 #equation: &#runtime::newton::Equation<#d, #scalar>,
             ) -> ::core::result::Result<#runtime::newton::Increment<#d, #scalar>, #runtime::newton::NotConverged> {
-                #parameters
-                #solution
+                #body
             }
         }
+    }
+
+    /// What of the equation is used: `let [vx, vy] = equation.v;` and `let g = equation.g;`.
+    pub(super) fn read_of(
+        &self,
+        equation: &Ident,
+        vectors: &[(&str, &Vec<Symbol>)],
+        scalars: &[Symbol],
+        used: &[Symbol],
+    ) -> Vec<TokenStream> {
+        let vectors = vectors.iter().filter_map(|(field, symbols)| {
+            let field = ident(field);
+            self.pattern(symbols, used).map(|pattern| quote!(let #pattern = #equation.#field;))
+        });
+        let scalars = scalars.iter().filter(|symbol| used.contains(symbol)).map(|&symbol| {
+            let name = self.names.symbol(symbol);
+            quote!(let #name = #equation.#name;)
+        });
+        vectors.chain(scalars).collect()
     }
 }
 

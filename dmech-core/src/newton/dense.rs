@@ -5,7 +5,7 @@ use crate::vector::{by_component, by_entry};
 use dmech_scalar::Real;
 
 use super::drive::solve;
-use super::{Correction, Equation, Increment, NotConverged, doubt, elimination, once, once_discrete};
+use super::{Correction, Equation, Increment, NotConverged, doubt, elimination, once, twice};
 
 /// Solves Δ + g G(q + Δ) = drift − frozen, given b ↦ (G(b), J(b)) with J = ∂G/∂b.
 ///
@@ -15,11 +15,7 @@ pub fn dense<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let correct = |equation: &Equation<D, R>, delta, b| {
-        let (gradient, jacobian) = force(b);
-        correction(equation, delta, gradient, &jacobian)
-    };
-    solve::<false, D, R>(equation, correct)
+    dense_discrete(equation, |_, b| force(b))
 }
 
 /// As [`dense`], for a force (a, b) ↦ (G(a, b), ∂G/∂b) between two points.
@@ -95,7 +91,7 @@ pub fn linear_discrete<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     mut force: impl FnMut([R; D], [R; D]) -> ([R; D], [[R; D]; D]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    once_discrete(equation, |equation, a, delta, b| definite(equation, delta, force(a, b)))
+    twice(equation, |equation, delta, b| definite(equation, delta, force(equation.a, b)))
 }
 
 /// The correction and the pivots of 1 + g J.

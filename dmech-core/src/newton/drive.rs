@@ -8,7 +8,7 @@ use super::{Correction, Equation, Increment, NotConverged, continuation};
 
 /// Solves the equation by Newton corrections δ = `correct`(equation, Δ, b) with b = q + Δ, to round-off on Δ.
 ///
-/// `correct` must use the equation that it is given: where the guess is not good enough, the step is lengthened
+/// `correct` must use the equation that it is given, and a of it for a force between two points: where the guess is not good enough, the step is lengthened
 /// gradually and the equation passed in is that of a shorter step. The gradient returned is G + J δ of the last
 /// correction, so the force is not evaluated again at the solution.
 ///
@@ -35,26 +35,14 @@ pub(super) fn solve<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     }
 }
 
-/// As [`drive`], for a force between two points; `correct` gets the equation, a, Δ and b.
-///
-/// # Errors
-/// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
-#[inline]
-pub fn drive_discrete<const D: usize, R: Real>(
-    equation: &Equation<D, R>,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
-) -> Result<Increment<D, R>, NotConverged> {
-    drive(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
-}
-
-/// As [`drive_discrete`], with the increment rounded once: for forces that do no work.
+/// As [`drive`], with the increment rounded once: for forces that do no work.
 ///
 /// # Errors
 /// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
 #[inline]
 pub fn drive_middle<const D: usize, R: Real>(
     equation: &Equation<D, R>,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> Correction<D, R>,
+    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    solve::<true, D, R>(equation, |equation, delta, b| correct(equation, equation.a, delta, b))
+    solve::<true, D, R>(equation, correct)
 }

@@ -2,8 +2,8 @@
 //!
 //! Hand-written laws use [`dense`], [`dense_discrete`], [`dense_forced`] and [`dense_middle`], or [`linear`] and
 //! [`linear_discrete`]; generated ones bring
-//! their own correction in a straight line and use [`drive`], [`drive_discrete`] and [`drive_middle`], or [`once`],
-//! [`once_discrete`] and [`once_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
+//! their own correction in a straight line and use [`drive`] and [`drive_middle`], or [`once`],
+//! [`twice`] and [`twice_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
 //! unknown and uses [`central`].
 
 mod continuation;
@@ -22,6 +22,6 @@ pub mod central;
 
 pub(crate) use dense::free;
 pub use dense::{dense, dense_discrete, dense_forced, dense_middle, linear, linear_discrete};
-pub use drive::{drive, drive_discrete, drive_middle};
+pub use drive::{drive, drive_middle};
 pub use equation::{Correction, Counts, Equation, Increment, NotConverged};
-pub use once::{once, once_discrete, once_middle};
+pub use once::{once, twice, twice_middle};

@@ -29,8 +29,7 @@ pub fn once<const D: usize, const N: usize, R: Real>(
     continued(increment, positive)
 }
 
-/// As [`once`], for a force between two points, with a second correction on the residual of the first solution; `correct` gets the
-/// equation, a, Δ and b.
+/// As [`once`], with a second correction on the residual of the first solution.
 ///
 /// The elimination rounds the same matrix in the same way at every step. Where the energy is to be exact that error would add up,
 /// the more the stiffer the law is: of an oscillator to 10⁻¹¹ in 10⁶ steps of a tenth of a period, to 10⁻⁴ in steps of 100 radians. After
@@ -39,34 +38,34 @@ pub fn once<const D: usize, const N: usize, R: Real>(
 /// # Errors
 /// As of [`once`].
 #[inline(always)]
-pub fn once_discrete<const D: usize, const N: usize, R: Real>(
+pub fn twice<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
-    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
+    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    twice(equation, Equation::increment, correct)
+    second(equation, Equation::increment, correct)
 }
 
-/// As [`once_discrete`], with increments rounded once: for forces that do no work, which are to stand at right angles to Δ.
+/// As [`twice`], with increments rounded once: for forces that do no work, which are to stand at right angles to Δ.
 ///
 /// # Errors
 /// As of [`once`].
 #[inline(always)]
-pub fn once_middle<const D: usize, const N: usize, R: Real>(
+pub fn twice_middle<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
-    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
+    correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    twice(equation, |equation, gradient| equation.increment_and_rest(gradient).0, correct)
+    second(equation, |equation, gradient| equation.increment_and_rest(gradient).0, correct)
 }
 
 #[inline(always)]
-fn twice<const D: usize, const N: usize, R: Real>(
+fn second<const D: usize, const N: usize, R: Real>(
     equation: &Equation<D, R>,
     increment: impl Fn(&Equation<D, R>, [R; D]) -> [R; D],
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> (Correction<D, R>, [R; N]),
 ) -> Result<Increment<D, R>, NotConverged> {
-    let (first, _) = correct(equation, equation.a, [R::ZERO; D], equation.q);
+    let (first, _) = correct(equation, [R::ZERO; D], equation.q);
     let first = increment(equation, first.gradient);
-    let (Correction { gradient, parts, .. }, positive) = correct(equation, equation.a, first, equation.end(first));
+    let (Correction { gradient, parts, .. }, positive) = correct(equation, first, equation.end(first));
     let delta = increment(equation, gradient);
     let increment = Increment { delta, gradient, parts, evaluations: Count::of(2), iterations: Count::of(0) };
     continued(increment, positive)

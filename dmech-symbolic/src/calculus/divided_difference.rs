@@ -67,13 +67,8 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
         }
         Ln1p => {
             let one = g.one();
-            let (above_a, above_b) = (g.add(&[one, a]), g.add(&[one, b]));
-            let sum = g.add(&[above_a, above_b]);
-            let roots = [g.unary(Sqrt, above_a), g.unary(Sqrt, above_b)];
-            let mean = g.mul(&roots);
-            let width = g.scale(2.0, mean);
-            let far = half_arsinh(g, a, b, width);
-            half_artanh(g, a, b, sum, far)
+            let above = [g.add(&[one, a]), g.add(&[one, b])];
+            logarithm_of(g, above, [a, b])
         }
         Sin | Cos => {
             let (m, delta) = midpoint_and_half_gap(g, a, b);
@@ -106,10 +101,7 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
         Asin | Acos => {
             let legs = [leg(g, a), leg(g, b)];
             let sum = g.add(&legs);
-            let gap = g.sub(b, a);
-            let t = g.div(gap, sum);
-            let cardinal = g.unary(Atanc, t);
-            let half = g.div(cardinal, sum);
+            let half = of_quotient(g, Atanc, [a, b], sum);
             let closed = g.scale(if f == Asin { 2.0 } else { -2.0 }, half);
             // From one end of the domain to the other both legs are 0.
             let (one, quotient) = (g.one(), plain_quotient(g, f, a, b));
@@ -118,10 +110,7 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
         Atan => {
             let (one, product) = (g.one(), g.mul(&[a, b]));
             let below = g.add(&[one, product]);
-            let gap = g.sub(b, a);
-            let t = g.div(gap, below);
-            let cardinal = g.unary(Atanc, t);
-            let closed = g.div(cardinal, below);
+            let closed = of_quotient(g, Atanc, [a, b], below);
             // Beyond ab = −1 the difference of the angles exceeds a right angle.
             let quotient = plain_quotient(g, Atan, a, b);
             let bound = g.number(-0.5);
@@ -152,10 +141,7 @@ pub fn divided_difference(g: &mut Graph, f: Unary, a: Expr, b: Expr) -> Expr {
         }
         Atanh => {
             let below = below_one(g, a, b);
-            let gap = g.sub(b, a);
-            let t = g.div(gap, below);
-            let cardinal = g.unary(Atanhc, t);
-            let closed = g.div(cardinal, below);
+            let closed = of_quotient(g, Atanhc, [a, b], below);
             let half = g.scale(0.5, below);
             let quotient = plain_quotient(g, Atanh, a, b);
             unless_far(g, a, b, half, closed, quotient)
@@ -324,8 +310,13 @@ fn midpoint_and_half_gap(g: &mut Graph, a: Expr, b: Expr) -> (Expr, Expr) {
 
 /// ln[a, b].
 pub(super) fn of_logarithm(g: &mut Graph, a: Expr, b: Expr) -> Expr {
-    let sum = g.add(&[a, b]);
-    let roots = [g.unary(Unary::Sqrt, a), g.unary(Unary::Sqrt, b)];
+    logarithm_of(g, [a, b], [a, b])
+}
+
+/// The same, where a and b are the numbers less one, or themselves: their difference is that of the numbers.
+fn logarithm_of(g: &mut Graph, numbers: [Expr; 2], [a, b]: [Expr; 2]) -> Expr {
+    let sum = g.add(&numbers);
+    let roots = numbers.map(|u| g.unary(Unary::Sqrt, u));
     let mean = g.mul(&roots);
     let width = g.scale(2.0, mean);
     let far = half_arsinh(g, a, b, width);
@@ -344,13 +335,18 @@ fn half_arsinh(g: &mut Graph, a: Expr, b: Expr, w: Expr) -> Expr {
 
 /// 2 atanhc((b − a)/s)/s while |b − a| ≤ s/2.
 fn half_artanh(g: &mut Graph, a: Expr, b: Expr, s: Expr, far: Expr) -> Expr {
-    let gap = g.sub(b, a);
-    let t = g.div(gap, s);
-    let cardinal = g.unary(Unary::Atanhc, t);
-    let closed = g.div(cardinal, s);
+    let closed = of_quotient(g, Unary::Atanhc, [a, b], s);
     let closed = g.scale(2.0, closed);
     let half = g.scale(0.5, s);
     unless_far(g, a, b, half, closed, far)
+}
+
+/// f((b − a)/s)/s.
+fn of_quotient(g: &mut Graph, f: Unary, [a, b]: [Expr; 2], s: Expr) -> Expr {
+    let gap = g.sub(b, a);
+    let t = g.div(gap, s);
+    let cardinal = g.unary(f, t);
+    g.div(cardinal, s)
 }
 
 /// `closed` while |b − a| ≤ bound, the plain quotient beyond.

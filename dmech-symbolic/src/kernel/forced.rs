@@ -185,7 +185,7 @@ impl Point {
                 graph.add(&[v, turned])
             })
             .collect();
-        Self { position: b.iter().map(|&b| graph.symbol(b)).collect(), velocity }
+        Self { position: graph.symbols(b), velocity }
     }
 
     /// ((q + q′)/2, Δ/h).
@@ -236,7 +236,7 @@ fn by_increment(graph: &mut Graph, force: &[Expr], variables: &Variables) -> (Ve
 /// δ and J δ with (1 + g J) δ = rhs.
 fn change(graph: &mut Graph, jacobian: &[Vec<Expr>], corrections: Corrections, variables: &Variables) -> Step {
     let matrix = newton_matrix(graph, jacobian, variables);
-    let residual: Vec<_> = variables.rhs.iter().map(|&rhs| graph.symbol(rhs)).collect();
+    let residual = graph.symbols(&variables.rhs);
     let Solution { x: delta, positive, asked } = linear::solve(graph, &matrix, &residual, corrections);
     let turned: Vec<_> = jacobian.iter().map(|row| dot(graph, row, &delta)).collect();
     let program = Program::schedule(graph, &[delta, turned, positive].concat());

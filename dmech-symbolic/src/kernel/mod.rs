@@ -83,7 +83,7 @@ fn kick(graph: &mut Graph, gradient: &[Expr], variables: &Variables) -> Program 
 fn gradient_kick(graph: &mut Graph, formulas: &Formulas, variables: &Variables) -> Program {
     let gradient = &formulas.gradient;
     let along: Vec<_> = (0..gradient.len()).map(|i| graph.parameter(&format!("u{i}"))).collect();
-    let directions: Vec<_> = along.iter().map(|&u| graph.symbol(u)).collect();
+    let directions = graph.symbols(&along);
     let change = dot(graph, &directions, gradient);
     let turned = calculus::tangent(graph, change, &variables.q);
     let mut itself = Substitution::new(graph, along.into_iter().zip(gradient.iter().copied()));
@@ -149,7 +149,7 @@ fn implicit_step(graph: &mut Graph, formulas: &Formulas, structure: &Structure, 
         let coefficient = central.coefficient(graph);
         return one_unknown(graph, coefficient, central.s, variables.s, Given::Rounded);
     }
-    let at_b: Vec<_> = variables.b.iter().map(|&b| graph.symbol(b)).collect();
+    let at_b = graph.symbols(&variables.b);
     let mut moved = Substitution::new(graph, variables.q.iter().copied().zip(at_b));
     let force: Vec<_> = formulas.gradient.iter().map(|&e| moved.apply(graph, e)).collect();
     let jacobian: Vec<Vec<_>> =

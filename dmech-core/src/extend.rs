@@ -96,7 +96,7 @@
 //! `dmech::verify_scheme(DriftKickDrift).assert()` in a test measures that it has the order, keeps the invariants and finds the
 //! way back that it claims, on laws and on a scene; `dmech::Study` compares it with others.
 //!
-//! An implicit scheme asks for [`System::solve_mean`], [`System::solve_exact`] or [`System::solve_across`] and settles what was
+//! An implicit scheme asks for [`ImplicitSteps`] in place of [`System`], for one of its three equations, and settles what was
 //! found; its workspace is the solver of the system. A splitting needs no code: [`Nystrom::new`](crate::Nystrom::new) and
 //! [`ForceGradient::new`](crate::ForceGradient::new) take lengths of your own, [`Composed::new`](crate::Composed::new) stages.
 //!
@@ -147,6 +147,8 @@ pub use crate::scheme::{
 pub use crate::scheme::{ByLane, NoScheme};
 pub use crate::setup::Setup;
 pub use crate::span::steps_until;
-pub use crate::system::{Ahead, AtStages, Beginning, Kick, Particle, Staged, Step, Stride, System, TimeScale};
+pub use crate::system::{
+    Ahead, AtStages, Beginning, ImplicitSteps, Kick, Particle, Staged, Step, Stride, System, TimeScale,
+};
 pub use crate::vector;
 pub use dmech_scalar::{Count, DoubleDouble, Exact, Lanes, Mask, Real, Rows};

@@ -1,6 +1,6 @@
 //! What studies ask of a motion, whatever moves.
 
-use dmech_core::extend::{Setup, TimeScale};
+use dmech_core::extend::{ImplicitSteps, Setup, TimeScale};
 #[cfg(feature = "scene")]
 use dmech_core::scene::SceneState;
 use dmech_core::{Simulation, State};
@@ -65,9 +65,9 @@ impl<const D: usize> Coordinates for SceneState<D> {
 }
 
 /// What a motion starts from, and that can be started again: a [`State`] under a law, or a scene.
-pub trait Repeatable<L>: Setup<L, State: Coordinates, System: TimeScale> + Clone {}
+pub trait Repeatable<L>: Setup<L, State: Coordinates, System: TimeScale + ImplicitSteps> + Clone {}
 
-impl<L, X: Setup<L, State: Coordinates, System: TimeScale> + Clone> Repeatable<L> for X {}
+impl<L, X: Setup<L, State: Coordinates, System: TimeScale + ImplicitSteps> + Clone> Repeatable<L> for X {}
 
 /// The motion from a state, of which copies are stepped.
 pub(crate) type Motion<L, X> = Simulation<L, X>;

@@ -5,7 +5,7 @@ use super::memory::{memory, one_solve};
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, Step, System};
+use crate::system::{Ahead, ImplicitSteps, Step};
 
 /// The energy-exact step (LaBudde–Greenspan): mean velocity, and the force as a discrete gradient.
 ///
@@ -84,7 +84,7 @@ impl DiscreteGradient {
     pub(super) const SHARE: f64 = 0.5;
 }
 
-impl<Y: System> Scheme<Y> for DiscreteGradient {
+impl<Y: ImplicitSteps> Scheme<Y> for DiscreteGradient {
     one_solve! { DiscreteGradientMemory }
 
     /// (v′ + v)/2 = (q′ − q)/h; m (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.

@@ -7,7 +7,7 @@ use super::memory::{memory, one_solve};
 use super::{Effort, Method, Newton, Scheme, remember};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, Step, System};
+use crate::system::{Ahead, ImplicitSteps, Step};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
@@ -80,7 +80,7 @@ impl Implicit {
     pub(super) const SHARE: f64 = 0.25;
 }
 
-impl<Y: System> Scheme<Y> for Implicit {
+impl<Y: ImplicitSteps> Scheme<Y> for Implicit {
     one_solve! { ImplicitMemory }
 
     /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2.

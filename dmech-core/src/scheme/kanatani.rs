@@ -9,7 +9,7 @@ use super::{
 };
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, Kick, Step, System};
+use crate::system::{Ahead, ImplicitSteps, Kick, Step, System};
 
 /// The energy-exact central difference (Kanatani (2.11)–(2.12) with the force of (3.7)).
 ///
@@ -128,7 +128,7 @@ impl Method for Kanatani {
     }
 }
 
-impl<Y: System + WithoutVelocities> Scheme<Y> for Kanatani {
+impl<Y: ImplicitSteps + WithoutVelocities> Scheme<Y> for Kanatani {
     const SHARE: f64 = 1.0;
 
     type Memory = KanataniMemory<Y>;

@@ -45,7 +45,7 @@ use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 pub use crate::method::Method;
 use crate::newton::NotConverged;
-use crate::system::{Beginning, System};
+use crate::system::{Beginning, ImplicitSteps, System};
 pub use crate::system::{Effort, Guess, LinearVelocities, Newton, WithoutVelocities};
 
 /// A scheme for systems of the type Y: one law, or the bodies of a scene. It is a program over the instructions of [`System`].
@@ -222,7 +222,7 @@ fn alike<V: Clone, const N: usize>(slope: &V) -> [V; N] {
 
 /// Makes the slope that was found the newest of three, and forgets the oldest.
 #[inline(always)]
-fn remember<Y: System>(solver: &mut Y::Solver, found: &Y::Found, slopes: &mut [Y::Vector; 3]) {
+fn remember<Y: ImplicitSteps>(solver: &mut Y::Solver, found: &Y::Found, slopes: &mut [Y::Vector; 3]) {
     slopes.swap(1, 2);
     slopes.swap(0, 1);
     Y::keep(solver, found, &mut slopes[0]);

@@ -3,6 +3,7 @@
 //! There are two systems: one law ([`Particle`]), whose vectors are arrays in registers, and the bodies of a scene
 //! (`SceneSystem`), whose vectors are columns of numbers. A scheme cannot tell which it has.
 
+mod implicit;
 mod newton;
 mod particle;
 pub(crate) mod stages;
@@ -12,6 +13,7 @@ use core::fmt::Debug;
 
 pub use crate::look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
 pub use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
+pub use implicit::ImplicitSteps;
 pub use newton::{Guess, Newton};
 pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]
@@ -44,10 +46,6 @@ pub trait System: Sized {
     type Work: Clone + Debug;
     /// Where an explicit step works and nothing is carried on.
     type Room: Clone + Debug;
-    /// Where an implicit step works: for many bodies its Newton matrix.
-    type Solver: Clone + Debug;
-    /// The solution of an implicit step, or what is to be said of it beside the solver.
-    type Found;
 
     /// Vectors are a few numbers in registers: a step works on a copy of what it changes.
     const IN_REGISTERS: bool;
@@ -218,63 +216,6 @@ pub trait System: Sized {
         v: &Self::Vector,
         next: &Self::Vector,
     ) -> Self::Scalar;
-
-    // Implicit steps.
-
-    /// What they work in.
-    fn solver(&self) -> Self::Solver;
-    /// Finds Δq = h v − (h²/4m)(S + S′) with the slopes S = `known` now and S′ at the end: mean force.
-    ///
-    /// # Errors
-    /// [`NotConverged`]
-    fn solve_mean(
-        &self,
-        solver: &mut Self::Solver,
-        step: &Step<'_, Self>,
-        known: &Self::Vector,
-    ) -> Result<Self::Found, NotConverged>;
-    /// Finds Δq = h v − (h²/2m)(∇̄Φ(q, q + Δq) − (F + F′)/2).
-    ///
-    /// # Errors
-    /// [`NotConverged`]
-    fn solve_exact(&self, solver: &mut Self::Solver, step: &Step<'_, Self>) -> Result<Self::Found, NotConverged>;
-    /// Finds Δq = h z − (h²/m)(∇̄Φ(q₋, q + Δq) − F) with the position q₋ `before`.
-    ///
-    /// # Errors
-    /// [`NotConverged`]
-    fn solve_across(
-        &self,
-        solver: &mut Self::Solver,
-        step: &Step<'_, Self>,
-        before: &Self::Vector,
-    ) -> Result<Self::Found, NotConverged>;
-    /// v −= (h/m) S, and q += h (v + share·change) with v as it was: ½ for the mean velocity, 1 for that after. S is what was
-    /// found, and what rounding keeps from it is carried on.
-    fn settle(
-        &self,
-        solver: &mut Self::Solver,
-        stride: &Self::Stride,
-        share: f64,
-        found: &mut Self::Found,
-        moves: [&mut Self::Sum; 2],
-    );
-    /// The same with S = (`known` + what was found)/2 and the mean velocity.
-    fn settle_mean(
-        &self,
-        solver: &mut Self::Solver,
-        stride: &Self::Stride,
-        known: &Self::Vector,
-        found: &mut Self::Found,
-        moves: [&mut Self::Sum; 2],
-    );
-    /// The slope that was found.
-    fn found<'a>(solver: &'a Self::Solver, found: &'a Self::Found) -> &'a Self::Vector;
-    /// Δq.
-    fn moved<'a>(solver: &'a Self::Solver, found: &'a Self::Found) -> &'a Self::Vector;
-    /// Puts the slope that was found in the place of another; what the solver has of it is then of no use.
-    fn keep(solver: &mut Self::Solver, found: &Self::Found, place: &mut Self::Vector);
-    /// What it cost.
-    fn effort(found: &Self::Found) -> Effort<Self::Scalar>;
 
     // What a run asks.
 

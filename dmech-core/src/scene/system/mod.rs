@@ -25,9 +25,7 @@ use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::rotation;
 use crate::newton::NotConverged;
-use crate::system::{
-    Beginning, Effort, Kick, LinearVelocities, Look, Step, System, TimeScale, WithoutVelocities, not_converged,
-};
+use crate::system::{Beginning, Kick, LinearVelocities, Look, System, TimeScale, WithoutVelocities, not_converged};
 
 /// The bodies of a scene and the terms `A` that act on them.
 #[derive(Clone, Debug)]
@@ -55,8 +53,6 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     /// Of each coordinate.
     type Work = Vectors<D>;
     type Room = SceneRoom<D>;
-    type Solver = SceneSolver<D>;
-    type Found = Effort;
 
     const IN_REGISTERS: bool = false;
     const DIMENSION: usize = D;
@@ -344,70 +340,6 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
 
     fn work_at_speeds(&self, slope: &Vectors<D>, c: f64, v: &Vectors<D>, next: &Vectors<D>) -> f64 {
         self.work(slope, |i| c * (v.flat()[i] + next.flat()[i]))
-    }
-
-    fn solver(&self) -> SceneSolver<D> {
-        SceneSolver::new(self.masses.len(), &self.acts)
-    }
-
-    fn solve_mean(
-        &self,
-        solver: &mut SceneSolver<D>,
-        step: &Step<'_, Self>,
-        known: &Vectors<D>,
-    ) -> Result<Effort, NotConverged> {
-        solver.mean(&self.acts, step, known)
-    }
-
-    fn solve_exact(&self, solver: &mut SceneSolver<D>, step: &Step<'_, Self>) -> Result<Effort, NotConverged> {
-        solver.exact(&self.acts, step)
-    }
-
-    fn solve_across(
-        &self,
-        solver: &mut SceneSolver<D>,
-        step: &Step<'_, Self>,
-        before: &Vectors<D>,
-    ) -> Result<Effort, NotConverged> {
-        solver.across(&self.acts, step, before)
-    }
-
-    fn settle(
-        &self,
-        solver: &mut SceneSolver<D>,
-        stride: &SceneStride<D>,
-        share: f64,
-        _: &mut Effort,
-        [q, v]: [&mut CompensatedVectors<D>; 2],
-    ) {
-        solver.settle(stride, share, q, v);
-    }
-
-    fn settle_mean(
-        &self,
-        solver: &mut SceneSolver<D>,
-        stride: &SceneStride<D>,
-        known: &Vectors<D>,
-        _: &mut Effort,
-        [q, v]: [&mut CompensatedVectors<D>; 2],
-    ) {
-        solver.settle_mean(stride, known, q, v);
-    }
-
-    fn found<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
-        solver.gradient()
-    }
-
-    fn moved<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
-        solver.moved()
-    }
-
-    fn keep(solver: &mut SceneSolver<D>, _: &Effort, place: &mut Vectors<D>) {
-        core::mem::swap(solver.gradient_mut(), place);
-    }
-
-    fn effort(found: &Effort) -> Effort {
-        *found
     }
 
     fn check(&self, state: &SceneState<D>) -> Result<(), Error> {

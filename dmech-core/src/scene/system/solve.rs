@@ -9,7 +9,7 @@ use crate::scene::terms::stencil::Stencil;
 use crate::scene::terms::{Acts, Driven};
 use crate::scene::vectors::Vectors;
 use crate::scheme::Effort;
-use crate::system::{Ahead, Step};
+use crate::system::{Ahead, ImplicitSteps, Step};
 
 /// The Newton matrix and the vectors of an iteration, allocated once: N² numbers where any two bodies are linked.
 #[derive(Clone, Debug)]
@@ -153,53 +153,95 @@ fn equation<'a, const D: usize, A: Acts<D>>(
     }
 }
 
-impl<const D: usize> SceneSolver<D> {
-    pub(super) fn new<A: Acts<D>>(bodies: usize, acts: &A) -> Self {
+impl<const D: usize, A: Acts<D>> ImplicitSteps for SceneSystem<D, A> {
+    type Solver = SceneSolver<D>;
+    type Found = Effort;
+
+    fn solver(&self) -> SceneSolver<D> {
+        let bodies = self.masses.len();
         let known = Vectors::zeros(if A::FORCED { bodies } else { 0 });
-        SceneSolver { newton: Solver::for_links(bodies, &acts.links(bodies)), known }
+        SceneSolver { newton: Solver::for_links(bodies, &self.acts.links(bodies)), known }
     }
 
-    pub(super) fn mean<A: Acts<D>>(
-        &mut self,
-        acts: &Driven<D, A>,
-        step: &Step<'_, SceneSystem<D, A>>,
+    fn solve_mean(
+        &self,
+        solver: &mut SceneSolver<D>,
+        step: &Step<'_, Self>,
         known: &Vectors<D>,
     ) -> Result<Effort, NotConverged> {
         let equation = Equations { last_are_whole: false, ..equation(step, Some(known)) };
-        self.newton.solve(&equation, &AtEnd { acts, t: step.t + step.stride.dt })
+        solver.newton.solve(&equation, &AtEnd { acts: &self.acts, t: step.t + step.stride.dt })
     }
 
-    pub(super) fn exact<A: Acts<D>>(
-        &mut self,
-        acts: &Driven<D, A>,
-        step: &Step<'_, SceneSystem<D, A>>,
-    ) -> Result<Effort, NotConverged> {
-        let SceneSolver { newton, known } = self;
-        let (t, h) = (step.t, step.stride.dt);
+    fn solve_exact(&self, solver: &mut SceneSolver<D>, step: &Step<'_, Self>) -> Result<Effort, NotConverged> {
+        let (acts, t, h) = (&self.acts, step.t, step.stride.dt);
         // The share of the force at the start of the step is known.
-        known_force(acts, 0.5, step, known);
+        let known = known_force(acts, 0.5, step, &mut solver.known);
         let unknown = Exact { acts, a: &step.q.hi, middle: t + 0.5 * h, end: t + h };
-        let effort = newton.solve(&equation(step, A::FORCED.then_some(&*known)), &unknown)?;
-        self.add_known::<A>();
+        let effort = solver.newton.solve(&equation(step, known), &unknown)?;
+        solver.add_known::<A>();
         Ok(effort)
     }
 
-    pub(super) fn across<A: Acts<D>>(
-        &mut self,
-        acts: &Driven<D, A>,
-        step: &Step<'_, SceneSystem<D, A>>,
+    fn solve_across(
+        &self,
+        solver: &mut SceneSolver<D>,
+        step: &Step<'_, Self>,
         before: &Vectors<D>,
     ) -> Result<Effort, NotConverged> {
-        let SceneSolver { newton, known } = self;
         // A force beside the potential is that at the position now.
-        known_force(acts, 1.0, step, known);
-        let unknown = Across { acts, before, q: &step.q.hi, t: step.t };
-        let equation = Equations { rate: 0.0, ..equation(step, A::FORCED.then_some(&*known)) };
-        let effort = newton.solve(&equation, &unknown)?;
-        self.add_known::<A>();
+        let known = known_force(&self.acts, 1.0, step, &mut solver.known);
+        let unknown = Across { acts: &self.acts, before, q: &step.q.hi, t: step.t };
+        let effort = solver.newton.solve(&Equations { rate: 0.0, ..equation(step, known) }, &unknown)?;
+        solver.add_known::<A>();
         Ok(effort)
     }
 
+    fn settle(
+        &self,
+        solver: &mut SceneSolver<D>,
+        stride: &SceneStride<D>,
+        share: f64,
+        _: &mut Effort,
+        [q, v]: [&mut CompensatedVectors<D>; 2],
+    ) {
+        let (kick, found, rest) = (stride.kick.flat(), solver.newton.gradient.flat(), solver.newton.rest.flat());
+        let change = |i: usize| [-kick[i] * found[i], -kick[i] * rest[i]];
+        CompensatedVectors::kick_in_parts_and_drift(q, v, stride.dt, share, change);
+    }
+
+    fn settle_mean(
+        &self,
+        solver: &mut SceneSolver<D>,
+        stride: &SceneStride<D>,
+        known: &Vectors<D>,
+        _: &mut Effort,
+        [q, v]: [&mut CompensatedVectors<D>; 2],
+    ) {
+        let (kick, known, found) = (stride.kick.flat(), known.flat(), solver.newton.gradient.flat());
+        let change = |i: usize| -0.5 * kick[i] * (known[i] + found[i]);
+        CompensatedVectors::kick_and_drift(q, v, stride.dt, 0.5, change);
+    }
+
+    fn found<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
+        &solver.newton.gradient
+    }
+
+    fn moved<'a>(solver: &'a SceneSolver<D>, _: &'a Effort) -> &'a Vectors<D> {
+        &solver.newton.delta
+    }
+
+    fn keep(solver: &mut SceneSolver<D>, _: &Effort, place: &mut Vectors<D>) {
+        core::mem::swap(&mut solver.newton.gradient, place);
+    }
+
+    fn effort(found: &Effort) -> Effort {
+        *found
+    }
+}
+
+impl<const D: usize> SceneSolver<D> {
+    /// The slope that was found is that of all that acts.
     fn add_known<A: Acts<D>>(&mut self) {
         if A::FORCED {
             for (found, known) in self.newton.gradient.flat_mut().iter_mut().zip(self.known.flat()) {
@@ -207,53 +249,19 @@ impl<const D: usize> SceneSolver<D> {
             }
         }
     }
-
-    pub(super) fn settle(
-        &self,
-        stride: &SceneStride<D>,
-        share: f64,
-        q: &mut CompensatedVectors<D>,
-        v: &mut CompensatedVectors<D>,
-    ) {
-        let (kick, found, rest) = (stride.kick.flat(), self.newton.gradient.flat(), self.newton.rest.flat());
-        let change = |i: usize| [-kick[i] * found[i], -kick[i] * rest[i]];
-        CompensatedVectors::kick_in_parts_and_drift(q, v, stride.dt, share, change);
-    }
-
-    pub(super) fn settle_mean(
-        &self,
-        stride: &SceneStride<D>,
-        known: &Vectors<D>,
-        q: &mut CompensatedVectors<D>,
-        v: &mut CompensatedVectors<D>,
-    ) {
-        let (kick, known, found) = (stride.kick.flat(), known.flat(), self.newton.gradient.flat());
-        let change = |i: usize| -0.5 * kick[i] * (known[i] + found[i]);
-        CompensatedVectors::kick_and_drift(q, v, stride.dt, 0.5, change);
-    }
-
-    pub(super) fn gradient(&self) -> &Vectors<D> {
-        &self.newton.gradient
-    }
-
-    pub(super) fn gradient_mut(&mut self) -> &mut Vectors<D> {
-        &mut self.newton.gradient
-    }
-
-    pub(super) fn moved(&self) -> &Vectors<D> {
-        &self.newton.delta
-    }
 }
 
-/// known ← −c F at the start of the step.
-fn known_force<const D: usize, A: Acts<D>>(
+/// known ← −c F at the start of the step, where there are forces.
+fn known_force<'a, const D: usize, A: Acts<D>>(
     acts: &Driven<D, A>,
     c: f64,
     step: &Step<'_, SceneSystem<D, A>>,
-    known: &mut Vectors<D>,
-) {
-    if A::FORCED {
-        known.clear();
-        acts.subtract_force(c, &step.q.hi, &step.v.hi, step.t, known);
+    known: &'a mut Vectors<D>,
+) -> Option<&'a Vectors<D>> {
+    if !A::FORCED {
+        return None;
     }
+    known.clear();
+    acts.subtract_force(c, &step.q.hi, &step.v.hi, step.t, known);
+    Some(known)
 }

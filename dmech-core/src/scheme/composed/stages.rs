@@ -8,7 +8,7 @@ use crate::newton::NotConverged;
 use crate::scheme::by_lane::by_lane;
 use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::{DiscreteGradient, Effort, Implicit, Scheme, alike};
-use crate::system::{Ahead, Beginning, Step, System};
+use crate::system::{Ahead, Beginning, ImplicitSteps, Step};
 
 memory! {
     /// What a composition of [`DiscreteGradient`](struct@DiscreteGradient) or [`Implicit`](struct@Implicit) carries.
@@ -46,7 +46,7 @@ pub trait Stage: Composable {
     ///
     /// # Errors
     /// [`NotConverged`]
-    fn advance<Y: System, const N: usize>(
+    fn advance<Y: ImplicitSteps, const N: usize>(
         &self,
         system: &Y,
         stage: InStage<'_, Y>,
@@ -56,7 +56,7 @@ pub trait Stage: Composable {
 }
 
 /// What a stage is given: its number, its length, the time, the slope that is expected, where to work.
-pub struct InStage<'a, Y: System> {
+pub struct InStage<'a, Y: ImplicitSteps> {
     k: usize,
     stride: &'a Y::Stride,
     t: Y::Scalar,
@@ -70,7 +70,7 @@ impl Stage for DiscreteGradient {
     const SHARE: f64 = Self::SHARE;
 
     #[inline(always)]
-    fn advance<Y: System, const N: usize>(
+    fn advance<Y: ImplicitSteps, const N: usize>(
         &self,
         system: &Y,
         InStage { k, stride, t, ahead, solver }: InStage<'_, Y>,
@@ -91,7 +91,7 @@ impl Stage for Implicit {
     const SHARE: f64 = Self::SHARE;
 
     #[inline(always)]
-    fn advance<Y: System, const N: usize>(
+    fn advance<Y: ImplicitSteps, const N: usize>(
         &self,
         system: &Y,
         InStage { k, stride, t, ahead, solver }: InStage<'_, Y>,
@@ -123,7 +123,7 @@ impl<S: Stage, C: Coefficients<N>, const N: usize> Composed<S, C, N> {
     const RESAMPLE: Resample<N> = Resample::new(C::GAMMA, S::SLOPE_AT);
 }
 
-impl<Y: System, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<S, C, N> {
+impl<Y: ImplicitSteps, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<S, C, N> {
     type Memory = StagesMemory<Y, N>;
     type Workspace = Stages<Y::Solver, Y::Stride, Y::Vector, N>;
 

@@ -19,7 +19,7 @@ pub use stride::Stride;
 
 use dmech_scalar::{CompensatedVector, Real};
 
-use super::{Beginning, Course, Effort, Kick, LinearVelocities, Look, Step, System, TimeScale, WithoutVelocities};
+use super::{Beginning, Course, Kick, LinearVelocities, Look, System, TimeScale, WithoutVelocities};
 use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::{Field, Law, LinearInVelocity, Potential, VelocityIndependent};
@@ -78,8 +78,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     type Stride = Stride<R>;
     type Work = R;
     type Room = ();
-    type Solver = ();
-    type Found = ParticleFound<D, R>;
 
     const IN_REGISTERS: bool = true;
     const DIMENSION: usize = D;
@@ -272,64 +270,6 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     #[inline(always)]
     fn work_at_speeds(&self, slope: &[R; D], c: R, v: &[R; D], next: &[R; D]) -> R {
         c * self.work_along(slope, &sum(*v, *next))
-    }
-
-    fn solver(&self) {}
-    #[inline(always)]
-    fn solve_mean(&self, _: &mut (), step: &Step<'_, Self>, known: &[R; D]) -> Result<Self::Found, NotConverged> {
-        solve::mean(self, step, *known)
-    }
-    #[inline(always)]
-    fn solve_exact(&self, _: &mut (), step: &Step<'_, Self>) -> Result<Self::Found, NotConverged> {
-        solve::exact(self, step)
-    }
-    #[inline(always)]
-    fn solve_across(&self, _: &mut (), step: &Step<'_, Self>, before: &[R; D]) -> Result<Self::Found, NotConverged> {
-        solve::across(self, step, *before)
-    }
-    #[inline(always)]
-    fn settle(
-        &self,
-        _: &mut (),
-        stride: &Stride<R>,
-        share: f64,
-        found: &mut Self::Found,
-        moves: [&mut CompensatedVector<D, R>; 2],
-    ) {
-        solve::settle::<L, D, R>(stride, share, found, moves);
-    }
-    #[inline(always)]
-    fn settle_mean(
-        &self,
-        _: &mut (),
-        stride: &Stride<R>,
-        known: &[R; D],
-        found: &mut Self::Found,
-        [q, v]: [&mut CompensatedVector<D, R>; 2],
-    ) {
-        let half = R::from_f64(0.5);
-        let change = scaled(-half * stride.kick, sum(*known, found.increment.gradient));
-        for i in 0..D {
-            found.increment.delta[i] = stride.dt * (v.hi[i] + half.mul_add(change[i], v.lo[i]));
-        }
-        v.add(change);
-        q.add(found.increment.delta);
-    }
-    #[inline(always)]
-    fn found<'a>(_: &'a (), found: &'a Self::Found) -> &'a [R; D] {
-        &found.increment.gradient
-    }
-    #[inline(always)]
-    fn moved<'a>(_: &'a (), found: &'a Self::Found) -> &'a [R; D] {
-        &found.increment.delta
-    }
-    #[inline(always)]
-    fn keep(_: &mut (), found: &Self::Found, place: &mut [R; D]) {
-        *place = found.increment.gradient;
-    }
-    #[inline(always)]
-    fn effort(found: &Self::Found) -> Effort<R> {
-        Effort { evaluations: found.increment.evaluations, iterations: found.increment.iterations }
     }
 
     fn check(&self, state: &State<D, R>) -> Result<(), Error> {

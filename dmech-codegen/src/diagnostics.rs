@@ -1,6 +1,11 @@
 //! Every sentence that a user can be told, in three catalogues: about the [`law`] as a whole, about the [`body`] of its
 //! potential, about laws between two bodies ([`pair`]). Each points at the smallest piece of the user's own text and says what to write instead.
 
+/// As the function, with a text to be filled in; above the modules, as they would not see it otherwise.
+macro_rules! at {
+    ($tokens:expr, $($text:tt)+) => { $crate::diagnostics::at($tokens, format_args!($($text)+)) };
+}
+
 pub(crate) mod body;
 pub(crate) mod law;
 pub(crate) mod pair;
@@ -68,7 +73,7 @@ fn tidy(spaced: &str) -> String {
 }
 
 /// `1 component`, `3 components`
-fn counted(n: usize, what: &str) -> String {
+pub(crate) fn counted(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 

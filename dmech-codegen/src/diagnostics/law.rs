@@ -13,7 +13,7 @@ pub(crate) fn unreadable_option(span: Span) -> Error {
 }
 
 pub(crate) fn unknown_option(option: &Ident) -> Error {
-    at(option, format!("`{option}` is no option of the macro; the only one is `crate = path::to::dmech`"))
+    at!(option, "`{option}` is no option of the macro; the only one is `crate = path::to::dmech`")
 }
 
 pub(crate) fn bare_option(attribute: &impl ToTokens) -> Error {
@@ -36,13 +36,13 @@ pub(crate) fn syntax(error: &Error) -> Error {
 pub(crate) fn not_an_impl(item: &Item) -> Error {
     let (what, name): (_, &dyn ToTokens) = match item {
         Item::Struct(item) => {
-            let message = format!(
+            return at!(
+                &item.ident,
                 "`#[dmech::law]` goes on the `impl` block of the law: `impl {} {{ #[potential] fn energy(&self, q: [f64; \
                  2]) -> f64 {{ … }} }}`; on the struct itself write `#[derive(dmech::Law)]` and \
                  `#[potential(|q: [f64; 2]| …)]`",
                 item.ident
             );
-            return at(&item.ident, message);
         }
         Item::Fn(item) => ("function", &item.sig.ident),
         Item::Enum(item) => ("enum", &item.ident),
@@ -51,11 +51,11 @@ pub(crate) fn not_an_impl(item: &Item) -> Error {
         Item::Mod(item) => ("module", &item.ident),
         other => ("item", other),
     };
-    let message = format!(
+    at!(
+        &name.to_token_stream(),
         "`#[dmech::law]` cannot stand on this {what}: it goes on an inherent `impl` block, `impl Kepler {{ #[potential] \
          fn energy(&self, q: [f64; 2]) -> f64 {{ … }} }}`"
-    );
-    at(&name.to_token_stream(), message)
+    )
 }
 
 pub(crate) fn not_a_struct(item: &Item) -> Error {
@@ -64,20 +64,18 @@ pub(crate) fn not_a_struct(item: &Item) -> Error {
         Item::Union(item) => ("a union", &item.ident),
         other => ("this item", other),
     };
-    at(
+    at!(
         &name.to_token_stream(),
-        format!("a law is a struct whose fields are its parameters; `dmech::Law` cannot be derived for {what}"),
+        "a law is a struct whose fields are its parameters; `dmech::Law` cannot be derived for {what}"
     )
 }
 
 pub(crate) fn trait_impl(path: &impl ToTokens, law: &impl ToTokens) -> Error {
-    at(
+    at!(
         path,
-        format!(
-            "`#[dmech::law]` goes on an inherent block, `impl {} {{ … }}`, not on the implementation of a trait; the traits \
-             of mechanics are implemented by the macro",
-            text(law)
-        ),
+        "`#[dmech::law]` goes on an inherent block, `impl {} {{ … }}`, not on the implementation of a trait; the traits \
+         of mechanics are implemented by the macro",
+        text(law)
     )
 }
 
@@ -87,12 +85,10 @@ pub(crate) fn unnamed_type(ty: &impl ToTokens) -> Error {
 
 pub(crate) fn no_role(ty: &impl ToTokens) -> Error {
     let name = text(ty);
-    at(
+    at!(
         ty,
-        format!(
-            "no method of this block says what acts; mark the one that returns the energy of `{name}` with `#[potential]` (of one \
-             body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`"
-        ),
+        "no method of this block says what acts; mark the one that returns the energy of `{name}` with `#[potential]` \
+         (of one body) or `#[pair]` (of two), or the one that returns its force with `#[force]` or `#[pair_force]`"
     )
 }
 
@@ -109,22 +105,20 @@ pub(crate) fn conditional_potential(cfg: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn two_roles(attribute: &impl ToTokens, first: Role, second: Role) -> Error {
-    at(
+    at!(
         attribute,
-        format!(
-            "this method is a {} already, and a method has one role; state the {} in a method of its own",
-            first.noun(),
-            second.noun()
-        ),
+        "this method is a {} already, and a method has one role; state the {} in a method of its own",
+        first.noun(),
+        second.noun()
     )
 }
 
 pub(crate) fn misspelt_role(attribute: &syn::Attribute, meant: Role) -> Error {
-    at(attribute.path(), format!("`{}` is no role of a method; write `#[{}]`", text(attribute.path()), meant.name()))
+    at!(attribute.path(), "`{}` is no role of a method; write `#[{}]`", text(attribute.path()), meant.name())
 }
 
 pub(crate) fn other_dimension(name: &Ident, own: usize, other: usize) -> Error {
-    at(name, format!("`{name}` has {}, and the potential of this law has {other}", counted(own, "coordinate")))
+    at!(name, "`{name}` has {}, and the potential of this law has {other}", counted(own, "coordinate"))
 }
 
 pub(crate) fn no_position_or_velocity(whole: &impl ToTokens) -> Error {
@@ -139,38 +133,28 @@ pub(crate) fn no_force_returned(whole: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn wrong_force(ty: &impl ToTokens) -> Error {
-    at(
-        ty,
-        format!(
-            "`{}` cannot be a force; it is written like the position: `f64`, `[f64; D]` or `SVector<f64, D>`",
-            text(ty)
-        ),
-    )
+    at!(ty, "`{}` cannot be a force; it is written like the position: `f64`, `[f64; D]` or `SVector<f64, D>`", text(ty))
 }
 
 pub(crate) fn force_of_other_dimension(ty: &impl ToTokens, own: usize, other: usize) -> Error {
-    at(
+    at!(
         ty,
-        format!(
-            "this has {}, and what is named before it has {other}; position, velocity and force have equally many",
-            counted(own, "component")
-        ),
+        "this has {}, and what is named before it has {other}; position, velocity and force have equally many",
+        counted(own, "component")
     )
 }
 
 pub(crate) fn second_of_its_role(second: &Ident, first: &Ident, role: Role) -> Error {
-    at(
+    at!(
         second,
-        format!(
-            "`{second}` is a second {}, and a law has one; `{first}` is marked already. Add the two in one method, \
-             with the other as a helper",
-            role.noun()
-        ),
+        "`{second}` is a second {}, and a law has one; `{first}` is marked already. Add the two in one method, with the \
+         other as a helper",
+        role.noun()
     )
 }
 
 pub(crate) fn too_many_invariants(beyond: &Ident, most: usize) -> Error {
-    at(beyond, format!("a run watches {most} invariants of a law, and `{beyond}` is one more; leave one away"))
+    at!(beyond, "a run watches {most} invariants of a law, and `{beyond}` is one more; leave one away")
 }
 
 pub(crate) fn second_closure(attribute: &impl ToTokens) -> Error {
@@ -178,17 +162,15 @@ pub(crate) fn second_closure(attribute: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn no_closure(name: &Ident) -> Error {
-    at(name, format!("the potential of `{name}` is not stated; write `#[potential(|q: [f64; 2]| …)]` below the derive"))
+    at!(name, "the potential of `{name}` is not stated; write `#[potential(|q: [f64; 2]| …)]` below the derive")
 }
 
 pub(crate) fn role_on_a_struct(attribute: &syn::Attribute, name: &Ident, role: Role) -> Error {
     let (role, takes) = (role.name(), role.example());
-    at(
+    at!(
         attribute.path(),
-        format!(
-            "the derive knows a `#[potential]` and nothing else; write the methods of the law in a block instead of the \
-             derive: `#[dmech::law] impl {name} {{ #[{role}] fn {takes} {{ … }} }}`"
-        ),
+        "the derive knows a `#[potential]` and nothing else; write the methods of the law in a block instead of the \
+         derive: `#[dmech::law] impl {name} {{ #[{role}] fn {takes} {{ … }} }}`"
     )
 }
 
@@ -202,31 +184,31 @@ pub(crate) fn not_a_closure(tokens: &impl ToTokens) -> Error {
 pub(crate) fn untyped_argument(pattern: &impl ToTokens) -> Error {
     let name = text(pattern);
     let ty = if name == "q" { "[f64; 2]" } else { "f64" };
-    at(pattern, format!("the type of `{name}` must be stated: `{name}: {ty}`"))
+    at!(pattern, "the type of `{name}` must be stated: `{name}: {ty}`")
 }
 
 pub(crate) fn keyword(tokens: &impl ToTokens, keyword: &str) -> Error {
-    at(tokens, format!("a law is a plain formula and cannot be `{keyword}`; leave the word away"))
+    at!(tokens, "a law is a plain formula and cannot be `{keyword}`; leave the word away")
 }
 
 pub(crate) fn own_generics(generics: &impl ToTokens, role: Role) -> Error {
     let role = role.noun();
-    at(generics, format!("a {role} has no generics of its own; the generated code is generic over the scalar anyway"))
+    at!(generics, "a {role} has no generics of its own; the generated code is generic over the scalar anyway")
 }
 
 pub(crate) fn no_receiver(signature: &Signature, role: Role) -> Error {
     let (name, inputs, output) = (&signature.ident, text(&signature.inputs), text(&signature.output));
     let inputs = if inputs.is_empty() { inputs } else { format!(", {inputs}") };
     let output = if output.is_empty() { output } else { format!(" {output}") };
-    at(name, format!("a {} takes the law first: `fn {name}(&self{inputs}){output}`", role.noun()))
+    at!(name, "a {} takes the law first: `fn {name}(&self{inputs}){output}`", role.noun())
 }
 
 pub(crate) fn mutable_receiver(receiver: &impl ToTokens, role: Role) -> Error {
-    at(receiver, format!("a {} changes nothing; write `&self`", role.noun()))
+    at!(receiver, "a {} changes nothing; write `&self`", role.noun())
 }
 
 pub(crate) fn other_receiver(receiver: &impl ToTokens, role: Role) -> Error {
-    at(receiver, format!("a {} takes the law by reference; write `&self`", role.noun()))
+    at!(receiver, "a {} takes the law by reference; write `&self`", role.noun())
 }
 
 pub(crate) fn no_position(whole: &impl ToTokens) -> Error {
@@ -237,7 +219,7 @@ pub(crate) fn no_position(whole: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn named_twice(pattern: &impl ToTokens) -> Error {
-    at(pattern, format!("`{}` is named twice", text(pattern)))
+    at!(pattern, "`{}` is named twice", text(pattern))
 }
 
 pub(crate) fn unknown_argument(pattern: &impl ToTokens, role: Role) -> Error {
@@ -248,7 +230,7 @@ pub(crate) fn unknown_argument(pattern: &impl ToTokens, role: Role) -> Error {
         Some(known) => format!("the {} is called `{}`", known.meaning, known.name),
         None => format!("expected one of: {}. Parameters are fields of the law: `self.k`", arguments(role)),
     };
-    at(pattern, format!("`{name}` is not an argument a {} can have; {hint}", role.noun()))
+    at!(pattern, "`{name}` is not an argument a {} can have; {hint}", role.noun())
 }
 
 /// `q` (position), `m` (mass)
@@ -274,18 +256,16 @@ pub(crate) fn argument_of_another_role(name: &Ident, role: Role) -> Option<Error
 }
 
 fn mass_of_an_invariant(name: &Ident) -> Error {
-    at(
+    at!(
         name,
-        format!(
-            "`{name}` is not known to a conserved quantity, which is a function of `q`, `v` and `t`; make the mass a field of the law, \
-             `self.{name}`, or state the quantity per unit of mass"
-        ),
+        "`{name}` is not known to a conserved quantity, which is a function of `q`, `v` and `t`; make the mass a field \
+         of the law, `self.{name}`, or state the quantity per unit of mass"
     )
 }
 
 fn velocity_of_a_potential(name: &Ident, role: Role) -> Error {
     let (noun, force) = (role.noun(), role.force().name());
-    at(name, format!("a {noun} does not depend on the velocity `{name}`; what depends on it is a `#[{force}]`"))
+    at!(name, "a {noun} does not depend on the velocity `{name}`; what depends on it is a `#[{force}]`")
 }
 
 pub(crate) fn coordinates_apart(coordinates: &[&Pat], role: Role) -> Error {
@@ -307,31 +287,27 @@ pub(crate) fn place_in_pieces(pattern: &Pat, role: Role) -> Error {
         return at(pattern, one_array(tuple.elems.iter().map(text).collect(), role));
     }
     let (place, what) = (role.place().name, role.place().meaning);
-    at(
+    at!(
         pattern,
-        format!(
-            "the {what} is one argument, `{place}`; take it to pieces in the body: `let {} = {place};`",
-            text(pattern)
-        ),
+        "the {what} is one argument, `{place}`; take it to pieces in the body: `let {} = {place};`",
+        text(pattern)
     )
 }
 
 pub(crate) fn position_by_reference(ty: &impl ToTokens) -> Error {
-    at(ty, format!("the position is taken by value; write `q: {}`", text(ty).trim_start_matches('&')))
+    at!(ty, "the position is taken by value; write `q: {}`", text(ty).trim_start_matches('&'))
 }
 
 pub(crate) fn not_a_number(ty: &impl ToTokens, quantity: &str, name: &str) -> Error {
-    at(ty, format!("the {quantity} `{name}` is a number; write `{name}: f64`"))
+    at!(ty, "the {quantity} `{name}` is a number; write `{name}: f64`")
 }
 
 pub(crate) fn wrong_position(ty: &impl ToTokens) -> Error {
-    at(
+    at!(
         ty,
-        format!(
-            "`{}` cannot be a position; expected `f64` (one coordinate), `[f64; D]`, or nalgebra's `SVector<f64, D>`, \
-             `Vector2<f64>`, `Vector3<f64>`",
-            text(ty)
-        ),
+        "`{}` cannot be a position; expected `f64` (one coordinate), `[f64; D]`, or nalgebra's `SVector<f64, D>`, \
+         `Vector2<f64>`, `Vector3<f64>`",
+        text(ty)
     )
 }
 
@@ -352,12 +328,10 @@ pub(crate) fn no_coordinates(ty: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn too_many_coordinates(ty: &impl ToTokens, count: usize, most: usize) -> Error {
-    at(
+    at!(
         ty,
-        format!(
-            "{count} coordinates are more than can be derived symbolically for one particle (at most {most}); many bodies \
-             with a law between them are a scene"
-        ),
+        "{count} coordinates are more than can be derived symbolically for one particle (at most {most}); many bodies \
+         with a law between them are a scene"
     )
 }
 
@@ -370,5 +344,5 @@ pub(crate) fn wrong_invariant(at_this: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn wrong_return(ty: &impl ToTokens) -> Error {
-    at(ty, format!("a potential returns the potential energy, one `f64`, not `{}`", text(ty)))
+    at!(ty, "a potential returns the potential energy, one `f64`, not `{}`", text(ty))
 }

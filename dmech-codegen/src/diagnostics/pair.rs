@@ -17,7 +17,7 @@ pub(crate) fn argument_of_one_body(name: &Ident, role: Role) -> Error {
         ("v", false) => "no velocity in a potential; state a force of `va` and `vb` with `#[pair_force]`",
         _ => "`ma` and `mb`",
     };
-    at(name, format!("`{text}` belongs to a law of one body, and here there are two: write {instead}"))
+    at!(name, "`{text}` belongs to a law of one body, and here there are two: write {instead}")
 }
 
 pub(crate) fn distance_of_a_force(pattern: &impl ToTokens) -> Error {
@@ -29,17 +29,15 @@ pub(crate) fn distance_of_a_force(pattern: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn data_by_value(pattern: &impl ToTokens, whole: &impl ToTokens, ty: &impl ToTokens) -> Error {
-    at(whole, format!("the data of a body is only read; take it by reference: `{}: &{}`", text(pattern), text(ty)))
+    at!(whole, "the data of a body is only read; take it by reference: `{}: &{}`", text(pattern), text(ty))
 }
 
 pub(crate) fn two_data_types(ty: &impl ToTokens, other: &impl ToTokens) -> Error {
-    at(
+    at!(
         ty,
-        format!(
-            "all bodies of a scene carry data of one type, and this law has named `&{}` before; collect what different \
-             bodies carry in one struct",
-            text(other)
-        ),
+        "all bodies of a scene carry data of one type, and this law has named `&{}` before; collect what different \
+         bodies carry in one struct",
+        text(other)
     )
 }
 
@@ -68,41 +66,33 @@ pub(crate) fn distance_and_separation(pattern: &impl ToTokens) -> Error {
 
 pub(crate) fn whole_data(at_code: &dyn ToTokens) -> Error {
     let name = text(&at_code.to_token_stream());
-    at(
+    at!(
         &at_code.to_token_stream(),
-        format!(
-            "`{name}` is all the data of a body, and here a number is needed: name one of its fields of type `f64`, \
-             `{name}.q`"
-        ),
+        "`{name}` is all the data of a body, and here a number is needed: name one of its fields of type `f64`, \
+         `{name}.q`"
     )
 }
 
 pub(crate) fn method_of_data(name: &Ident) -> Error {
-    at(
+    at!(
         name,
-        format!(
-            "`{name}` is a method of the data, which the macro cannot see; read the fields themselves (`a.q`), or write a \
-             helper in this block that takes the numbers"
-        ),
+        "`{name}` is a method of the data, which the macro cannot see; read the fields themselves (`a.q`), or write a \
+         helper in this block that takes the numbers"
     )
 }
 
 pub(crate) fn invariant_of_two(name: &Ident) -> Error {
-    at(
+    at!(
         name,
-        format!(
-            "`{name}` is an invariant of one body in a law between two; what many bodies keep is computed from the states of the run"
-        ),
+        "`{name}` is an invariant of one body in a law between two; what many bodies keep is computed from the states of the run"
     )
 }
 
 pub(crate) fn one_body_beside(name: &Ident) -> Error {
-    at(
+    at!(
         name,
-        format!(
-            "`{name}` acts on one body and another method of this block on two; put them on two types, one law each, and give \
-             the scene both: `.field(one).pairs(other)`"
-        ),
+        "`{name}` acts on one body and another method of this block on two; put them on two types, one law each, and \
+         give the scene both: `.field(one).pairs(other)`"
     )
 }
 

@@ -8,6 +8,7 @@ use dmech_symbolic::kernel::{self, ForcedKernels, Kernels, Step, Way};
 use dmech_symbolic::program::Program;
 
 use crate::Derivation;
+use crate::diagnostics::counted;
 use crate::lower::{Parameter, Source};
 
 /// The paragraphs above the functions of `Potential` at a point, or between two.
@@ -106,7 +107,7 @@ pub(super) fn derivation(derivation: &Derivation) -> String {
     }
     let kept = model.invariants.iter().zip(&lowered.invariants);
     formulas.lines.extend(kept.map(|(method, &e)| (method.ident.to_string(), shown(&lowered.graph, e))));
-    let title = format!("{}, {}", model.name, count(model.dimension, "coordinate"));
+    let title = format!("{}, {}", model.name, counted(model.dimension, "coordinate"));
     text(title, formulas.lines, structure(derivation), &costs)
 }
 
@@ -200,10 +201,6 @@ impl Formulas<'_> {
             }
         }
     }
-}
-
-pub(super) fn count(n: usize, what: &str) -> String {
-    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
 /// Long formulas explain nothing.

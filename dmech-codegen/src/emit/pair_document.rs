@@ -3,8 +3,9 @@
 use dmech_symbolic::expression::Expr;
 use dmech_symbolic::kernel::{PairForce, PairFormulas, PairPotential, Radial};
 
-use super::document::{Formulas, Line, block, costly, count, of_degree, of_time, shown, text};
+use super::document::{Formulas, Line, block, costly, of_degree, of_time, shown, text};
 use crate::PairDerivation;
+use crate::diagnostics::counted;
 
 /// The paragraphs above the functions of `Potential`.
 pub(super) fn potential_texts(derivation: &PairDerivation, potential: &PairPotential) -> [Vec<String>; 5] {
@@ -48,7 +49,7 @@ pub(super) fn potential_texts(derivation: &PairDerivation, potential: &PairPoten
 
 /// The paragraphs above F and its Jacobians.
 pub(super) fn force_texts(derivation: &PairDerivation, force: &PairForce) -> [Vec<String>; 2] {
-    let title = format!("∂F/∂d, ∂F/∂va, ∂F/∂vb in {}.", count(derivation.model.dimension, "coordinate"));
+    let title = format!("∂F/∂d, ∂F/∂va, ∂F/∂vb in {}.", counted(derivation.model.dimension, "coordinate"));
     let lines = formulas(derivation).components("F", "", &force.formulas);
     [block("The force on a from b.", &lines, &force.force), costly(&title, &force.jacobians)]
 }
@@ -58,7 +59,7 @@ pub(super) fn derivation(derivation: &PairDerivation) -> String {
     let PairDerivation { model, lowered, kernels, .. } = derivation;
     let place = match model.dimension {
         0 => "any number of dimensions".to_owned(),
-        d => count(d, "dimension"),
+        d => counted(d, "dimension"),
     };
     let (mut formulas, mut found, mut costs) = (formulas(derivation), vec![], vec![]);
     if let Some(potential) = &kernels.potential {

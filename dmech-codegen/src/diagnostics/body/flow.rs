@@ -8,29 +8,28 @@ use crate::diagnostics::{at, counted, text};
 /// The value is missing, or thrown away by a `;` behind it.
 pub(crate) fn no_result(name: &Ident, semicolon: Option<&Token![;]>) -> Error {
     match semicolon {
-        Some(semicolon) => at(
-            semicolon,
-            format!("this `;` throws the value of `{name}` away; remove it, so that the value comes last"),
-        ),
-        None => at(name, format!("`{name}` has no value; write it as the last expression, without `;` behind it")),
+        Some(semicolon) => {
+            at!(semicolon, "this `;` throws the value of `{name}` away; remove it, so that the value comes last")
+        }
+        None => at!(name, "`{name}` has no value; write it as the last expression, without `;` behind it"),
     }
 }
 
 /// A force with more or fewer components than the position.
 pub(crate) fn wrong_components(e: &impl ToTokens, name: &Ident, found: usize, expected: usize) -> Error {
-    at(e, format!("this has {}, and `{name}` returns {expected}, one for each coordinate", counted(found, "component")))
+    at!(e, "this has {}, and `{name}` returns {expected}, one for each coordinate", counted(found, "component"))
 }
 
 /// A force whose value is one number, or anything else without components.
 pub(crate) fn expected_components(e: &impl ToTokens, name: &Ident, n: usize, is_vector: bool, found: &str) -> Error {
     let form =
         if is_vector { format!("a vector with {}", counted(n, "component")) } else { format!("an array of {n}") };
-    at(e, format!("`{name}` returns {form}, one component for each coordinate; this is {found}"))
+    at!(e, "`{name}` returns {form}, one component for each coordinate; this is {found}")
 }
 
 /// What is said where nothing better is known.
 pub(crate) fn not_understood(name: &Ident) -> Error {
-    at(name, format!("`{name}` cannot be read; write its value as one formula"))
+    at!(name, "`{name}` cannot be read; write its value as one formula")
 }
 
 pub(crate) fn early_return(e: &impl ToTokens) -> Error {
@@ -46,7 +45,7 @@ pub(crate) fn open_loop(token: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn jump(token: &impl ToTokens, keyword: &str) -> Error {
-    at(token, format!("a loop always runs to its end, without `{keyword}`; put an `if` around what only some turns do"))
+    at!(token, "a loop always runs to its end, without `{keyword}`; put an `if` around what only some turns do")
 }
 
 pub(crate) fn label(label: &impl ToTokens) -> Error {
@@ -75,24 +74,20 @@ pub(crate) fn no_else(token: &impl ToTokens) -> Error {
 
 pub(crate) fn branches_differ(e: &impl ToTokens, yes: &str, no: &str) -> Error {
     if yes == no {
-        return at(
+        return at!(
             e,
-            format!(
-                "which of the branches holds depends on the coordinates, and each is {yes}; only numbers can be chosen by a \
-                 comparison, `if … {{ 0.0 }} else {{ 1.0 }}`"
-            ),
+            "which of the branches holds depends on the coordinates, and each is {yes}; only numbers can be chosen by a \
+             comparison, `if … {{ 0.0 }} else {{ 1.0 }}`"
         );
     }
-    at(e, format!("the branches of this `if` must go together; one is {yes}, the other {no}"))
+    at!(e, "the branches of this `if` must go together; one is {yes}, the other {no}")
 }
 
 pub(crate) fn branches_differ_in(token: &impl ToTokens, name: &str) -> Error {
-    at(
+    at!(
         token,
-        format!(
-            "after this `if`, `{name}` would be something that depends on the coordinates and is no number; only numbers can \
-             be chosen by a comparison"
-        ),
+        "after this `if`, `{name}` would be something that depends on the coordinates and is no number; only numbers \
+         can be chosen by a comparison"
     )
 }
 
@@ -101,7 +96,7 @@ pub(crate) fn conditional_code(cfg: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn inner_function(name: &Ident) -> Error {
-    at(name, format!("move `{name}` out of the body, into this `impl` block, and call it as `Self::{name}(…)`"))
+    at!(name, "move `{name}` out of the body, into this `impl` block, and call it as `Self::{name}(…)`")
 }
 
 pub(crate) fn inner_item(item: &impl ToTokens) -> Error {
@@ -137,12 +132,10 @@ pub(crate) fn mutable_reference(token: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn not_a_formula(e: &impl ToTokens, what: &str) -> Error {
-    at(
+    at!(
         e,
-        format!(
-            "{what} cannot be differentiated; a law is made of numbers, `let`, arithmetic, `if` on comparisons, \
-             constant loops and the functions of `f64`"
-        ),
+        "{what} cannot be differentiated; a law is made of numbers, `let`, arithmetic, `if` on comparisons, constant \
+         loops and the functions of `f64`"
     )
 }
 

@@ -7,43 +7,39 @@ use crate::diagnostics::{at, text};
 
 pub(crate) fn unknown_helper(name: &Ident, law: &str, near: Option<&str>) -> Error {
     if let Some(near) = near {
-        return at(name, format!("`{name}` is not a method of this block; did you mean `{near}`?"));
+        return at!(name, "`{name}` is not a method of this block; did you mean `{near}`?");
     }
-    at(
+    at!(
         name,
-        format!(
-            "`{name}` is not a method of this block; a helper must stand beside the potential, in the same `impl {law}`, to be \
-             differentiated with it"
-        ),
+        "`{name}` is not a method of this block; a helper must stand beside the potential, in the same `impl {law}`, to \
+         be differentiated with it"
     )
 }
 
 pub(crate) fn conditional_sibling(name: &Ident) -> Error {
-    at(
+    at!(
         name,
-        format!(
-            "which `{name}` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once"
-        ),
+        "which `{name}` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once"
     )
 }
 
 pub(crate) fn recursion(name: &Ident) -> Error {
-    at(name, format!("`{name}` calls itself; a formula has no recursion, write a `for` loop over a constant range"))
+    at!(name, "`{name}` calls itself; a formula has no recursion, write a `for` loop over a constant range")
 }
 
 pub(crate) fn unfit_helper(name: &Ident) -> Error {
-    at(name, format!("`{name}` is `async` or `unsafe`; a helper is a plain `fn`"))
+    at!(name, "`{name}` is `async` or `unsafe`; a helper is a plain `fn`")
 }
 
 pub(crate) fn changing_helper(name: &Ident) -> Error {
-    at(name, format!("`{name}` takes `&mut self`; a law changes nothing, let the helper take `&self`"))
+    at!(name, "`{name}` takes `&mut self`; a law changes nothing, let the helper take `&self`")
 }
 
 pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {
     if takes_law {
-        at(name, format!("`{name}` takes `&self`; call it as `self.{name}(…)`"))
+        at!(name, "`{name}` takes `&self`; call it as `self.{name}(…)`")
     } else {
-        at(name, format!("`{name}` takes no `&self`; call it as `Self::{name}(…)`"))
+        at!(name, "`{name}` takes no `&self`; call it as `Self::{name}(…)`")
     }
 }
 
@@ -51,10 +47,7 @@ pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {
 pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool, arity: fn(&str) -> Option<usize>) -> Error {
     let name = text(path);
     if is_helper {
-        return at(
-            path,
-            format!("`{name}` is a helper of this block; call it as `self.{name}(…)` or `Self::{name}(…)`"),
-        );
+        return at!(path, "`{name}` is a helper of this block; call it as `self.{name}(…)` or `Self::{name}(…)`");
     }
     let last = name.rsplit("::").next().unwrap_or(&name);
     let instead = match method(last, arity) {
@@ -64,7 +57,7 @@ pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool, arity: fn(
         }
         None => format!("write it as a helper in this `impl` block and call it as `Self::{last}(…)`"),
     };
-    at(path, format!("what `{name}` computes cannot be seen here; {instead}"))
+    at!(path, "what `{name}` computes cannot be seen here; {instead}")
 }
 
 /// What other languages write as a function, as Rust has it.
@@ -90,7 +83,7 @@ fn method(name: &str, arity: fn(&str) -> Option<usize>) -> Option<String> {
 }
 
 pub(crate) fn no_argument(name: &Ident) -> Error {
-    at(name, format!("`f64::{name}` is given nothing to work on; write `x.{name}()` or `f64::{name}(x)`"))
+    at!(name, "`f64::{name}` is given nothing to work on; write `x.{name}()` or `f64::{name}(x)`")
 }
 
 pub(crate) fn not_a_function(e: &impl ToTokens) -> Error {
@@ -106,9 +99,9 @@ pub(crate) fn not_a_closure(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn closure_arguments(e: &impl ToTokens, takes: usize, given: usize) -> Error {
-    at(e, format!("this closure takes {takes} arguments and is given {given}"))
+    at!(e, "this closure takes {takes} arguments and is given {given}")
 }
 
 pub(crate) fn no_method(name: &Ident, found: &str) -> Error {
-    at(name, format!("{found} has no method `{name}` that a law can use"))
+    at!(name, "{found} has no method `{name}` that a law can use")
 }

@@ -13,36 +13,32 @@ pub(crate) fn integer(e: &dyn ToTokens) -> Error {
     let digits = written.replace(' ', "");
     let bare = digits.trim_start_matches('-');
     if !bare.is_empty() && bare.chars().all(|c| c.is_ascii_digit() || c == '_') {
-        at(&e, format!("`{digits}` is an integer and a number is expected here; write `{digits}.0`"))
+        at!(&e, "`{digits}` is an integer and a number is expected here; write `{digits}.0`")
     } else if bare.starts_with(|c: char| c.is_ascii_digit()) && !bare.contains(|c: char| !c.is_ascii_alphanumeric()) {
-        at(&e, format!("`{digits}` is an integer and a number is expected here; write it with a decimal point"))
+        at!(&e, "`{digits}` is an integer and a number is expected here; write it with a decimal point")
     } else if written.chars().all(|c| c.is_alphanumeric() || c == '_') {
-        at(
+        at!(
             &e,
-            format!(
-                "`{written}` is an integer and a number is expected here; write `{written} as f64`, or give it a value with a \
-                 decimal point"
-            ),
+            "`{written}` is an integer and a number is expected here; write `{written} as f64`, or give it a value with \
+             a decimal point"
         )
     } else if written.contains(" / ") {
-        at(
+        at!(
             &e,
-            format!(
-                "`{written}` divides integers, which drops what is left over, and a number is expected here; write its numbers with \
-                 decimal points"
-            ),
+            "`{written}` divides integers, which drops what is left over, and a number is expected here; write its \
+             numbers with decimal points"
         )
     } else if written.contains(' ') {
-        at(&e, format!("`{written}` is an integer and a number is expected here; write `({written}) as f64`"))
+        at!(&e, "`{written}` is an integer and a number is expected here; write `({written}) as f64`")
     } else {
-        at(&e, format!("`{written}` is an integer and a number is expected here; write `{written} as f64`"))
+        at!(&e, "`{written}` is an integer and a number is expected here; write `{written} as f64`")
     }
 }
 
 pub(crate) fn expected_number(e: &dyn ToTokens, found: &str) -> Error {
     let e = e.to_token_stream();
     let hint = reduction(&e, found).map(|hint| format!("; write {hint}")).unwrap_or_default();
-    at(&e, format!("a number is expected here, this is {found}{hint}"))
+    at!(&e, "a number is expected here, this is {found}{hint}")
 }
 
 /// How one number is made of several.
@@ -57,16 +53,14 @@ fn reduction(e: &impl ToTokens, found: &str) -> Option<String> {
 }
 
 pub(crate) fn expected_integer(e: &dyn ToTokens, found: &str) -> Error {
-    at(
+    at!(
         &e.to_token_stream(),
-        format!(
-            "an integer that is known when the macro runs is expected here (a literal, a constant of this block, a loop index); this is {found}"
-        ),
+        "an integer that is known when the macro runs is expected here (a literal, a constant of this block, a loop index); this is {found}"
     )
 }
 
 pub(crate) fn expected_condition(e: &impl ToTokens, found: &str) -> Error {
-    at(e, format!("a condition is expected here, this is {found}; compare it with something: `x < 0.0`"))
+    at!(e, "a condition is expected here, this is {found}; compare it with something: `x < 0.0`")
 }
 
 pub(crate) fn assignment_as_condition(e: &impl ToTokens) -> Error {
@@ -74,25 +68,21 @@ pub(crate) fn assignment_as_condition(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn field_as_condition(e: &impl ToTokens) -> Error {
-    at(
+    at!(
         e,
-        format!(
-            "`{}` is used as a condition, and the parameters of a law are numbers; keep it as an `f64` and compare it: `if \
-             {} > 0.0`",
-            text(e),
-            text(e)
-        ),
+        "`{}` is used as a condition, and the parameters of a law are numbers; keep it as an `f64` and compare it: `if \
+         {} > 0.0`",
+        text(e),
+        text(e)
     )
 }
 
 pub(crate) fn field_and_variant(e: &impl ToTokens, field: &impl ToTokens, variant: &impl ToTokens) -> Error {
     let (field, variant) = (text(field), text(variant));
-    at(
+    at!(
         e,
-        format!(
-            "`{field}` is compared with `{variant}`, and the parameters of a law are numbers; keep it as an `f64` and compare \
-             that: `if {field} > 0.0`"
-        ),
+        "`{field}` is compared with `{variant}`, and the parameters of a law are numbers; keep it as an `f64` and \
+         compare that: `if {field} > 0.0`"
     )
 }
 
@@ -109,7 +99,7 @@ pub(crate) fn number_too_large(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn not_a_number(e: &impl ToTokens, what: &str) -> Error {
-    at(e, format!("a law is made of numbers, and this is {what}; leave it away"))
+    at!(e, "a law is made of numbers, and this is {what}; leave it away")
 }
 
 pub(crate) fn single_precision_literal(e: &impl ToTokens) -> Error {
@@ -140,7 +130,7 @@ pub(crate) fn bit_operator(op: &impl ToTokens) -> Error {
         "^" => "a power is `x.powi(2)` or `x.powf(1.5)`",
         _ => "conditions are joined with `&&`, `||` and `!`",
     };
-    at(op, format!("`{}` works on bits, not on numbers; {instead}", text(op)))
+    at!(op, "`{}` works on bits, not on numbers; {instead}", text(op))
 }
 
 /// `x ** 2`, which Rust reads as `x * (*2)`.
@@ -165,7 +155,7 @@ pub(crate) fn no_such_operation(
         (_, true) => String::new(),
         _ => reduction(several.0, several.1).map(|hint| format!("; write {hint}")).unwrap_or_default(),
     };
-    at(e, format!("`{sign}` is not defined between {left} and {right}{hint}"))
+    at!(e, "`{sign}` is not defined between {left} and {right}{hint}")
 }
 
 pub(crate) fn cast_to_integer(e: &impl ToTokens) -> Error {
@@ -175,16 +165,14 @@ pub(crate) fn cast_to_integer(e: &impl ToTokens) -> Error {
 /// `self.n as i32`, which is no number that the macro could unroll by.
 pub(crate) fn field_as_integer(e: &impl ToTokens, field: &impl ToTokens, found: &str) -> Error {
     let field = text(field);
-    at(
+    at!(
         e,
-        format!(
-            "an integer is known when the macro runs, and `{field}` is {found}; keep it a number: a power by it is `powf({field})`"
-        ),
+        "an integer is known when the macro runs, and `{field}` is {found}; keep it a number: a power by it is `powf({field})`"
     )
 }
 
 pub(crate) fn cast(e: &impl ToTokens, found: &str) -> Error {
-    at(e, format!("only integers and numbers can be cast, to `f64` or to an integer type; this is {found}"))
+    at!(e, "only integers and numbers can be cast, to `f64` or to an integer type; this is {found}")
 }
 
 /// The functions of numbers that a law can use.
@@ -218,16 +206,14 @@ pub(crate) fn unknown_function(name: &Ident) -> Error {
 }
 
 pub(crate) fn wrong_arguments(name: &Ident, expected: usize, given: usize) -> Error {
-    at(name, format!("`{name}` takes {} here, not {given}", counted(expected, "argument")))
+    at!(name, "`{name}` takes {} here, not {given}", counted(expected, "argument"))
 }
 
 pub(crate) fn power_exponent(e: &impl ToTokens, found: &str) -> Error {
-    at(
+    at!(
         e,
-        format!(
-            "the exponent of `powi` is an integer that is known when the macro runs, this is {found}; for any other exponent \
-             write `powf`"
-        ),
+        "the exponent of `powi` is an integer that is known when the macro runs, this is {found}; for any other \
+         exponent write `powf`"
     )
 }
 
@@ -236,35 +222,31 @@ pub(crate) fn power_by_field(e: &impl ToTokens, field: &impl ToTokens, found: &s
     let field = text(field);
     let instead =
         if is_cast { format!("`powf({field})`") } else { format!("`powf`, and `{field} as f64` for `{field}`") };
-    at(
+    at!(
         e,
-        format!(
-            "the exponent of `powi` is an integer that is known when the macro runs, and `{field}` is {found}; write {instead}"
-        ),
+        "the exponent of `powi` is an integer that is known when the macro runs, and `{field}` is {found}; write {instead}"
     )
 }
 
 pub(crate) fn integer_exponent(e: &impl ToTokens) -> Error {
     let e_text = text(e);
-    at(e, format!("`powf` takes a number; write `powi({e_text})`, or the exponent with a decimal point"))
+    at!(e, "`powf` takes a number; write `powi({e_text})`, or the exponent with a decimal point")
 }
 
 pub(crate) fn exponent_too_large(e: &impl ToTokens, most: i32) -> Error {
-    at(e, format!("this power is larger than {most}, beyond any use in a law"))
+    at!(e, "this power is larger than {most}, beyond any use in a law")
 }
 
 pub(crate) fn not_finite(e: &impl ToTokens, name: &str) -> Error {
-    at(e, format!("a law is finite; `{name}` has no place in it"))
+    at!(e, "a law is finite; `{name}` has no place in it")
 }
 
 pub(crate) fn clamped_the_wrong_way(e: &impl ToTokens, low: f64, high: f64) -> Error {
-    at(
+    at!(
         e,
-        format!(
-            "nothing lies between {low} and {high}, and Rust's `clamp` panics there; the lower bound comes first: \
-             `x.clamp({:?}, {:?})`",
-            low.min(high),
-            low.max(high)
-        ),
+        "nothing lies between {low} and {high}, and Rust's `clamp` panics there; the lower bound comes first: \
+         `x.clamp({:?}, {:?})`",
+        low.min(high),
+        low.max(high)
     )
 }

@@ -6,7 +6,7 @@ use syn::{Error, Ident};
 use crate::diagnostics::{at, nearest, text};
 
 pub(crate) fn index_not_known(e: &impl ToTokens, found: &str) -> Error {
-    at(e, format!("an index is a literal, a constant of this block or a loop index; this is {found}"))
+    at!(e, "an index is a literal, a constant of this block or a loop index; this is {found}")
 }
 
 pub(crate) fn index_out_of_range(e: &impl ToTokens, index: i128, length: usize) -> Error {
@@ -20,11 +20,11 @@ pub(crate) fn index_out_of_range(e: &impl ToTokens, index: i128, length: usize) 
 
 pub(crate) fn indexed_number(e: &impl ToTokens, base: &impl ToTokens) -> Error {
     let base = text(base);
-    at(e, format!("`{base}` is one number; write `{base}` without an index, or declare it as an array"))
+    at!(e, "`{base}` is one number; write `{base}` without an index, or declare it as an array")
 }
 
 pub(crate) fn not_indexable(e: &impl ToTokens, found: &str) -> Error {
-    at(e, format!("{found} has no components to choose from by an index"))
+    at!(e, "{found} has no components to choose from by an index")
 }
 
 pub(crate) fn open_range(e: &impl ToTokens) -> Error {
@@ -32,32 +32,28 @@ pub(crate) fn open_range(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn range_bound(e: &impl ToTokens, found: &str) -> Error {
-    at(
+    at!(
         e,
-        format!(
-            "how far this range goes must be known when the macro runs; write a literal or a constant of this block instead of \
-             {found}"
-        ),
+        "how far this range goes must be known when the macro runs; write a literal or a constant of this block instead \
+         of {found}"
     )
 }
 
 pub(crate) fn not_iterable(e: &impl ToTokens, found: &str) -> Error {
-    at(e, format!("a loop runs over a constant range, `0..3`, or over an array; this is {found}"))
+    at!(e, "a loop runs over a constant range, `0..3`, or over an array; this is {found}")
 }
 
 pub(crate) fn field_of_unknown_length(e: &impl ToTokens) -> Error {
     let field = text(e);
-    at(
+    at!(
         e,
-        format!(
-            "how long `{field}` is cannot be seen from the impl block; write `for i in 0..3` with `{field}[i]`, or bind it \
-             with its type: `let k: [f64; 3] = {field};`"
-        ),
+        "how long `{field}` is cannot be seen from the impl block; write `for i in 0..3` with `{field}[i]`, or bind it \
+         with its type: `let k: [f64; 3] = {field};`"
     )
 }
 
 pub(crate) fn array_is_no_iterator(name: &Ident) -> Error {
-    at(name, format!("an array is no iterator; write `iter().{name}(…)`"))
+    at!(name, "an array is no iterator; write `iter().{name}(…)`")
 }
 
 pub(crate) fn iter_mut(name: &Ident) -> Error {
@@ -69,28 +65,24 @@ pub(crate) fn integer_terms(e: &impl ToTokens) -> Error {
 }
 
 pub(crate) fn filter(name: &Ident) -> Error {
-    at(
+    at!(
         name,
-        format!(
-            "`{name}` would change the number of terms; write the condition into the term: `.map(|i| if … {{ … }} else {{ 0.0 }})`"
-        ),
+        "`{name}` would change the number of terms; write the condition into the term: `.map(|i| if … {{ … }} else {{ 0.0 }})`"
     )
 }
 
 pub(crate) fn unknown_array_function(name: &Ident) -> Error {
     let known = ["iter", "map", "len", "windows"];
     if let Some(near) = nearest(&name.to_string(), known) {
-        return at(name, format!("`{name}` cannot be read; did you mean `{near}`?"));
+        return at!(name, "`{name}` cannot be read; did you mean `{near}`?");
     }
-    at(name, format!("`{name}` cannot be read; of an array a law can use an index, `iter`, `map`, `len` and `windows`"))
+    at!(name, "`{name}` cannot be read; of an array a law can use an index, `iter`, `map`, `len` and `windows`")
 }
 
 pub(crate) fn vector_function_of_array(name: &Ident, length: usize) -> Error {
-    at(
+    at!(
         name,
-        format!(
-            "arrays have no `{name}`; write it out, or take nalgebra's vector as the position: `q: SVector<f64, {length}>`"
-        ),
+        "arrays have no `{name}`; write it out, or take nalgebra's vector as the position: `q: SVector<f64, {length}>`"
     )
 }
 
@@ -98,14 +90,12 @@ pub(crate) fn unknown_iterator_function(name: &Ident) -> Error {
     let known =
         ["map", "sum", "product", "fold", "zip", "enumerate", "rev", "chain", "flat_map", "skip", "take", "step_by"];
     if let Some(near) = nearest(&name.to_string(), known) {
-        return at(name, format!("`{name}` cannot be read; did you mean `{near}`?"));
+        return at!(name, "`{name}` cannot be read; did you mean `{near}`?");
     }
-    at(
+    at!(
         name,
-        format!(
-            "`{name}` cannot be read; of an iterator a law can use `map`, `sum`, `product`, `fold`, `zip`, `enumerate`, `rev`, \
-             `chain`, `flat_map`, `skip`, `take`, `step_by`, or write a `for` loop"
-        ),
+        "`{name}` cannot be read; of an iterator a law can use `map`, `sum`, `product`, `fold`, `zip`, `enumerate`, \
+         `rev`, `chain`, `flat_map`, `skip`, `take`, `step_by`, or write a `for` loop"
     )
 }
 

@@ -1,6 +1,6 @@
 //! Lines and dots.
 
-use plotters::prelude::{Circle, Color, DashedLineSeries, LineSeries, RGBColor, Rectangle};
+use plotters::prelude::{Circle, Color, DashedLineSeries, LineSeries, RGBColor, Rectangle, ShapeStyle};
 
 use crate::thin::{Seen, thin};
 use crate::window::Window;
@@ -42,18 +42,17 @@ pub fn dashed(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, 
 
 /// A dot at each point that lies between the axes.
 pub fn dots(chart: &mut Chart<'_>, points: &[(f64, f64)], colour: RGBColor, radius: f64) -> Drawn {
-    let radius = (radius * f64::from(FINE)) as i32;
-    let within = Window::of(chart);
-    chart.draw_series(within.points(points).map(|at| Circle::new(at, radius, colour.filled())))?;
-    Ok(())
+    circles(chart, points, radius, colour.filled())
 }
 
 /// An open circle at each point.
 pub fn rings(chart: &mut Chart<'_>, points: &[(f64, f64)], colour: RGBColor, radius: f64) -> Drawn {
+    circles(chart, points, radius, colour.stroke_width(3 * FINE / 2))
+}
+
+fn circles(chart: &mut Chart<'_>, points: &[(f64, f64)], radius: f64, style: ShapeStyle) -> Drawn {
     let radius = (radius * f64::from(FINE)) as i32;
-    let style = colour.stroke_width(3 * FINE / 2);
-    let within = Window::of(chart);
-    chart.draw_series(within.points(points).map(|at| Circle::new(at, radius, style)))?;
+    chart.draw_series(Window::of(chart).points(points).map(|at| Circle::new(at, radius, style)))?;
     Ok(())
 }
 

@@ -120,6 +120,11 @@ pub(crate) fn largest(x: &[f64]) -> f64 {
     x.iter().map(|x| x.abs()).fold(0.0, f64::max)
 }
 
+/// max |mᵢⱼ|.
+pub(crate) fn largest_entry<const D: usize>(m: &[[f64; D]; D]) -> f64 {
+    largest(m.as_flattened())
+}
+
 /// |x|.
 pub(crate) fn norm(x: impl IntoIterator<Item = f64>) -> f64 {
     x.into_iter().fold(0.0, f64::hypot)

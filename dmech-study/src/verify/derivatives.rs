@@ -7,7 +7,7 @@ use super::Subject;
 use super::difference::{Worst, derivative};
 use super::points::{Dice, norm, with};
 use super::report::Check;
-use crate::motion::largest;
+use crate::motion::{largest, largest_entry};
 use dmech_core::extend::Field;
 use dmech_core::extend::vector::dot;
 use dmech_core::{Law, Potential, State};
@@ -28,7 +28,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     for &q in &points {
         let (g, whole) = (field.gradient(q), subject.weighted(field.gradient(q)));
         let second = field.hessian(q);
-        let size = second.iter().map(|row| largest(row)).fold(0.0, f64::max);
+        let size = largest_entry(&second);
         let parts = largest(&g).max(size * largest(&q));
         let stiffness = largest(&subject.weighted(second.map(|row| largest(&row))));
         for j in (0..D).filter(|&j| moves[j]) {
@@ -69,7 +69,7 @@ fn slope<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &St
     for &q in points {
         let (slope, gradient, force) = (field.slope(q, start.v), field.gradient(q), field.force(q, start.v, start.t));
         let kicked = field.kick(c, q, start.v);
-        let curvature = field.hessian(q).iter().map(|row| largest(row)).fold(0.0, f64::max) * largest(&q);
+        let curvature = largest_entry(&field.hessian(q)) * largest(&q);
         let unit = f64::EPSILON * floor(largest(&gradient).max(largest(&slope)).max(curvature), largest(&start.v));
         for i in 0..D {
             kick = worse(kick, (kicked[i] - (start.v[i] - c * slope[i])).abs() / unit);
@@ -101,8 +101,8 @@ fn force<L: Law<D>, F: Field<D>, const D: usize>(
         let v = dice.near(start.v, moves, 0.15 * speed);
         let size = largest(&field.force(q, v, t));
         let (dq, dv) = (field.force_dq(q, v, t), field.force_dv(q, v, t));
-        let entry = |matrix: &[[f64; D]; D]| matrix.iter().map(|row| largest(row)).fold(0.0, f64::max);
-        let (size_q, size_v) = (floor(entry(&dq), size / scales.length), floor(entry(&dv), size / speed));
+        let size_q = floor(largest_entry(&dq), size / scales.length);
+        let size_v = floor(largest_entry(&dv), size / speed);
         for j in (0..D).filter(|&j| moves[j]) {
             for i in 0..D {
                 let quotient = derivative(|x| field.force(with(q, j, x), v, t)[i], q[j], 0.02 * scales.length, size);
@@ -129,7 +129,7 @@ fn claims<L: Law<D>, F: Field<D>, const D: usize>(
     let first = field.hessian(points[0]);
     for &q in points {
         let (gradient, slope, hessian) = (field.gradient(q), field.slope(q, start.v), field.hessian(q));
-        let size = hessian.iter().map(|row| largest(row)).fold(0.0, f64::max);
+        let size = largest_entry(&hessian);
         let torque = f64::EPSILON * floor(norm(q) * norm(gradient), 0.0);
         let acting = norm(subject.weighted(gradient)) + norm(subject.weighted(slope));
         let power = f64::EPSILON * floor(norm(start.v) * acting, 0.0);

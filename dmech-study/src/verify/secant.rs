@@ -5,7 +5,7 @@ use super::derivatives::{ULPS, floor, row, worse};
 use super::difference::{Worst, derivative};
 use super::points::{Dice, norm, with};
 use super::report::Check;
-use crate::motion::largest;
+use crate::motion::{largest, largest_entry};
 use dmech_core::extend::vector::{difference, dot};
 use dmech_core::{Law, Potential};
 
@@ -24,7 +24,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     let mut dice = Dice::new();
     for &a in &points {
         let (phi, gradient) = (field.potential(a), field.gradient(a));
-        let curvature = field.hessian(a).iter().map(|row| largest(row)).fold(0.0, f64::max);
+        let curvature = largest_entry(&field.hessian(a));
         let size = floor(largest(&gradient), curvature * largest(&a));
         let same = field.discrete_gradient(a, a);
         limit = worse(limit, largest_difference(same, gradient) / (f64::EPSILON * size));
@@ -48,7 +48,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
                 continue;
             }
             let exact = field.discrete_gradient_jacobian(a, b);
-            let scale = floor(exact.iter().map(|row| largest(row)).fold(0.0, f64::max), curvature);
+            let scale = floor(largest_entry(&exact), curvature);
             for j in (0..D).filter(|&j| moves[j]) {
                 for i in 0..D {
                     let quotient =

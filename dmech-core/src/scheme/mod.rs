@@ -53,7 +53,8 @@ pub use crate::system::{Effort, Guess, LinearVelocities, Newton, WithoutVelociti
 /// A scheme is a value without state; what it carries from step to step is its [`Memory`](Scheme::Memory).
 #[diagnostic::on_unimplemented(
     message = "the scheme `{Self}` cannot step `{Y}`",
-    note = "the number of coordinates of the law and of the state must agree"
+    note = "the number of coordinates of the law and of the state must agree",
+    note = "stages of a composition are those that step the law: `Leapfrog` where no force depends on the velocity, `Boris` where it is linear in it, `DiscreteGradient` and `Implicit` always"
 )]
 pub trait Scheme<Y: System>: Method {
     /// The share of h²/m that the unknown force has in the equation of a step; 0 if there is none.

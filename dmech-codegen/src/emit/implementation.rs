@@ -1,127 +1,33 @@
 //! The impl blocks of a law of one body.
 
 use dmech_symbolic::expression::Expr;
-use dmech_symbolic::kernel::Kernels;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::document::pointwise_texts;
 use super::generics::{generic_name, hidden_lifetime, module, parameters_of, scalar_name};
 use super::marker::{marker, told};
-use super::names::{Names, ident, receiver, runtime, underscored};
+use super::names::{Names, ident, receiver, runtime};
+use super::numbers::{names_of_numbers, numbers_of_law};
 use super::pointwise::{FORCE, POTENTIAL};
 use super::printer::{Printer, Reached};
 use crate::Derivation;
-use crate::lower::{Lowered, Parameter, Source};
+use crate::lower::{Lowered, Source};
+use crate::model::Model;
 
 /// The traits of mechanics for the user's type, with everything derived from its potential and force.
 ///
 /// What acts at one moment, for one mass, is a hidden struct of the numbers that the law reads of itself, so that they may be those of
 /// eight laws side by side. What can be had without mass and time is implemented for the type itself too, by that struct.
 pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
-    let Derivation { model, lowered, kernels, forced, invariants } = derivation;
-    let Lowered { graph, variables, potential, force, parameters, .. } = lowered;
-    let scalar = scalar_name(model);
-    let module = module(model);
-    let runtime = runtime();
-    let d = Literal::usize_unsuffixed(model.dimension);
-    let names = |roots: &[Expr], source: fn(&Source) -> bool| {
-        parameters.iter().any(|p| source(&p.source) && roots.iter().any(|&e| graph.depends_on(e, &[p.symbol])))
-    };
-    let (is_mass, is_time) = (|s: &Source| matches!(s, Source::Mass), |s: &Source| matches!(s, Source::Time));
-    let phi = [*potential];
-    let forces = force.as_deref().unwrap_or_default();
-    let potential_is_bare = !names(&phi, is_mass) && !names(&phi, is_time);
-    let receiver = receiver();
-    let self_ty = &model.self_ty;
-    let where_clause = &model.generics.where_clause;
-    let printer = |law: Reached| Printer {
-        graph,
-        names: Names::new(graph, variables, None, parameters),
-        variables,
-        parameters,
-        scalar: scalar.clone(),
-        runtime: quote!(#runtime),
-        dimension: quote!(#d),
-        between: false,
-        layout: &[],
-        law,
-    };
-    let momentary = printer(Reached::Numbers);
-    let central = kernels.structure.central.is_some() && forced.is_none();
-    let linear = kernels.structure.constant_hessian && forced.is_none();
-    let piecewise = forced.as_ref().map_or(kernels.structure.piecewise, |forced| forced.piecewise);
-    let piecewise = piecewise.then(|| {
-        quote!(
-            const PIECEWISE: bool = true;
-        )
-    });
-    let degree = degree(kernels.structure.degree.filter(|_| forced.is_none()));
-    let constants = quote! {
-        const CENTRAL: bool = #central;
-        const LINEAR: bool = #linear;
-        #piecewise
-        #degree
-    };
-    let own: Vec<_> = parameters_of(model).collect();
-    let own_generics = quote!(<#(#own),*>);
-    let generics = quote!(<#(#own,)* #scalar: #runtime::Real>);
-    let items = super::author::items(model, &quote!(#d), None);
-    let velocity_independent = !forced.as_ref().is_some_and(|forced| forced.depends_on_velocity);
-    let linear_in_velocity = forced.as_ref().is_none_or(|forced| forced.linear_in_velocity);
-    let markers = [
-        velocity_independent.then_some("VelocityIndependent"),
-        linear_in_velocity.then_some("LinearInVelocity"),
-        (!names(&phi, is_mass) && !names(forces, is_mass)).then_some("MassIndependent"),
-    ];
-    let markers = markers.into_iter().flatten().map(|name| marker(model, &runtime, name));
-    let moment = generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment");
-    let law_at =
-        |time: TokenStream| quote!(<Self as #runtime::Law<#d, #scalar>>::field(#receiver, #scalar::ONE, #time));
-    let of_itself = (model.potential.is_some() && potential_is_bare).then(|| {
-        let functions = momentary.of_moment(kernels, &law_at(quote!(#scalar::ZERO)));
-        quote! {
-            #[automatically_derived]
-            impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
-                #constants
-                #functions
-            }
-        }
-    });
-    let force_of_itself = forced.as_ref().filter(|_| !names(forces, is_mass)).map(|_| {
-        let t = ident("t");
-        let functions = momentary.force_of_moment(&law_at(quote!(#t)), &t);
-        quote! {
-            #[automatically_derived]
-            impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
-                #functions
-            }
-        }
-    });
-    let field_functions = match forced {
-        Some(forced) => {
-            let steps = momentary.forced_steps(forced);
-            let (field, force) = (momentary.field_functions(kernels, forced), momentary.force_functions(forced));
-            let workless = forced.workless;
-            let capabilities = quote! {
-                const FORCED: bool = true;
-                const CONSERVES_ENERGY: bool = #workless;
-            };
-            quote!(#capabilities #steps #field #force)
-        }
-        None => momentary.steps(kernels),
-    };
-    let potential_functions = momentary.pointwise(kernels);
-    let kept = printer(Reached::Law(quote!(#receiver))).invariants(&model.invariants, invariants);
-    let autonomous = !names(&phi, is_time) && !names(forces, is_time);
-    let read: Vec<_> = numbers_of_law(parameters).collect();
-    let fields = names_of_numbers(parameters);
-    let count = Literal::usize_unsuffixed(read.len());
-    let (held, law, mass, t) = (hidden_lifetime(model), ident("law"), ident("mass"), ident("t"));
-    // A law that is only run counts as used.
-    let declared = model.fields.is_none().then(|| model.formulas().map(|f| &f.ident).collect::<Vec<_>>());
-    let declared = declared.iter().flatten();
-    let told = told(model, &runtime, &super::document::derivation(derivation));
+    let frame = Frame::of(derivation);
+    let Frame { model, runtime, d, own, .. } = &frame;
+    let (module, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
+    let told = told(model, runtime, &super::document::derivation(derivation));
+    let markers = frame.markers().map(|name| marker(model, runtime, name));
+    let items = super::author::items(model, d, None);
+    let (law, fields) = (frame.law(), frame.fields());
+    let (of_itself, force_of_itself, moment) = (frame.potential_of_itself(), frame.force_of_itself(), frame.moment());
     quote! {
         #[allow(clippy::approx_constant)]
         const _: () = {
@@ -131,10 +37,122 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
             #(#markers)*
 
             #[automatically_derived]
-            impl #own_generics #runtime::written::Author<#d> for #self_ty #where_clause {
+            impl #own #runtime::written::Author<#d> for #self_ty #where_clause {
                 #items
             }
 
+            #law
+            #fields
+            #of_itself
+            #force_of_itself
+            #moment
+        };
+    }
+}
+
+/// What the blocks of an implementation share.
+struct Frame<'a> {
+    derivation: &'a Derivation,
+    model: &'a Model,
+    scalar: Ident,
+    runtime: Ident,
+    /// D.
+    d: TokenStream,
+    /// The generic parameters of the law, and these with the scalar.
+    own: TokenStream,
+    generics: TokenStream,
+    /// The hidden struct.
+    moment: Ident,
+    /// What is read of the law.
+    read: Vec<&'a TokenStream>,
+}
+
+impl<'a> Frame<'a> {
+    fn of(derivation: &'a Derivation) -> Self {
+        let model = &derivation.model;
+        let (scalar, runtime) = (scalar_name(model), runtime());
+        let own: Vec<_> = parameters_of(model).collect();
+        Self {
+            derivation,
+            model,
+            d: Literal::usize_unsuffixed(model.dimension).into_token_stream(),
+            own: quote!(<#(#own),*>),
+            generics: quote!(<#(#own,)* #scalar: #runtime::Real>),
+            moment: generic_name(model, ["Moment", "Instant", "__Moment", "__Instant"], "__DmechMoment"),
+            read: numbers_of_law(&derivation.lowered.parameters).collect(),
+            scalar,
+            runtime,
+        }
+    }
+
+    /// Whether the potential, or the force, depends on the mass, or on the time.
+    fn names(&self, source: fn(&Source) -> bool) -> [bool; 2] {
+        let Lowered { graph, potential, force, parameters, .. } = &self.derivation.lowered;
+        let named = |roots: &[Expr]| {
+            parameters.iter().any(|p| source(&p.source) && roots.iter().any(|&e| graph.depends_on(e, &[p.symbol])))
+        };
+        [named(&[*potential]), named(force.as_deref().unwrap_or_default())]
+    }
+
+    fn names_mass(&self) -> [bool; 2] {
+        self.names(|source| matches!(source, Source::Mass))
+    }
+
+    fn names_time(&self) -> [bool; 2] {
+        self.names(|source| matches!(source, Source::Time))
+    }
+
+    fn printer(&self, law: Reached) -> Printer<'a> {
+        let Lowered { graph, variables, parameters, .. } = &self.derivation.lowered;
+        let runtime = &self.runtime;
+        Printer {
+            graph,
+            names: Names::new(graph, variables, None, parameters),
+            variables,
+            parameters,
+            scalar: self.scalar.clone(),
+            runtime: quote!(#runtime),
+            dimension: self.d.clone(),
+            between: false,
+            layout: &[],
+            law,
+        }
+    }
+
+    /// What the law is, in traits without functions.
+    fn markers(&self) -> impl Iterator<Item = &'static str> {
+        let forced = self.derivation.forced.as_ref();
+        let velocity_independent = !forced.is_some_and(|forced| forced.depends_on_velocity);
+        let linear_in_velocity = forced.is_none_or(|forced| forced.linear_in_velocity);
+        let markers = [
+            velocity_independent.then_some("VelocityIndependent"),
+            linear_in_velocity.then_some("LinearInVelocity"),
+            (self.names_mass() == [false; 2]).then_some("MassIndependent"),
+        ];
+        markers.into_iter().flatten()
+    }
+
+    /// What it says of its potential in constants.
+    fn constants(&self) -> TokenStream {
+        let (structure, forced) = (&self.derivation.kernels.structure, self.derivation.forced.as_ref());
+        let central = structure.central.is_some() && forced.is_none();
+        let linear = structure.constant_hessian && forced.is_none();
+        let piecewise = forced.map_or(structure.piecewise, |forced| forced.piecewise);
+        super::constants::of_potential(central, linear, piecewise, structure.degree.filter(|_| forced.is_none()))
+    }
+
+    /// The law, and what acts at one moment.
+    fn law(&self) -> TokenStream {
+        let Self { derivation, model, scalar, runtime, d, generics, moment, read, .. } = self;
+        let (receiver, self_ty, where_clause) = (receiver(), &model.self_ty, &model.generics.where_clause);
+        let count = Literal::usize_unsuffixed(read.len());
+        let (held, mass, t) = (hidden_lifetime(model), ident("mass"), ident("t"));
+        let autonomous = self.names_time() == [false; 2];
+        let kept = self.printer(Reached::Law(quote!(#receiver))).invariants(&model.invariants, &derivation.invariants);
+        // A law that is only run counts as used.
+        let declared = model.fields.is_none().then(|| model.formulas().map(|f| &f.ident).collect::<Vec<_>>());
+        let declared = declared.iter().flatten();
+        quote! {
             /// The law at one moment, for one mass.
             #[allow(dead_code)]
             #[derive(Clone, Copy)]
@@ -159,15 +177,25 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                     ::core::option::Option::Some(#receiver)
                 }
             }
+        }
+    }
 
+    /// The numbers of the law, each over any scalar.
+    fn fields(&self) -> TokenStream {
+        let Self { model, scalar, runtime, d, own, moment, read, .. } = self;
+        let (receiver, self_ty, where_clause) = (receiver(), &model.self_ty, &model.generics.where_clause);
+        let count = Literal::usize_unsuffixed(read.len());
+        let [law, mass, t] = ["law", "mass", "t"].map(ident);
+        let names = names_of_numbers(&self.derivation.lowered.parameters);
+        quote! {
             #[automatically_derived]
-            impl #own_generics #runtime::Fields<#d> for #self_ty #where_clause {
+            impl #own #runtime::Fields<#d> for #self_ty #where_clause {
                 type Numbers = [::core::primitive::f64; #count];
                 type Moment<#scalar: #runtime::Real> = #moment<#scalar>;
                 fn numbers(&#receiver) -> [::core::primitive::f64; #count] {
                     [#(#read),*]
                 }
-                #fields
+                #names
                 #[inline(always)]
                 fn moment<#scalar: #runtime::Real>(
                     #law: [#scalar; #count],
@@ -177,61 +205,81 @@ pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
                     #moment { #law, #mass, #t }
                 }
             }
+        }
+    }
 
-            #of_itself
-            #force_of_itself
-
+    /// The potential and the field of the moment.
+    fn moment(&self) -> TokenStream {
+        let Self { derivation: Derivation { kernels, forced, .. }, scalar, runtime, d, moment, .. } = self;
+        let printer = self.printer(Reached::Numbers);
+        let (constants, potential) = (self.constants(), printer.pointwise(kernels));
+        let field = match forced {
+            None => printer.steps(kernels),
+            Some(forced) => {
+                let (workless, steps) = (forced.workless, printer.forced_steps(forced));
+                let (field, force) = (printer.field_functions(kernels, forced), printer.force_functions(forced));
+                quote! {
+                    const FORCED: bool = true;
+                    const CONSERVES_ENERGY: bool = #workless;
+                    #steps
+                    #field
+                    #force
+                }
+            }
+        };
+        quote! {
             #[automatically_derived]
             impl<#scalar: #runtime::Real> #runtime::Potential<#d, #scalar> for #moment<#scalar> {
                 #constants
-                #potential_functions
+                #potential
             }
 
             #[automatically_derived]
             impl<#scalar: #runtime::Real> #runtime::Field<#d, #scalar> for #moment<#scalar> {
-                #field_functions
+                #field
             }
-        };
-    }
-}
-
-/// The function that tells the names of what the kernels read of the law, in order.
-pub(super) fn names_of_numbers(parameters: &[Parameter]) -> TokenStream {
-    let of_law = parameters.iter().filter(|parameter| matches!(parameter.source, Source::Law(_)));
-    let names: Vec<_> = of_law.map(|parameter| &parameter.name).collect();
-    let see = underscored(&ident("see"), !names.is_empty());
-    quote! {
-        fn names(#see: &mut dyn ::core::ops::FnMut(&'static ::core::primitive::str)) {
-            #(#see(#names);)*
         }
     }
-}
 
-/// What the kernels read of the law, in order.
-pub(super) fn numbers_of_law(parameters: &[Parameter]) -> impl Iterator<Item = &TokenStream> {
-    parameters.iter().filter_map(|parameter| match &parameter.source {
-        Source::Law(tokens) => Some(tokens),
-        _ => None,
-    })
-}
-
-impl Printer<'_> {
-    /// The functions of `Potential` for the law itself, by its moment.
-    fn of_moment(&self, kernels: &Kernels, moment: &TokenStream) -> TokenStream {
-        let (runtime, point, ends) = (&self.runtime, [ident("q")], ["a", "b"].map(ident));
-        let functions = POTENTIAL.iter().zip(pointwise_texts(self.graph, kernels)).map(|(function, text)| {
-            let (name, arguments) = (ident(function.name), function.of(&point, &ends));
-            let value = quote!(#runtime::Potential::#name(&#moment, #(#arguments),*));
-            let function = function.with_body((&self.scalar, &self.dimension), arguments, &value);
-            quote!(#(#[doc = #text])* #function)
-        });
-        functions.collect()
+    /// The moment of the law itself, of mass 1.
+    fn moment_at(&self, time: &TokenStream) -> TokenStream {
+        let (Self { scalar, runtime, d, .. }, receiver) = (self, receiver());
+        quote!(<Self as #runtime::Law<#d, #scalar>>::field(#receiver, #scalar::ONE, #time))
     }
 
-    /// The functions of `Force` for the law itself.
-    fn force_of_moment(&self, moment: &TokenStream, t: &Ident) -> TokenStream {
-        let (scalar, d, runtime, receiver) = (&self.scalar, &self.dimension, &self.runtime, receiver());
-        let [q, v] = ["q", "v"].map(ident);
+    /// The potential of the law itself, where it is one without mass and time.
+    fn potential_of_itself(&self) -> Option<TokenStream> {
+        let Self { derivation, model, scalar, runtime, d, generics, .. } = self;
+        if model.potential.is_none() || self.names_mass()[0] || self.names_time()[0] {
+            return None;
+        }
+        let (constants, moment) = (self.constants(), self.moment_at(&quote!(#scalar::ZERO)));
+        let (point, ends) = ([ident("q")], ["a", "b"].map(ident));
+        let texts = pointwise_texts(&derivation.lowered.graph, &derivation.kernels);
+        let functions = POTENTIAL.iter().zip(texts).map(|(function, text)| {
+            let (name, arguments) = (ident(function.name), function.of(&point, &ends));
+            let value = quote!(#runtime::Potential::#name(&#moment, #(#arguments),*));
+            let function = function.with_body((scalar, d), arguments, &value);
+            quote!(#(#[doc = #text])* #function)
+        });
+        let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
+        Some(quote! {
+            #[automatically_derived]
+            impl #generics #runtime::Potential<#d, #scalar> for #self_ty #where_clause {
+                #constants
+                #(#functions)*
+            }
+        })
+    }
+
+    /// Its force, where that is one without mass.
+    fn force_of_itself(&self) -> Option<TokenStream> {
+        let Self { derivation, model, scalar, runtime, d, generics, .. } = self;
+        if derivation.forced.is_none() || self.names_mass()[1] {
+            return None;
+        }
+        let ([q, v, t], receiver) = (["q", "v", "t"].map(ident), receiver());
+        let moment = self.moment_at(&quote!(#t));
         let functions = FORCE.map(|(name, rank)| {
             let (name, result) = (ident(name), rank.array(scalar, d));
             quote! {
@@ -241,14 +289,12 @@ impl Printer<'_> {
                 }
             }
         });
-        functions.into_iter().collect()
+        let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
+        Some(quote! {
+            #[automatically_derived]
+            impl #generics #runtime::Force<#d, #scalar> for #self_ty #where_clause {
+                #(#functions)*
+            }
+        })
     }
-}
-
-/// The degree of a potential that is a polynomial; nothing is said of others.
-pub(super) fn degree(degree: Option<u32>) -> Option<TokenStream> {
-    let degree = Literal::u32_unsuffixed(degree?);
-    Some(quote! {
-        const DEGREE: ::core::option::Option<::core::primitive::u32> = ::core::option::Option::Some(#degree);
-    })
 }

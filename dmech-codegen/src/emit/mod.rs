@@ -2,6 +2,7 @@
 
 mod author;
 mod body;
+mod constants;
 mod document;
 mod function;
 mod generics;
@@ -11,6 +12,7 @@ mod kernels;
 mod marker;
 mod middle;
 mod names;
+mod numbers;
 mod operation;
 mod pair;
 mod pair_document;

@@ -8,9 +8,9 @@ use quote::quote;
 
 use super::body::{Printed, body};
 use super::generics::{PairGenerics, generic_name, hidden_lifetime, module};
-use super::implementation::{degree, names_of_numbers, numbers_of_law};
 use super::marker::{marker, told};
 use super::names::{Names, ident, receiver, runtime, underscored};
+use super::numbers::{names_of_numbers, numbers_of_law};
 use super::pair_document::{self, force_texts, potential_texts};
 use super::pointwise::{POTENTIAL, blind};
 use super::printer::{Printer, Reached};
@@ -175,16 +175,8 @@ fn potential(printer: &Printer<'_>, derivation: &PairDerivation) -> (TokenStream
     let alone = force.is_none();
     let linear = alone && potential.is_none_or(|p| p.linear);
     let piecewise = potential.is_some_and(|p| p.piecewise) || force.is_some_and(|force| force.piecewise);
-    let piecewise = piecewise.then(|| {
-        quote! { const PIECEWISE: bool = true; }
-    });
-    let degree = degree(potential.filter(|_| alone).and_then(|potential| potential.degree));
-    let constants = quote! {
-        const CENTRAL: bool = #central;
-        const LINEAR: bool = #linear;
-        #piecewise
-        #degree
-    };
+    let degree = potential.filter(|_| alone).and_then(|potential| potential.degree);
+    let constants = super::constants::of_potential(central, linear, piecewise, degree);
     let Some(potential) = potential else {
         let (scalar, d) = (&printer.scalar, &printer.dimension);
         return (constants, blind("_d", (scalar, d), |rank| rank.zero(scalar, d)));

@@ -4,6 +4,7 @@ mod digits;
 mod ended;
 mod line_integral;
 mod step;
+mod sweeps;
 pub(crate) mod tableau;
 
 #[cfg(test)]

@@ -1,0 +1,181 @@
+//! Sweeps over eight stages to rounding, and steps in parts where they come no nearer.
+
+use dmech_scalar::{Count, Mask, Real};
+
+use super::ended::{Ended, Which};
+use super::tableau::Tableau;
+use crate::newton::{Counts, NotConverged};
+use crate::system::{Staged, stages};
+
+/// A change of the pushes that is this many times too large may be left by rounding.
+const ROUNDING: f64 = 3e4;
+/// Sweeps that may fail to come nearer, and sweeps of one step.
+const STALLS: f64 = 3.0;
+const SWEEPS: u32 = 60;
+/// How often a step is halved where its sweeps do not come nearer.
+const HALVINGS: u32 = 6;
+
+/// What moves, and by which coefficients.
+pub(super) type With<'a, Y> = (&'a Y, &'a Tableau);
+
+/// Sweeps that came no nearer: the last change of a push.
+pub(super) struct Astray(pub(super) f64);
+
+/// Where steps are made, and what they have cost.
+pub struct Sweeps<Y: Staged> {
+    aim: Y::Aim,
+    /// Somebody asks how the steps went.
+    pub(super) watched: bool,
+    /// Sweeps of this step.
+    pub(super) made: u32,
+    /// Evaluations by each of several side by side.
+    pub(super) of_each: Counts<Y::Scalar>,
+}
+
+impl<Y: Staged> Sweeps<Y> {
+    pub(super) fn new(system: &Y) -> Self {
+        Sweeps { aim: system.aims(), watched: false, made: 0, of_each: Count::of(0) }
+    }
+
+    pub(super) fn gave_up(&self, residual: f64) -> NotConverged {
+        NotConverged { iterations: self.made.into(), residual }
+    }
+}
+
+impl<Y: Staged> Clone for Sweeps<Y> {
+    fn clone(&self) -> Self {
+        Sweeps { aim: self.aim.clone(), ..*self }
+    }
+}
+
+impl<Y: Staged> core::fmt::Debug for Sweeps<Y> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Sweeps").field("aim", &self.aim).field("watched", &self.watched).finish()
+    }
+}
+
+#[inline(always)]
+fn finite<Y: Staged>(pushes: &Y::Pushes) -> Which<Y> {
+    stages::are_finite::<Y::Scalar>(Y::eights(pushes))
+}
+
+/// A step from the pushes of the last, `ratio` times as long, or from a guess if that is 0; where its sweeps end, position and
+/// velocity are moved. Whether the force was seen to bend in it.
+#[inline(always)]
+pub(super) fn whole<Y: Staged>(
+    (system, tableau): With<'_, Y>,
+    stride: &Y::Stride,
+    (t, ratio): (Y::Scalar, Y::Scalar),
+    [q, v]: [&mut Y::Sum; 2],
+    pushes: &mut Y::Pushes,
+    sweeps: &mut Sweeps<Y>,
+) -> Result<Which<Y>, Astray> {
+    stages::go_on(Y::eights_mut(pushes), tableau, ratio);
+    system.aim(tableau, stride, t, q, v, pushes, &mut sweeps.aim);
+    until_rounding(system, tableau, stride, pushes, sweeps)?;
+    Y::settle_pushes(tableau, stride, pushes, [q, v]);
+    let looks = Y::PIECEWISE || sweeps.watched;
+    Ok(if looks { stages::bends::<Y::Scalar>(tableau, Y::eights(pushes)) } else { stages::nowhere::<Y::Scalar>() })
+}
+
+/// The same with copies of which nobody else knows, so that they stay in registers.
+#[inline(always)]
+pub(super) fn whole_in_registers<Y: Staged>(
+    with: With<'_, Y>,
+    stride: &Y::Stride,
+    at: (Y::Scalar, Y::Scalar),
+    [q, v]: [&mut Y::Sum; 2],
+    pushes: &mut Y::Pushes,
+    sweeps: &mut Sweeps<Y>,
+) -> Result<Which<Y>, Astray> {
+    let (mut place, mut speed, mut near) = (q.clone(), v.clone(), pushes.clone());
+    let mut here = Sweeps { watched: sweeps.watched, ..Sweeps::new(with.0) };
+    let bent = whole(with, stride, at, [&mut place, &mut speed], &mut near, &mut here);
+    (*q, *v, *pushes) = (place, speed, near);
+    (sweeps.made, sweeps.of_each) = (here.made, here.of_each);
+    bent
+}
+
+#[inline(always)]
+fn until_rounding<Y: Staged>(
+    system: &Y,
+    tableau: &Tableau,
+    stride: &Y::Stride,
+    pushes: &mut Y::Pushes,
+    Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
+) -> Result<(), Astray> {
+    let (mut ended, mut stalls) = (Ended::<Y>::none(), Y::Scalar::ZERO);
+    for _ in 0..SWEEPS {
+        *made += 1;
+        let goes_on = ended.or(system.sweep(tableau, stride, aim, pushes));
+        if goes_on.all() {
+            continue;
+        }
+        let finite = finite::<Y>(pushes);
+        if !goes_on.or(finite).all() {
+            return Err(Astray(f64::NAN));
+        }
+        let near = goes_on.or(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
+        if ended.add(near.and(goes_on.not()), pushes, *made) {
+            *of_each = ended.evaluations;
+            return Ok(());
+        }
+        stalls += Y::Scalar::either(near, Y::Scalar::ZERO, Y::Scalar::ONE);
+        if stalls.equal(Y::Scalar::from_f64(STALLS)).any() {
+            return Err(Astray(Y::nearing(aim).change()));
+        }
+    }
+    // Where nothing tells what counts, rounding itself may go to and fro.
+    let near = finite::<Y>(pushes).and(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
+    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Astray(Y::nearing(aim).change())) }
+}
+
+/// A step that is made now and then: one copy of it for all that make such.
+#[cold]
+#[inline(never)]
+pub(super) fn apart<Y: Staged>(
+    with: With<'_, Y>,
+    stride: &Y::Stride,
+    at: (Y::Scalar, Y::Scalar),
+    place: [&mut Y::Sum; 2],
+    pushes: &mut Y::Pushes,
+    sweeps: &mut Sweeps<Y>,
+) -> Result<Which<Y>, Astray> {
+    whole(with, stride, at, place, pushes, sweeps)
+}
+
+/// A step in two halves, of which each may be halved again. Returns the work done; the pushes become those of a force that stays
+/// as it is.
+#[cold]
+pub(super) fn in_parts<Y: Staged>(
+    with @ (system, tableau): With<'_, Y>,
+    stride: &Y::Stride,
+    t: Y::Scalar,
+    [q, v]: [&mut Y::Sum; 2],
+    pushes: &mut Y::Pushes,
+    sweeps: &mut Sweeps<Y>,
+    halvings: u32,
+) -> Result<Y::Scalar, Astray> {
+    let half = system.stage(stride, Y::Scalar::from_f64(0.5), 0.0);
+    let (mut slope, mut work) = (system.zero(), Y::Scalar::ZERO);
+    for t in [t, t + Y::dt(&half)] {
+        system.slope(t, Y::value(q), Y::value(v), &mut slope);
+        *pushes = system.pushes(&half, &slope);
+        let before = Y::value(v).clone();
+        if let Err(astray) = apart(with, &half, (t, Y::Scalar::ZERO), [&mut *q, &mut *v], pushes, sweeps) {
+            if halvings < HALVINGS {
+                work += in_parts(with, &half, t, [&mut *q, &mut *v], pushes, sweeps, halvings + 1)?;
+                continue;
+            }
+            // Where a force jumps between two sides there may be no solution: the last guess is as good as any.
+            if !(Y::PIECEWISE && finite::<Y>(pushes).all()) {
+                return Err(astray);
+            }
+            Y::settle_pushes(tableau, &half, pushes, [&mut *q, &mut *v]);
+        }
+        work += system.work_of_pushes(tableau, Y::dt(&half), &before, pushes);
+    }
+    system.slope(t + Y::dt(stride), Y::value(q), Y::value(v), &mut slope);
+    *pushes = system.pushes(stride, &slope);
+    Ok(work)
+}

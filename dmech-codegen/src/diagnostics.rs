@@ -1,5 +1,5 @@
-//! Every sentence that a user can be told, in three catalogues: about the [`law`] as a whole, about the [`body`] of its
-//! potential, about laws between two bodies ([`pair`]). Each points at the smallest piece of the user's own text and says what to write instead.
+//! Every sentence that a user can be told, in three catalogues: about the [`law`] as a whole, about the [`body`] of its potential, about
+//! laws between two bodies ([`pair`]). Each points at the smallest piece of the user's own text and says what to write instead.
 
 /// As the function, with a text to be filled in; above the modules, as they would not see it otherwise.
 macro_rules! at {

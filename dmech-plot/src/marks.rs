@@ -11,8 +11,9 @@ const MOST: usize = 60_000;
 
 /// A line through points.
 ///
-/// Points that are no finite numbers interrupt it, and what lies outside the axes is not drawn. Of very many points those are left out that leave no mark, so that a
-/// picture of a million states is no larger than a megabyte; where lines stand close, they are then as wide as what is left out.
+/// Points that are no finite numbers interrupt it, and what lies outside the axes is not drawn. Of very many points those are left out
+/// that leave no mark, so that a picture of a million states is no larger than a megabyte; where lines stand close, they are then as wide
+/// as what is left out.
 pub fn line(chart: &mut Chart<'_>, points: Vec<(f64, f64)>, colour: RGBColor, width: f64) -> Drawn {
     lines(chart, &[points], colour, width, MOST)
 }

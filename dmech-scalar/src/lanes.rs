@@ -26,10 +26,10 @@ const FUSED_WIDE: bool = cfg!(any(
 /// for `f64` itself. (It also leaves open which zero `min` and `max` return for 0 and −0; a test holds the lanes to the
 /// one that `f64` gives.)
 ///
-/// The operators, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `round`, `floor`, `trunc`, `min`, `max`, comparisons and `select` are one
-/// instruction or a few. The other functions have one source for `f64` and for lanes, without branches where that matters:
-/// eight values of sin, exp or ln take about the time of one; of sin and cos half of it where all are within π/4 of 0.
-/// Three cases take longer, for all eight if one of them is there:
+/// The operators, `sqrt`, `recip`, `mul_add`, `powi`, `abs`, `signum`, `round`, `floor`, `trunc`, `min`, `max`, comparisons and `select`
+/// are one instruction or a few. The other functions have one source for `f64` and for lanes, without branches where that matters: eight
+/// values of sin, exp or ln take about the time of one; of sin and cos half of it where all are within π/4 of 0. Three cases take longer,
+/// for all eight if one of them is there:
 ///
 /// - sin, cos and tan beyond |x| = 2·10⁵ and within 10⁻¹² of a multiple of π/2 (0 excepted) are computed one by one,
 /// - logarithms, powers, roots and arctan of quotients have a second form for subnormal, infinite, negative or zero

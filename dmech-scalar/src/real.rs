@@ -45,10 +45,10 @@ pub trait Count: Copy + Debug + Default + PartialEq + AddAssign {
 /// target does, and are within one unit in the last place (ulp) of the exact value for every argument. They are built on `mul_add`, so
 /// that last bits may differ between targets with a fused instruction and without ([`FUSED`](crate::FUSED)).
 ///
-/// The cardinal functions `sinc`, `sinhc`, `atanc`, `atanhc` are f(x)/x for f = sin, sinh, atan, atanh,
-/// continued to 1 at 0, and each has a *slope* g′(x)/x, which is even and regular too. Divided differences
-/// are written with them because they have no 0/0. An implementation keeps them within 4 ulp for every argument, of double-double numbers within 8 [`EPSILON`](Real::EPSILON); only `sinc_slope`, which
-/// changes sign wherever tan x = x, is beyond |x| = 4 held to that part of the larger of its two terms.
+/// The cardinal functions `sinc`, `sinhc`, `atanc`, `atanhc` are f(x)/x for f = sin, sinh, atan, atanh, continued to 1 at 0, and each has
+/// a *slope* g′(x)/x, which is even and regular too. Divided differences are written with them because they have no 0/0. An
+/// implementation keeps them within 4 ulp for every argument, of double-double numbers within 8 [`EPSILON`](Real::EPSILON); only
+/// `sinc_slope`, which changes sign wherever tan x = x, is beyond |x| = 4 held to that part of the larger of its two terms.
 pub trait Real:
     Copy
     + Debug

@@ -187,8 +187,8 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     ///
     /// It is said once, with everything in it, and after [`start`](Ensemble::start).
     ///
-    /// Functions see the states of their own member only, in the order of time; which members come first is not said. What they
-    /// have in common, a sum or a histogram, is behind a lock or atomic; what [`Run`](crate::Run) has comes in the order of members. On several
+    /// Functions see the states of their own member only, in the order of time; which members come first is not said. What they have in
+    /// common, a sum or a histogram, is behind a lock or atomic; what [`Run`](crate::Run) has comes in the order of members. On several
     /// [ranks](Ensemble::ranks) each sees those that it moves.
     pub fn with<O, F, const D: usize>(self, company: F) -> Ensemble<L, X, S, M, With<F>>
     where
@@ -258,8 +258,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Ensemble { law, start, mass, company, common, members, hands, beside }
     }
 
-    /// A mass for each coordinate of each member, by its number, in units of [`mass`](Ensemble::mass): [`Simulation::masses`]. It comes after
-    /// [`law`](Ensemble::law), and belongs to it: a law that is given later has none of them.
+    /// A mass for each coordinate of each member, by its number, in units of [`mass`](Ensemble::mass): [`Simulation::masses`]. It comes
+    /// after [`law`](Ensemble::law), and belongs to it: a law that is given later has none of them.
     ///
     /// A law of several bodies is a small scene whose members ride in lanes.
     pub fn masses<F, Y, const D: usize>(
@@ -342,8 +342,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Ensemble { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
     }
 
-    /// With so many members side by side at most. If nothing is said, 8; of laws of five coordinates at most 16 with AVX2 and 32 with AVX-512,
-    /// but under `Gauss` and `LineIntegral`. The results are the same.
+    /// With so many members side by side at most. If nothing is said, 8; of laws of five coordinates at most 16 with AVX2 and 32 with
+    /// AVX-512, but under `Gauss` and `LineIntegral`. The results are the same.
     pub fn lanes(self, lanes: usize) -> Self {
         Ensemble { hands: Hands { lanes: lanes.clamp(1, LANES), ..self.hands }, ..self }
     }

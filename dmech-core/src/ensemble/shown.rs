@@ -9,8 +9,8 @@ use crate::run::{Shown, bar};
 
 impl<L, X, S, M> Ensemble<L, X, S, M> {
     /// Shows a bar on the standard error: a title, the members that are done, their rate and the time left, as
-    /// [`Simulation::with_progress`](crate::Simulation::with_progress) does of steps (feature `progress`). Members that a store has are done
-    /// from the beginning, and do not count for the rate.
+    /// [`Simulation::with_progress`](crate::Simulation::with_progress) does of steps (feature `progress`). Members that a store has are
+    /// done from the beginning, and do not count for the rate.
     pub fn with_progress(self, title: impl Into<Cow<'static, str>>) -> Self {
         self.with_progress_bar(bar("members").with_message(title))
     }

@@ -19,8 +19,8 @@ use crate::vector::{by_component, by_entry};
 /// in each step, and feed energy in at a constant rate. Products of such vectors, the kinetic energy and the work, are
 /// weighted by μᵢ again, so that Σ μᵢ (∇̄Φᵢ/μᵢ) Δqᵢ = Φ(b) − Φ(a) stays exact; Φ itself is not scaled.
 ///
-/// A row that is divided has no closed form of its own: implicit steps use [`newton::dense`](crate::newton::dense) and its like, whatever the
-/// structure of the law. The angular momentum is not claimed, also where the law is central: with two masses it is not kept.
+/// A row that is divided has no closed form of its own: implicit steps use [`newton::dense`](crate::newton::dense) and its like, whatever
+/// the structure of the law. The angular momentum is not claimed, also where the law is central: with two masses it is not kept.
 #[derive(Clone, Copy, Debug)]
 pub struct Masses<L, const D: usize> {
     law: L,

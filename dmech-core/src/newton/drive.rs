@@ -8,8 +8,8 @@ use super::{Correction, Equation, Increment, NotConverged, continuation};
 
 /// Solves the equation by Newton corrections δ = `correct`(equation, Δ, b) with b = q + Δ, to round-off on Δ.
 ///
-/// `correct` must use the equation that it is given, and a of it for a force between two points: where the guess is not good enough, the step is lengthened
-/// gradually and the equation passed in is that of a shorter step. The gradient returned is G + J δ of the last
+/// `correct` must use the equation that it is given, and a of it for a force between two points: where the guess is not good enough, the
+/// step is lengthened gradually and the equation passed in is that of a shorter step. The gradient returned is G + J δ of the last
 /// correction, so the force is not evaluated again at the solution.
 ///
 /// # Errors

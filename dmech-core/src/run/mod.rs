@@ -151,7 +151,8 @@ impl<X> Run<X> {
         self.report.drift_of(name)
     }
 
-    /// How well the scheme must keep an invariant; [`Kept::No`] where [`drift`](Run::drift) is `None`, as that of the energy is under a drag.
+    /// How well the scheme must keep an invariant; [`Kept::No`] where [`drift`](Run::drift) is `None`, as that of the energy is under a
+    /// drag.
     pub fn kept(&self, invariant: Invariant) -> Kept {
         self.report.kept(invariant)
     }

@@ -202,9 +202,10 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// A close encounter wants a finer tolerance of an explicit scheme: at e = 0.9999 they need 10⁻⁸ or less for what the
     /// energy-exact ones give at any.
     ///
-    /// Other sets of its stages are within 0.07 to 1.5 at e = 0.9, but for `SuzukiUmeno8` (3) and `Yoshida8` (10). Steps are
-    /// never longer than a radian of the local motion, of `Gauss`, `LineIntegral` and `RungeKuttaNystrom` 1.25
-    /// radians, so that very large tolerances give smaller errors than that. On other laws the errors relate to one another as the tolerances do; how large they are depends on the motion.
+    /// Other sets of its stages are within 0.07 to 1.5 at e = 0.9, but for `SuzukiUmeno8` (3) and `Yoshida8` (10). Steps are never longer
+    /// than a radian of the local motion, of `Gauss`, `LineIntegral` and `RungeKuttaNystrom` 1.25 radians, so that very large tolerances
+    /// give smaller errors than that. On other laws the errors relate to one another as the tolerances do; how large they are depends on
+    /// the motion.
     ///
     /// It is for motions in `f64`: those in other scalars take equal steps.
     ///

@@ -9,8 +9,8 @@ use crate::error::Error;
 use crate::setup::Setup;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
-    /// Writes the recorded states as they come, as [`Csv`](crate::Csv) or [`Npy`](crate::Npy), and keeps none of them: however long the run,
-    /// [`Run::states`](crate::Run::states) stays empty and memory does not grow.
+    /// Writes the recorded states as they come, as [`Csv`](crate::Csv) or [`Npy`](crate::Npy), and keeps none of them: however long the
+    /// run, [`Run::states`](crate::Run::states) stays empty and memory does not grow.
     ///
     /// ```
     /// use dmech_core::prelude::*;

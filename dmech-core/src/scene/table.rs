@@ -38,8 +38,8 @@ impl<W> LongCsv<W> {
     /// Names of the bodies, in their order. Later bodies, if there are more, are named by their numbers.
     ///
     /// # Errors
-    /// When written, of the kind [`InvalidInput`](io::ErrorKind::InvalidInput): more names than bodies, or two bodies of one name, whose rows
-    /// nothing would tell apart.
+    /// When written, of the kind [`InvalidInput`](io::ErrorKind::InvalidInput): more names than bodies, or two bodies of one name, whose
+    /// rows nothing would tell apart.
     #[must_use]
     pub fn names<N: AsRef<str>>(mut self, names: impl IntoIterator<Item = N>) -> Self {
         self.names = names.into_iter().map(|name| quoted(name.as_ref())).collect();

@@ -19,8 +19,9 @@ use crate::system::{Ahead, ImplicitSteps, Step};
 /// |---|---|---|---|---|---|
 /// | 2 | bounded, O(h²) | bounded | conjugate | yes | 1 nonlinear solve |
 ///
-/// Position and velocity are compensated sums. The velocity is eliminated, Newton acts on the increment Δ = q′ − q, and v′ = v + h (a + a′)/2: v′ = 2Δ/h − v would
-/// amplify the round-off by 1/h. The work-energy balance holds with the mean force, W = Σ (F + F′)/2·Δq (2.7)–(2.9).
+/// Position and velocity are compensated sums. The velocity is eliminated, Newton acts on the increment Δ = q′ − q, and v′ = v + h (a +
+/// a′)/2: v′ = 2Δ/h − v would amplify the round-off by 1/h. The work-energy balance holds with the mean force, W = Σ (F + F′)/2·Δq
+/// (2.7)–(2.9).
 ///
 /// `Implicit` is a value and a type; `Implicit.with(...)` sets options.
 ///

@@ -14,9 +14,9 @@ use crate::invariant::{Invariant, Kept};
 /// |---|---|---|---|---|---|
 /// | 2 | bounded, O(h²) | exact | yes | yes | 1 force |
 ///
-/// The velocity of a state is the mean of the two half steps around it. It is computed only when a state is asked for;
-/// the half-step velocities themselves are in [`SplittingMemory`](crate::scheme::SplittingMemory). Work is F_k·(q_{k+1} − q_{k−1})/2, with the
-/// kinetic energy of the half steps, as Greenspan §3 suggests and Kanatani (3.3) carries out.
+/// The velocity of a state is the mean of the two half steps around it. It is computed only when a state is asked for; the half-step
+/// velocities themselves are in [`SplittingMemory`](crate::scheme::SplittingMemory). Work is F_k·(q_{k+1} − q_{k−1})/2, with the kinetic
+/// energy of the half steps, as Greenspan §3 suggests and Kanatani (3.3) carries out.
 ///
 /// # Requires
 /// Forces that do not depend on the velocity (Greenspan §3, last sentence).

@@ -251,9 +251,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         self.system.state(t, self.position(), &self.velocity(t))
     }
 
-    /// The state at a time in the next step, both ends included, by a shortened step of the same scheme: the stepper does not move, and what it
-    /// returns has the order of the scheme. Where that has no solution, as on a seam at which a force jumps, it is made in parts. For
-    /// pictures between the steps of a game, for output at given times.
+    /// The state at a time in the next step, both ends included, by a shortened step of the same scheme: the stepper does not move, and
+    /// what it returns has the order of the scheme. Where that has no solution, as on a seam at which a force jumps, it is made in parts.
+    /// For pictures between the steps of a game, for output at given times.
     ///
     /// # Errors
     /// [`Error::OutsideStep`]; otherwise as [`step`](Stepper::step).

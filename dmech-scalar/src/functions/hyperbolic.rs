@@ -3,8 +3,8 @@
 //! sinh and cosh are half of eᵃ ∓ e⁻ᵃ, a = |x| = k ln 2 + r as in [`exponential`](super::exponential), both powers
 //! from one pair of even polynomials, z = r²:
 //!
-//! - e^±r = 1 + z C(z) ± (r + r z S(z)), S with five coefficients and C with six, least-squares fits at Chebyshev points in 60 digits; relative
-//!   errors 2.7e−19 and 8.5e−22.
+//! - e^±r = 1 + z C(z) ± (r + r z S(z)), S with five coefficients and C with six, least-squares fits at Chebyshev points in 60 digits;
+//!   relative errors 2.7e−19 and 8.5e−22.
 //!
 //! With A = 2^(k−1) and B = 2^(−k−1) this gives sinh a = (A − B) + (A + B) r + …, the large terms summed with their errors. There is no
 //! division, and sinh keeps all digits for small x, where A = B.

@@ -8,9 +8,9 @@
 //! Where |x| < π/4 for all that are asked for, x is r: of the two polynomials sin and cos take one, and eight take a third of the time.
 //!
 //! # Polynomials
-//! With z = r², |r| ≤ π/4: sin r = r + r z S(z), cos r = 1 − z/2 + z² C(z), each with six coefficients, a least-squares fit at
-//! Chebyshev points in 60 digits, rounded from the lowest on while the rest is fitted again. Relative error 3.8e−18 and
-//! 7.4e−20. The sums at the end are ordered as in fdlibm's `k_sin.c` and `k_cos.c`: what rounding 1 − z/2 leaves is added to the smaller terms.
+//! With z = r², |r| ≤ π/4: sin r = r + r z S(z), cos r = 1 − z/2 + z² C(z), each with six coefficients, a least-squares fit at Chebyshev
+//! points in 60 digits, rounded from the lowest on while the rest is fitted again. Relative error 3.8e−18 and 7.4e−20. The sums at the
+//! end are ordered as in fdlibm's `k_sin.c` and `k_cos.c`: what rounding 1 − z/2 leaves is added to the smaller terms.
 
 use super::number::{Bits, Number, SIGN, b, c, fast_two_sum, nearest_integer, odd, quotient, sign, turned};
 use super::quarter_turns::quarter_turns;

@@ -9,8 +9,8 @@ use fs_err::File;
 use super::report::StudyReport;
 
 impl StudyReport {
-    /// Writes a row of names, then a row for each run: scheme, order, tolerance (empty where steps are equal), dt, steps, evaluations, iterations,
-    /// seconds, error, the largest drift of each invariant (empty where there is none), and the cause where the run failed.
+    /// Writes a row of names, then a row for each run: scheme, order, tolerance (empty where steps are equal), dt, steps, evaluations,
+    /// iterations, seconds, error, the largest drift of each invariant (empty where there is none), and the cause where the run failed.
     ///
     /// # Errors
     /// Those of the writer.

@@ -179,9 +179,9 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
 
     /// The time steps, in any order; one that is longer than the span is the span.
     ///
-    /// Without a ladder each scheme has its own. From the shortest of the times |q|/|v|, √(|q|/|a|) and 1/ω of the start, with
-    /// the ω that [adaptive](Simulation::adaptive) steps follow, the step is doubled while the error is below |q|/100, and halved until the error does not fall any
-    /// more, or 2²¹ forces were evaluated.
+    /// Without a ladder each scheme has its own. From the shortest of the times |q|/|v|, √(|q|/|a|) and 1/ω of the start, with the ω that
+    /// [adaptive](Simulation::adaptive) steps follow, the step is doubled while the error is below |q|/100, and halved until the error
+    /// does not fall any more, or 2²¹ forces were evaluated.
     pub fn ladder(mut self, steps: impl IntoIterator<Item = f64>) -> Self {
         self.ladder = Some(steps.into_iter().collect());
         self

@@ -6,9 +6,9 @@
 //! | parabola, e = 1 | D = tan ν/2 | M = D + D³/3 (Barker's equation) |
 //! | hyperbola, e > 1 | tanh F/2 = √((e − 1)/(e + 1)) tan ν/2 | M = e sinh F − F |
 //!
-//! The mean anomaly grows with time, at the rate of [`Elements::mean_motion`](super::Elements::mean_motion). What is
-//! found from ν or from M is between −π and π on an ellipse: whole revolutions are dropped. Every function is accurate to a few ulp also near
-//! e = 1, where these formulas are not: all go through one equation that has no seam there.
+//! The mean anomaly grows with time, at the rate of [`Elements::mean_motion`](super::Elements::mean_motion). What is found from ν or from
+//! M is between −π and π on an ellipse: whole revolutions are dropped. Every function is accurate to a few ulp also near e = 1, where
+//! these formulas are not: all go through one equation that has no seam there.
 //!
 //! ```
 //! use dmech::models::kepler::anomaly;

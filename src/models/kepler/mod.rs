@@ -114,7 +114,8 @@ impl Kepler {
         Elements::of_plane(self.gm, state)
     }
 
-    /// The position on the ellipse of [`pericentre`](Kepler::pericentre) at time t, by Newton's method on Kepler's equation M = E − e sin E, unit mass.
+    /// The position on the ellipse of [`pericentre`](Kepler::pericentre) at time t, by Newton's method on Kepler's equation M = E − e sin
+    /// E, unit mass.
     ///
     /// ```
     /// let law = dmech::models::Kepler { gm: 1.3 };

@@ -10,8 +10,9 @@
 /// The law is linear only on a line or with ℓ = 0: a spring that turns has a direction of its own.
 ///
 /// # Domain
-/// r > 0; a spring of length ℓ > 0 has no direction at r = 0. With ℓ = 0 it has a force there, 0, but as k (r − ℓ)/r is computed it is 0/0: two
-/// bodies in one place are refused whatever ℓ is. Springs of no length whose bodies may meet are a law of their own, and a linear one:
+/// r > 0; a spring of length ℓ > 0 has no direction at r = 0. With ℓ = 0 it has a force there, 0, but as k (r − ℓ)/r is computed it is
+/// 0/0: two bodies in one place are refused whatever ℓ is. Springs of no length whose bodies may meet are a law of their own, and a
+/// linear one:
 ///
 /// ```
 /// use dmech::prelude::*;

@@ -79,8 +79,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
 }
 
 impl<F, K> Each<F, K> {
-    /// Moved by all ranks: [`Ensemble::ranks`], of simulations of any kind whose states can be written with serde (feature `ranks`). Each rank makes the
-    /// members that it moves, and the first those that come home.
+    /// Moved by all ranks: [`Ensemble::ranks`], of simulations of any kind whose states can be written with serde (feature `ranks`). Each
+    /// rank makes the members that it moves, and the first those that come home.
     pub fn ranks<R: Ranks + ?Sized>(self, ranks: &R) -> Ranked<'_, Self, R> {
         Ranked { ensemble: self, ranks }
     }

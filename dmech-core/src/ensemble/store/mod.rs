@@ -40,12 +40,12 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// | `event` | what happened | `k`, `n`, `which`, `rising`, the state there |
     /// | `state` | recorded states | `k`, `n`, `t`, `q0` …, `v0` … |
     ///
-    /// The fields of a [small scene](Ensemble::scene) are `law_mass_0` … and `law_inertia_0` …, infinite where a body is pinned; those of its
-    /// laws; what these read of the bodies, `law_bodies_0` …; `law_bonds_0` …, for each body those that it is bound to as bits; `law_cutoff`;
-    /// `law_box_0` ….
+    /// The fields of a [small scene](Ensemble::scene) are `law_mass_0` … and `law_inertia_0` …, infinite where a body is pinned; those of
+    /// its laws; what these read of the bodies, `law_bodies_0` …; `law_bonds_0` …, for each body those that it is bound to as bits;
+    /// `law_cutoff`; `law_box_0` ….
     ///
-    /// NaN and −0, which SQLite does not keep in a number, stand beside in `bits`; `seal` is a checksum of the row, and in `last` of all that
-    /// belongs to the member.
+    /// NaN and −0, which SQLite does not keep in a number, stand beside in `bits`; `seal` is a checksum of the row, and in `last` of all
+    /// that belongs to the member.
     ///
     /// ```no_run
     /// use dmech_core::prelude::*;
@@ -77,16 +77,16 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// what they do: a program that watches something else begins another store. It accompanies members that are moved; those that are
     /// in the store are not seen again.
     ///
-    /// **Members that failed** are in the store with the reason, and are moved again: the [error](crate::Error) with all its numbers is not in
-    /// the database, and comes out the same.
+    /// **Members that failed** are in the store with the reason, and are moved again: the [error](crate::Error) with all its numbers is
+    /// not in the database, and comes out the same.
     ///
-    /// **What is lost** when the process is killed are the members that were on their way, a block of 512 at most on each thread; when the machine
-    /// loses power perhaps a few blocks more, of which nothing is left. Blocks are transactions (WAL), so that others may read while the
-    /// sweep goes on.
+    /// **What is lost** when the process is killed are the members that were on their way, a block of 512 at most on each thread; when
+    /// the machine loses power perhaps a few blocks more, of which nothing is left. Blocks are transactions (WAL), so that others may
+    /// read while the sweep goes on.
     ///
     /// # Errors
-    /// When run: [`StoreError`](crate::StoreError), in [`Error::Store`](crate::Error::Store): a store of another sweep, with what differs; a
-    /// damaged one; a full disk, where what was written stays and is gone on from.
+    /// When run: [`StoreError`](crate::StoreError), in [`Error::Store`](crate::Error::Store): a store of another sweep, with what
+    /// differs; a damaged one; a full disk, where what was written stays and is gone on from.
     pub fn store(self, path: impl AsRef<Path>) -> Self {
         let path = Some(path.as_ref().to_owned());
         Ensemble { beside: Beside { path, ..self.beside }, ..self }
@@ -112,8 +112,8 @@ impl<F> Each<F, Nowhere> {
     /// Where bodies have rows of their own, the other tables tell the time and how many there are.
     ///
     /// Numbers of another scalar than `f64`, which `sweep` names by the key `scalar`, are kept to the last bit
-    /// ([`Exact`](crate::extend::Exact)): an `f32` in one column, a [`DoubleDouble`](crate::DoubleDouble) in two, `q0` and `q0_low`. Drifts,
-    /// fields of laws and times are `f64` in a run of any scalar. CSV has all digits, a table of NumPy those of `f64`.
+    /// ([`Exact`](crate::extend::Exact)): an `f32` in one column, a [`DoubleDouble`](crate::DoubleDouble) in two, `q0` and `q0_low`.
+    /// Drifts, fields of laws and times are `f64` in a run of any scalar. CSV has all digits, a table of NumPy those of `f64`.
     ///
     /// ```no_run
     /// # #[cfg(feature = "scene")] {

@@ -64,10 +64,10 @@ pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Probe<D>, clos
 /// |written − derived| ≤ 64 (ε + noise)
 /// ```
 ///
-/// ε is the error bound of the derived formula by running error analysis ([`Tracked`](super::Tracked)), with every number that goes in off by
-/// a rounding: that knows what cancels in it, and how steep it is. Normal forms may have lost a cancellation that the method
-/// still has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only
-/// where the first bound does not do.
+/// ε is the error bound of the derived formula by running error analysis ([`Tracked`](super::Tracked)), with every number that goes in
+/// off by a rounding: that knows what cancels in it, and how steep it is. Normal forms may have lost a cancellation that the method still
+/// has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only where the first
+/// bound does not do.
 pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agreement {
     let (own, derived) = (own(law, place), All::new(law.derived(place), law.derived_invariants(place)));
     let names = law.names();

@@ -96,7 +96,8 @@ impl<const D: usize> DenseMatrix<D> {
         self.positive
     }
 
-    /// As [`Matrix::continues`](super::Matrix::continues): the determinant is that of the factors, and a symmetric matrix is eliminated once more.
+    /// As [`Matrix::continues`](super::Matrix::continues): the determinant is that of the factors, and a symmetric matrix is eliminated
+    /// once more.
     pub(super) fn continues(&self, g: &Vectors<D>) -> bool {
         if self.positive || self.negative || self.leads(g) || !self.is_symmetric() {
             return !self.negative;

@@ -80,9 +80,10 @@ impl<const D: usize> Solver<D> {
     ///
     /// with L the Jacobian of the link to the next body and L₋ that of the one before.
     ///
-    /// max |g G| + max |g J| max |b| comes back: as positions are rounded, G is not known better than to a rounding error of
-    /// this. In a long smooth chain forces nearly cancel, and the second term is much the larger. |g G| is [as it counts](counted), and |g J| for no more than [`STIFFEST`], as Δ is off by g J/(1 + g J) of what b is. Nothing comes back where a
-    /// linear force has a matrix that is not positive definite.
+    /// max |g G| + max |g J| max |b| comes back: as positions are rounded, G is not known better than to a rounding error of this. In a
+    /// long smooth chain forces nearly cancel, and the second term is much the larger. |g G| is [as it counts](counted), and |g J| for no
+    /// more than [`STIFFEST`], as Δ is off by g J/(1 + g J) of what b is. Nothing comes back where a linear force has a matrix that is
+    /// not positive definite.
     fn along<U: Unknown<D>>(
         &mut self,
         chain: &mut Elimination<D>,

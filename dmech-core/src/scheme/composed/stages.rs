@@ -111,7 +111,7 @@ impl Stage for Implicit {
 
 /// What a step works in.
 #[derive(Clone, Debug)]
-pub struct Stages<S, T, V, const N: usize> {
+pub struct StagesRoom<S, T, V, const N: usize> {
     solver: S,
     /// γ_k h and what follows from it.
     strides: [T; N],
@@ -125,11 +125,11 @@ impl<S: Stage, C: Coefficients<N>, const N: usize> Composed<S, C, N> {
 
 impl<Y: ImplicitSteps, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> for Composed<S, C, N> {
     type Memory = StagesMemory<Y, N>;
-    type Workspace = Stages<Y::Solver, Y::Stride, Y::Vector, N>;
+    type Workspace = StagesRoom<Y::Solver, Y::Stride, Y::Vector, N>;
 
     fn workspace(&self, system: &Y, stride: &Y::Stride) -> Self::Workspace {
         let strides = strides::<Y, C, N>(system, stride, S::SHARE);
-        Stages { solver: system.solver(), strides, expected: system.zero() }
+        StagesRoom { solver: system.solver(), strides, expected: system.zero() }
     }
 
     fn pace(&self, system: &Y, stride: &Y::Stride, workspace: &mut Self::Workspace) {
@@ -154,7 +154,7 @@ impl<Y: ImplicitSteps, S: Stage, C: Coefficients<N>, const N: usize> Scheme<Y> f
         stride: &Y::Stride,
         t: Y::Scalar,
         memory: &mut Self::Memory,
-        Stages { solver, strides, expected }: &mut Self::Workspace,
+        StagesRoom { solver, strides, expected }: &mut Self::Workspace,
     ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let StagesMemory { q, v, slopes, work } = memory;
         let mut effort = Effort::default();

@@ -41,6 +41,8 @@ impl<'m> Interpreter<'m> {
     fn statement(&mut self, statement: &'m Stmt) -> Value {
         match statement {
             Stmt::Local(local) => self.local(local),
+            // A semicolon by itself.
+            Stmt::Expr(Expr::Verbatim(nothing), _) if nothing.is_empty() => Value::UNIT,
             Stmt::Expr(e, semicolon) => {
                 if let Some(cfg) = conditional(attributes(e)) {
                     return self.refuse(body::conditional_code(cfg));

@@ -46,10 +46,10 @@ pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {
 /// A function that is no helper; the arity is that of a method of numbers, by its name.
 pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool, arity: fn(&str) -> Option<usize>) -> Error {
     let name = text(path);
-    if is_helper {
-        return at!(path, "`{name}` is a helper of this block; call it as `self.{name}(…)` or `Self::{name}(…)`");
-    }
     let last = name.rsplit("::").next().unwrap_or(&name);
+    if is_helper {
+        return at!(path, "`{last}` is a helper of this block; call it as `self.{last}(…)` or `Self::{last}(…)`");
+    }
     let instead = match method(last, arity) {
         Some(method) => format!("functions of numbers are methods: {method}"),
         None if last.starts_with(char::is_uppercase) => {

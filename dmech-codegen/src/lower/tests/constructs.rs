@@ -18,8 +18,8 @@ laws! {
     shadowing_and_blocks [] ([f64; 2]; signed) {
         fn energy(&self, q: [f64; 2]) -> f64 {
             let x = q[0];
-            let y = { let x = x * x; let z = x + q[1]; z * z };
-            let x: f64 = x + y;
+            let y = { ; let x = x * x;; let z = x + q[1]; z * z };
+            let x: f64 = x + y;;
             { x * x + y }
         }
     }

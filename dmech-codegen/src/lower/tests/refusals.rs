@@ -611,8 +611,9 @@ fn helpers() {
     );
     refused("q[0].«k».foo()", &["a number has no part `k`"]);
     refused_block(
-        "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { «f»(q) + self.«f»(q) + Self::«g»(q) + self.«g»(q, q) } fn f(x: f64) -> f64 { x } fn g(&self, x: f64) -> f64 { x } }",
+        "impl Law { #[potential] fn energy(&self, q: f64) -> f64 { «f»(q) + «<Self>::f»(q) + self.«f»(q) + Self::«g»(q) + self.«g»(q, q) } fn f(x: f64) -> f64 { x } fn g(&self, x: f64) -> f64 { x } }",
         &[
+            "`f` is a helper of this block; call it as `self.f(…)` or `Self::f(…)`",
             "`f` is a helper of this block; call it as `self.f(…)` or `Self::f(…)`",
             "`f` takes no `&self`; call it as `Self::f(…)`",
             "`g` takes `&self`; call it as `self.g(…)`",

@@ -205,8 +205,9 @@ impl<const D: usize, A: Acts<D>> ImplicitSteps for SceneSystem<D, A> {
         _: &mut Effort,
         [q, v]: [&mut CompensatedVectors<D>; 2],
     ) {
-        let (kick, found, rest) = (stride.kick.flat(), solver.newton.gradient.flat(), solver.newton.rest.flat());
-        let change = |i: usize| [-kick[i] * found[i], -kick[i] * rest[i]];
+        let (kick, excess) = (stride.kick.flat(), stride.excess.flat());
+        let (found, rest) = (solver.newton.gradient.flat(), solver.newton.rest.flat());
+        let change = |i: usize| [-kick[i] * found[i], excess[i] * found[i] - kick[i] * rest[i]];
         CompensatedVectors::kick_in_parts_and_drift(q, v, stride.dt, share, change);
     }
 

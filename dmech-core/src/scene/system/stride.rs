@@ -1,5 +1,7 @@
 //! The length of a step of many bodies.
 
+use dmech_scalar::Real;
+
 use crate::scene::vectors::Vectors;
 
 /// The length of a step, and what follows from it for each coordinate.
@@ -11,20 +13,24 @@ pub struct SceneStride<const D: usize> {
     pub kick: Vectors<D>,
     /// The coefficient of the unknown force, a share of h²/m; of no bodies where there is none.
     pub g: Vectors<D>,
+    /// The part of `kick` by which h times that exceeds h²/m as g has it, in exact arithmetic; of no bodies where there is no g.
+    pub(super) excess: Vectors<D>,
 }
 
 impl<const D: usize> SceneStride<D> {
     pub(super) fn new(dt: f64, kick: Vectors<D>, share: f64) -> Self {
         let g = Vectors::zeros(if share == 0.0 { 0 } else { kick.bodies() });
-        let mut stride = SceneStride { dt, kick, g };
+        let mut stride = SceneStride { dt, kick, excess: g.clone(), g };
         stride.couple(share);
         stride
     }
 
-    /// g = share h²/m, where there is one.
+    /// g = share h²/m, where there is one; the share is a power of two.
     pub(super) fn couple(&mut self, share: f64) {
-        for (g, kick) in self.g.flat_mut().iter_mut().zip(self.kick.flat()) {
-            *g = kick * (share * self.dt);
+        let coupled = self.g.flat_mut().iter_mut().zip(self.excess.flat_mut());
+        for ((g, excess), kick) in coupled.zip(self.kick.flat()) {
+            let (fall, rest) = self.dt.product(*kick);
+            (*g, *excess) = (share * fall, rest / self.dt);
         }
     }
 }

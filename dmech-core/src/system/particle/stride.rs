@@ -35,10 +35,14 @@ impl<R: Real> Stride<R> {
         Stride::new(gamma * self.dt, self.mass)
     }
 
-    /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it.
+    /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it. It is rounded
+    /// once, on targets without fused instructions too: h v and h times the low part, each rounded, are off to one side for many h.
     #[inline(always)]
     pub(super) fn drift<const D: usize>(&self, v: &CompensatedVector<D, R>) -> [R; D] {
-        by_component!(|i| self.dt.mul_add(v.hi[i], self.dt * v.lo[i]))
+        by_component!(|i| {
+            let (moved, rest) = path(self.dt, (v.hi[i], v.lo[i]));
+            moved + rest
+        })
     }
 
     /// As [`Stride::drift`], and what its rounding leaves out: for forces that do no work.
@@ -54,7 +58,7 @@ impl<R: Real> Stride<R> {
 
     /// v −= `kick` G, and what the position moves in the meantime: h (v + share·change), with v as it was. G comes in two
     /// parts ([`Increment::parts`](crate::newton::Increment::parts)); the second, which may be too small to change the first,
-    /// goes to the low part of v.
+    /// goes to the low part of v, as does what keeps h times the kick at `fall`, which the position was solved with.
     ///
     /// For the mean velocity (v + v′)/2 the share is ½, for v′ it is 1. Both updates use one rounded change c, and the sum is
     /// formed before it is multiplied: the work G·Δq and the kinetic energy that c brings then differ by relative rounding
@@ -70,7 +74,7 @@ impl<R: Real> Stride<R> {
     ) -> [R; D] {
         let mut moved = [R::ZERO; D];
         for i in 0..D {
-            let (change, late) = (-self.kick * slope[i], -self.kick * turned[i]);
+            let (change, late) = (-self.kick * slope[i], self.excess.mul_add(slope[i], -self.kick * turned[i]));
             moved[i] = self.dt * (v.hi[i] + share.mul_add(change, share.mul_add(late, v.lo[i])));
             let (change, rest) = two_sum(change, late + v.lo[i]);
             let (high, low) = two_sum(v.hi[i], change);

@@ -364,7 +364,9 @@ fn not_converged(iterations: u32, residual: f64) -> String {
             .into();
     }
     if residual == 0.0 {
-        return format!("did not converge: no root was found in {iterations} iterations, as at rest where the force jumps");
+        return format!(
+            "did not converge: no root was found in {iterations} iterations, as at rest where the force jumps"
+        );
     }
     format!("did not converge: after {iterations} iterations the last correction was {}", Number(residual))
 }

@@ -90,17 +90,18 @@ fn laws_come_and_go() {
     let coulomb = Coulomb { k: 0.8 };
     let mut stepper = Simulation::scene(ions().pairs(None::<Coulomb>).chain(Some(SPRING)))
         .scheme(DiscreteGradient)
-        .dt(0.01)
+        .dt(0.02)
         .stepper()
         .unwrap();
-    stepper.advance(100).unwrap();
+    stepper.advance(50).unwrap();
     *stepper.law_mut::<Option<Coulomb>>().unwrap() = Some(coulomb);
     *stepper.law_mut::<Option<Spring>>().unwrap() = None;
     let now = stepper.state();
     let energy = stepper.energy().unwrap();
-    stepper.advance(140).unwrap();
-    let alone = Simulation::scene(ions().pairs(coulomb).starting_from(&now)).scheme(DiscreteGradient).dt(0.01);
-    let run = alone.run(140).unwrap();
+    // Up to where two of them meet.
+    stepper.advance(25).unwrap();
+    let alone = Simulation::scene(ions().pairs(coulomb).starting_from(&now)).scheme(DiscreteGradient).dt(0.02);
+    let run = alone.run(25).unwrap();
     let apart = |x: &[[f64; 2]], y: &[[f64; 2]]| {
         x.iter().flatten().zip(y.iter().flatten()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
     };

@@ -74,8 +74,8 @@ fn corrections_are_those_of_a_vanishing_mass() {
         ($($scheme:expr),*) => {$({
             // Of all pairs the body that acts comes first; on bonds the one that is named first.
             let took = |scene: Scene<2>| {
-                let pairs = Simulation::scene(scene.clone().pairs(G)).scheme($scheme).dt(0.04).run(100).unwrap();
-                let bonds = Simulation::scene(scene.bonds(G, [(0, 1)])).scheme($scheme).dt(0.04).run(100).unwrap();
+                let pairs = Simulation::scene(scene.clone().pairs(G)).scheme($scheme).dt(0.02).run(100).unwrap();
+                let bonds = Simulation::scene(scene.bonds(G, [(0, 1)])).scheme($scheme).dt(0.02).run(100).unwrap();
                 assert!(pairs.report().iterations().abs_diff(bonds.report().iterations()) <= 2);
                 bonds.report().iterations()
             };

@@ -17,6 +17,7 @@ mod missing;
 mod nystrom;
 mod relaxed;
 mod runge_kutta_nystrom;
+mod set;
 mod splitting;
 
 pub(crate) use adaptive::Pacing;

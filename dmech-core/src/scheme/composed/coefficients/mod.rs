@@ -10,6 +10,7 @@ pub use order4::{McLachlan4, Suzuki4, Suzuki4S7, TripleJump4};
 pub use order6::{KahanLi6, McLachlan6, SofroniouSpaletta6, SofroniouSpaletta6S11, Yoshida6};
 pub use order8::{KahanLi8, McLachlan8, Morales8, SofroniouSpaletta8, SuzukiUmeno8, Yoshida8};
 
+use crate::scheme::set::set;
 use crate::scheme::splitting::palindrome;
 
 pub use crate::scheme::First;

@@ -1,19 +1,15 @@
 //! Sets of order 8.
 
-use super::{Coefficients, palindrome};
+use super::{Coefficients, palindrome, set};
 
-/// Order 8 in 15 stages. Yoshida's solution D. The published digits, 15 of them, are right to 12; these solve the conditions to 25.
-///
-/// # Reference
-/// H. Yoshida, Phys. Lett. A 150 (1990) 262–268, table 2.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Yoshida8;
-
-#[expect(clippy::excessive_precision)]
-impl Coefficients<15> for Yoshida8 {
-    const NAME: &'static str = "Yoshida8";
-    const ORDER: u32 = 8;
-    const GAMMA: [f64; 15] = palindrome([
+set! {
+    /// Order 8 in 15 stages. Yoshida's solution D. The published digits, 15 of them, are right to 12; these solve the
+    /// conditions to 25.
+    ///
+    /// # Reference
+    /// H. Yoshida, Phys. Lett. A 150 (1990) 262–268, table 2.
+    pub struct Yoshida8: Coefficients<15>, order 8;
+    GAMMA = palindrome([
         0.9148442462297915667487935,
         0.253693336566211354146146,
         -1.444852236860605157694731,
@@ -25,19 +21,14 @@ impl Coefficients<15> for Yoshida8 {
     ]);
 }
 
-/// Order 8 in 15 stages. The fifteen stages of Suzuki and Umeno, found again by McLachlan.
-///
-/// # Reference
-/// M. Suzuki and K. Umeno, Springer Proc. Phys. 76 (1993) 74–86; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168;
-/// Hairer, Lubich and Wanner (2006), V.3, (3.13).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SuzukiUmeno8;
-
-#[expect(clippy::excessive_precision)]
-impl Coefficients<15> for SuzukiUmeno8 {
-    const NAME: &'static str = "SuzukiUmeno8";
-    const ORDER: u32 = 8;
-    const GAMMA: [f64; 15] = palindrome([
+set! {
+    /// Order 8 in 15 stages. The fifteen stages of Suzuki and Umeno, found again by McLachlan.
+    ///
+    /// # Reference
+    /// M. Suzuki and K. Umeno, Springer Proc. Phys. 76 (1993) 74–86; R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168;
+    /// Hairer, Lubich and Wanner (2006), V.3, (3.13).
+    pub struct SuzukiUmeno8: Coefficients<15>, order 8;
+    GAMMA = palindrome([
         0.74167036435061295344822780,
         -0.40910082580003159399730010,
         0.19075471029623837995387626,
@@ -49,18 +40,13 @@ impl Coefficients<15> for SuzukiUmeno8 {
     ]);
 }
 
-/// Order 8 in 17 stages. McLachlan's seventeen stages.
-///
-/// # Reference
-/// R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct McLachlan8;
-
-#[expect(clippy::excessive_precision)]
-impl Coefficients<17> for McLachlan8 {
-    const NAME: &'static str = "McLachlan8";
-    const ORDER: u32 = 8;
-    const GAMMA: [f64; 17] = palindrome([
+set! {
+    /// Order 8 in 17 stages. McLachlan's seventeen stages.
+    ///
+    /// # Reference
+    /// R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151–168.
+    pub struct McLachlan8: Coefficients<17>, order 8;
+    GAMMA = palindrome([
         0.12886597938144329897,
         0.5815140871052509624,
         -0.41017537146985013753,
@@ -73,18 +59,13 @@ impl Coefficients<17> for McLachlan8 {
     ]);
 }
 
-/// Order 8 in 17 stages. Kahan and Li's s17odr8a.
-///
-/// # Reference
-/// W. Kahan and R.-C. Li, Math. Comp. 66 (1997) 1089–1099; Hairer, Lubich and Wanner (2006), V.3, (3.14).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct KahanLi8;
-
-#[expect(clippy::excessive_precision)]
-impl Coefficients<17> for KahanLi8 {
-    const NAME: &'static str = "KahanLi8";
-    const ORDER: u32 = 8;
-    const GAMMA: [f64; 17] = palindrome([
+set! {
+    /// Order 8 in 17 stages. Kahan and Li's s17odr8a.
+    ///
+    /// # Reference
+    /// W. Kahan and R.-C. Li, Math. Comp. 66 (1997) 1089–1099; Hairer, Lubich and Wanner (2006), V.3, (3.14).
+    pub struct KahanLi8: Coefficients<17>, order 8;
+    GAMMA = palindrome([
         0.13020248308889008087881763,
         0.56116298177510838456196441,
         -0.38947496264484728640807860,
@@ -97,19 +78,14 @@ impl Coefficients<17> for KahanLi8 {
     ]);
 }
 
-/// Order 8 in 17 stages. Seventeen stages, near those of Kahan and Li.
-///
-/// # Reference
-/// M. E. S. Morales, P. C. S. Costa, G. Pantaleoni, D. K. Burgarth, Y. R. Sanders and D. W. Berry, Greatly improved
-/// higher-order product formulae for quantum simulation (2022), arXiv:2210.15817.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Morales8;
-
-#[expect(clippy::excessive_precision)]
-impl Coefficients<17> for Morales8 {
-    const NAME: &'static str = "Morales8";
-    const ORDER: u32 = 8;
-    const GAMMA: [f64; 17] = palindrome([
+set! {
+    /// Order 8 in 17 stages. Seventeen stages, near those of Kahan and Li.
+    ///
+    /// # Reference
+    /// M. E. S. Morales, P. C. S. Costa, G. Pantaleoni, D. K. Burgarth, Y. R. Sanders and D. W. Berry, Greatly improved
+    /// higher-order product formulae for quantum simulation (2022), arXiv:2210.15817.
+    pub struct Morales8: Coefficients<17>, order 8;
+    GAMMA = palindrome([
         0.12783360986284110837857554950443,
         0.56148845266356446893590729572808,
         -0.38400573301491401473462588779099,
@@ -122,18 +98,13 @@ impl Coefficients<17> for Morales8 {
     ]);
 }
 
-/// Order 8 in 21 stages. Sofroniou and Spaletta's twenty-one stages: no stage is longer than 0.39 of the step.
-///
-/// # Reference
-/// M. Sofroniou and G. Spaletta, Optim. Methods Softw. 20 (2005) 597–613.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SofroniouSpaletta8;
-
-#[expect(clippy::excessive_precision)]
-impl Coefficients<21> for SofroniouSpaletta8 {
-    const NAME: &'static str = "SofroniouSpaletta8";
-    const ORDER: u32 = 8;
-    const GAMMA: [f64; 21] = palindrome([
+set! {
+    /// Order 8 in 21 stages. Sofroniou and Spaletta's twenty-one stages: no stage is longer than 0.39 of the step.
+    ///
+    /// # Reference
+    /// M. Sofroniou and G. Spaletta, Optim. Methods Softw. 20 (2005) 597–613.
+    pub struct SofroniouSpaletta8: Coefficients<21>, order 8;
+    GAMMA = palindrome([
         0.10647728984550031823931967854896,
         0.10837408645835726397433410591546,
         0.35337821052654342419534541324080,
@@ -146,7 +117,7 @@ impl Coefficients<21> for SofroniouSpaletta8 {
         0.11699135019217642180722881433533,
         -0.3826359601264366535094467,
     ]);
-    const LOW: [f64; 21] = palindrome([
+    LOW = palindrome([
         6.845541886003226e-18,
         6.8923248216449885e-19,
         -2.1695378247100082e-17,

@@ -72,6 +72,12 @@ pub fn weighted<const D: usize, R: Real>(weights: [R; D], x: [R; D], y: [R; D]) 
     dot(by_component!(|i| weights[i] * x[i]), y)
 }
 
+/// max |xᵢ| (of several lanes the first); NaN if one is.
+pub(crate) fn largest<R: Real>(x: &[R]) -> f64 {
+    // In this order nothing is asked of a single number: else steps of one coordinate take 5 % more instructions.
+    x.iter().map(|x| x.to_f64().abs()).fold(0.0, |max, x| if max.is_nan() || max > x { max } else { x })
+}
+
 /// Every component is finite in every lane.
 #[inline(always)]
 pub fn finite<const D: usize, R: Real>(x: [R; D]) -> bool {

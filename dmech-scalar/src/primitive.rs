@@ -27,6 +27,10 @@ impl Mask for bool {
     type Count = u32;
 
     #[inline(always)]
+    fn of(holds: bool) -> bool {
+        holds
+    }
+    #[inline(always)]
     fn all(self) -> bool {
         self
     }

@@ -13,6 +13,8 @@ pub trait Mask: Copy + Debug {
     /// How many numbers were compared.
     const LANES: usize = 1;
 
+    /// The same in every lane.
+    fn of(holds: bool) -> Self;
     /// True if the comparison holds in every lane.
     fn all(self) -> bool;
     /// True if the comparison holds in some lane.

@@ -117,6 +117,10 @@ impl<const N: usize> Mask for RowsMask<N> {
     const LANES: usize = Rows::<N>::COUNT;
 
     #[inline(always)]
+    fn of(holds: bool) -> Self {
+        Self([Mask::of(holds); N])
+    }
+    #[inline(always)]
     fn all(self) -> bool {
         self.0.into_iter().all(Mask::all)
     }

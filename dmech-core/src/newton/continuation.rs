@@ -1,11 +1,11 @@
 //! Where the guess is not good enough: lengthen the step gradually.
 
-use crate::vector::by_component;
+use crate::vector::{by_component, largest};
 use dmech_scalar::{Count, Real};
 
 use super::damped;
 use super::path::{Path, SWIFT};
-use super::settle::{Astray, largest, settle};
+use super::settle::{Astray, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.

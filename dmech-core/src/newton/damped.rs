@@ -1,9 +1,9 @@
 //! Where the force bends so sharply that no whole correction leads to the root: corrections shortened until they pay.
 
-use crate::vector::by_component;
+use crate::vector::{by_component, largest};
 use dmech_scalar::{Count, Real};
 
-use super::settle::{largest, length, settle};
+use super::settle::{length, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
 /// The shortest part of a correction that is tried.

@@ -16,8 +16,7 @@ use super::settled::Settled;
 pub(super) fn solve<const D: usize, R: Real>(a: [[R; D]; D], b: [R; D]) -> ([R; D], [R::Mask; 2]) {
     let Elimination { solution, pivots, exchanges } = elimination::eliminate::<true, D, R>(a, b);
     let sure = exchanges == 0 && pivots.iter().all(|&pivot| R::ZERO.less(pivot).all());
-    let (yes, no) = (R::ZERO.less(R::ONE), R::ONE.less(R::ZERO));
-    (solution, [if sure || may_continue(a) { yes } else { no }, if sure { yes } else { no }])
+    (solution, [Mask::of(sure || may_continue(a)), Mask::of(sure)])
 }
 
 #[cold]

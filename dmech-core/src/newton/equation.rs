@@ -218,7 +218,7 @@ impl<const D: usize, R: Real> Correction<D, R> {
     /// The correction δ = `change` with G + J δ, for steps to which the rounding of that sum does not matter.
     #[inline(always)]
     pub fn rounded(change: [R; D], gradient: [R; D]) -> Self {
-        let yes = R::ZERO.less(R::ONE);
+        let yes = R::Mask::of(true);
         Correction { delta: change, gradient, parts: [gradient, [R::ZERO; D]], continued: yes, definite: yes }
     }
 

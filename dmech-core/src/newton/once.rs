@@ -7,9 +7,8 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
-use super::settle::largest;
 use super::{Correction, Equation, Increment, NotConverged};
-use crate::vector::finite;
+use crate::vector::{finite, largest};
 
 /// Solves a linear step: `correct` is called once, with Δ = 0 and b = q. It returns, beside the correction, what is positive
 /// only where the root continues that of a shorter step.

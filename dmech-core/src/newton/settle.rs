@@ -4,7 +4,7 @@ use dmech_scalar::{Count, Mask, Real};
 
 use super::settled::Settled;
 use super::{Correction, Equation, Increment, NotConverged};
-use crate::vector::by_component;
+use crate::vector::{by_component, largest};
 
 /// Corrections before the loop gives up on a starting point; quadratic convergence needs 3 to 6.
 const PATIENCE: u32 = 12;
@@ -136,9 +136,4 @@ fn grain<R: Real>() -> R {
 #[inline]
 pub(super) fn length<const D: usize, R: Real>(x: &[R; D]) -> R {
     x.iter().fold(R::ZERO, |sum, x| sum + x.abs())
-}
-
-/// The largest |xᵢ|, NaN if there is one.
-pub(super) fn largest<const D: usize, R: Real>(x: &[R; D]) -> f64 {
-    x.iter().map(|x| x.to_f64().abs()).fold(0.0, |a, b| if a.is_nan() || a > b { a } else { b })
 }

@@ -21,7 +21,7 @@ impl<const D: usize, R: Real> Settled<D, R> {
     pub(super) fn none() -> Self {
         let (zero, none) = ([R::ZERO; D], Count::of(0));
         let found = Increment { delta: zero, gradient: zero, parts: [zero; 2], evaluations: none, iterations: none };
-        Settled { found, which: R::ONE.less(R::ZERO) }
+        Settled { found, which: Mask::of(false) }
     }
 
     /// With those that have settled before.

@@ -94,7 +94,7 @@ fn nearest_image<const D: usize, R: Real>(
     length: impl Fn(usize) -> R,
     per_length: impl Fn(usize) -> R,
 ) -> [R; D] {
-    let mut inside = [R::ZERO.equal(R::ZERO); D];
+    let mut inside = [R::Mask::of(true); D];
     let mut all = true;
     for k in 0..D {
         inside[k] = d[k].abs().less_or_equal(half(k));

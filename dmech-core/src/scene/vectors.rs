@@ -1,5 +1,7 @@
 //! Vectors of many bodies, stored by component.
 
+use crate::vector::largest;
+
 /// One vector of D components for each of n bodies: D columns of n numbers, one after another.
 ///
 /// Loops over bodies then read memory in order, and what treats all components alike runs over one slice.
@@ -170,11 +172,6 @@ impl<const D: usize> core::fmt::Debug for Vectors<D> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_list().entries(self.to_list()).finish()
     }
-}
-
-/// max |xᵢ|; NaN if one is.
-pub(super) fn largest(x: &[f64]) -> f64 {
-    x.iter().fold(0.0, |max: f64, x| if x.abs() > max || x.is_nan() { x.abs() } else { max })
 }
 
 #[cfg(test)]

@@ -91,7 +91,7 @@ pub(crate) fn atan<R: Number>(x: R) -> R {
     }
     let steep = R::ONE.less(a);
     let (low, high) = (R::either(steep, R::ONE, a), R::either(steep, a, R::ONE));
-    turned(angle(low, high, steep, R::ONE.less(R::ZERO)), sign(x))
+    turned(angle(low, high, steep, R::Mask::of(false)), sign(x))
 }
 
 #[inline]

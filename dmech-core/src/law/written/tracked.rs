@@ -73,6 +73,9 @@ pub struct TrackedMask {
 impl Mask for TrackedMask {
     type Count = u32;
 
+    fn of(holds: bool) -> Self {
+        TrackedMask { holds, sure: true }
+    }
     fn all(self) -> bool {
         self.holds
     }

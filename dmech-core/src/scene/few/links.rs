@@ -130,7 +130,7 @@ impl LinksOfFew for Bonds {
             while listed != 0 {
                 let b = listed.trailing_zeros() as usize;
                 listed &= listed - 1;
-                let here = if alike { R::ZERO.equal(R::ZERO) } else { has_bit(row, b) };
+                let here = if alike { Mask::of(true) } else { has_bit(row, b) };
                 if here.any() {
                     visit(a, b, Here(here));
                 }

@@ -4,7 +4,8 @@ use super::block::{Block, add, least, times};
 use super::series::{SMALL, Series};
 use super::{Kind, Matrix, leads};
 use crate::scene::topology::Topology;
-use crate::scene::vectors::{Vectors, largest};
+use crate::scene::vectors::Vectors;
+use crate::vector::largest;
 
 /// J as a list of blocks, and what solves with 1 + g J by products with it: O(links) numbers, and as much time for a product.
 ///

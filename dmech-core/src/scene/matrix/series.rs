@@ -1,6 +1,7 @@
 //! Solving without factors where the step resolves the motion well.
 
-use crate::scene::vectors::{Vectors, largest};
+use crate::scene::vectors::Vectors;
+use crate::vector::largest;
 
 /// (1 + g J)⁻¹ x = Σ (−g J)ᵏ x, for a small g J.
 ///

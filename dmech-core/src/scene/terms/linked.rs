@@ -25,6 +25,9 @@ use crate::scene::vectors::Vectors;
 use crate::system::{Course, Frequency, LinearVelocities, WithoutVelocities};
 use crate::vector::scaled;
 
+/// What acts between two bodies at one moment.
+pub(super) type OnLink<'a, const D: usize, P, X, R = f64> = <X as PairLaw<D, P, R>>::Between<'a>;
+
 /// A law that acts along links.
 #[derive(Clone, Debug)]
 pub struct Linked<X, T> {
@@ -55,7 +58,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Term<D, P, B> f
         const LINKS: usize = 1000;
         let Bodies { masses, q, v, data, t, .. } = bodies;
         self.links.check(masses.len(), &space)?;
-        let central = !<X as PairLaw<D, P>>::Between::<'_>::POTENTIAL || <X as PairLaw<D, P>>::Between::<'_>::CENTRAL;
+        let central = !OnLink::<D, P, X>::POTENTIAL || OnLink::<D, P, X>::CENTRAL;
         if T::OF_DISTANCE && !central {
             return Err(SceneError::CutoffNotCentral.into());
         }
@@ -86,7 +89,7 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
 
     /// The law between two bodies, as seen from the first.
     #[inline(always)]
-    fn between<const D: usize>(&self, a: usize, b: usize, t: f64) -> <X as PairLaw<D, P>>::Between<'_>
+    fn between<const D: usize>(&self, a: usize, b: usize, t: f64) -> OnLink<'_, D, P, X>
     where
         X: PairLaw<D, P>,
     {
@@ -104,18 +107,17 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
 }
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for LinkedReady<X, T, P, B> {
-    const FORCED: bool = <X as PairLaw<D, P>>::Between::<'_>::FORCED;
-    const CONSERVES_ENERGY: bool = !<X as PairLaw<D, P>>::Between::<'_>::FORCED && <X as PairLaw<D, P>>::AUTONOMOUS;
+    const FORCED: bool = OnLink::<D, P, X>::FORCED;
+    const CONSERVES_ENERGY: bool = !Self::FORCED && Self::AUTONOMOUS;
     const AUTONOMOUS: bool = <X as PairLaw<D, P>>::AUTONOMOUS;
-    const LINEAR_MOMENTUM: bool = <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL;
-    const ANGULAR_MOMENTUM: bool =
-        !B::PERIODIC && <X as PairLaw<D, P>>::Between::<'_>::CENTRAL && !<X as PairLaw<D, P>>::Between::<'_>::FORCED;
-    const LINEAR: bool = !B::PERIODIC && <X as PairLaw<D, P>>::Between::<'_>::LINEAR;
-    const PIECEWISE: bool = B::PERIODIC || <X as PairLaw<D, P>>::Between::<'_>::PIECEWISE;
-    const DEGREE: Option<u32> = if B::PERIODIC { None } else { <X as PairLaw<D, P>>::Between::<'_>::DEGREE };
+    const LINEAR_MOMENTUM: bool = OnLink::<D, P, X>::RECIPROCAL;
+    const ANGULAR_MOMENTUM: bool = !B::PERIODIC && OnLink::<D, P, X>::CENTRAL && !Self::FORCED;
+    const LINEAR: bool = !B::PERIODIC && OnLink::<D, P, X>::LINEAR;
+    const PIECEWISE: bool = B::PERIODIC || OnLink::<D, P, X>::PIECEWISE;
+    const DEGREE: Option<u32> = if B::PERIODIC { None } else { OnLink::<D, P, X>::DEGREE };
 
     const CHAIN: bool = T::CHAIN;
-    const AT_ONCE: bool = T::CHAIN && <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL && !Self::FORCED;
+    const AT_ONCE: bool = T::CHAIN && OnLink::<D, P, X>::POTENTIAL && !Self::FORCED;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
         let mut sum = 0.0;
@@ -130,14 +132,14 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     #[inline]
     fn add_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             self.sweep::<false, _, D, 1>(&self.slope(t), [q], out);
         }
     }
 
     #[inline]
     fn set_gradient(&self, q: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             self.sweep::<true, _, D, 1>(&self.slope(t), [q], out);
         } else {
             out.clear();
@@ -173,7 +175,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
                 out.add(a, on_a.map(|f| -c * f));
             }
             if self.acting.acts(a) {
-                if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                if OnLink::<D, P, X>::RECIPROCAL {
                     out.add(b, on_a.map(|f| c * f));
                 } else {
                     let on_b = self.between(b, a, t).force(d.map(|x| -x), vb, va);
@@ -185,14 +187,14 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     #[inline]
     fn add_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             self.sweep::<false, _, D, 2>(&Secant(self.slope(t)), [a, b], out);
         }
     }
 
     #[inline]
     fn set_discrete_gradient(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             self.sweep::<true, _, D, 2>(&Secant(self.slope(t)), [a, b], out);
         } else {
             out.clear();
@@ -200,7 +202,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     }
 
     fn add_hessian(&self, c: f64, q: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             self.each([q], |a, b| {
                 let hessian = self.between(a, b, t).hessian(self.separation(q, a, b));
                 self.add_link(a, b, hessian.map(|row| row.map(|x| c * x)), out);
@@ -209,7 +211,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     }
 
     fn add_turned(&self, c: f64, q: &Vectors<D>, w: &Vectors<D>, t: f64, out: &mut Vectors<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             self.sweep::<false, _, D, 2>(&Turned { slope: self.slope(t), c }, [q, w], out);
         }
         if !Self::FORCED {
@@ -224,7 +226,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
                 out.add(a, on_a.map(|x| -x));
             }
             if self.acting.acts(a) {
-                if <X as PairLaw<D, P>>::Between::<'_>::RECIPROCAL {
+                if OnLink::<D, P, X>::RECIPROCAL {
                     out.add(b, on_a);
                 } else {
                     out.add(b, times(&by_d(b, a, d.map(|x| -x)), w));
@@ -234,7 +236,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     }
 
     fn add_discrete_jacobian(&self, from: &Vectors<D>, to: &Vectors<D>, t: f64, out: &mut Matrix<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             self.each([from, to], |a, b| {
                 let way = [separation(from, a, b), separation(to, a, b)];
                 let kernel = Secant(self.slope(t));
@@ -266,14 +268,14 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     #[inline(always)]
     fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             sweep::stencil(&self.slope(t), [q], &self.numbers, first, out);
         }
     }
 
     #[inline(always)]
     fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
-        if <X as PairLaw<D, P>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X>::POTENTIAL {
             sweep::stencil(&Secant(self.slope(t)), [a, b], &self.numbers, first, out);
         }
     }

@@ -1,5 +1,6 @@
 //! What acts in a scene: on each body, and along links between bodies.
 
+mod cores;
 mod driven;
 mod each;
 mod kernels;

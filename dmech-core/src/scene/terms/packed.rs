@@ -2,22 +2,17 @@
 
 use dmech_scalar::{Lanes, Real};
 
-/// A scalar that is loaded from consecutive numbers of a column.
+/// A scalar that is loaded from consecutive numbers of a column, as many as it has lanes.
 pub trait Packed: Real {
-    /// How many.
-    const COUNT: usize;
-
-    /// column[i..i + COUNT].
+    /// column[i], …
     fn load(column: &[f64], i: usize) -> Self;
-    /// column[i..i + COUNT] = self.
+    /// column[i], … = self.
     fn store(self, column: &mut [f64], i: usize);
-    /// column[i..i + COUNT] += self.
+    /// column[i], … += self.
     fn add_to(self, column: &mut [f64], i: usize);
 }
 
 impl Packed for f64 {
-    const COUNT: usize = 1;
-
     #[inline(always)]
     fn load(column: &[f64], i: usize) -> f64 {
         column[i]
@@ -35,8 +30,6 @@ impl Packed for f64 {
 }
 
 impl Packed for Lanes {
-    const COUNT: usize = Lanes::COUNT;
-
     #[inline(always)]
     fn load(column: &[f64], i: usize) -> Lanes {
         Lanes::from_slice(&column[i..])

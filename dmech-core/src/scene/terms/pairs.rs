@@ -2,9 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-#[cfg(feature = "parallel")]
-use rayon::prelude::*;
-
+use super::cores::each_on_its_core;
 use super::links::{self, KnownLinks, Links};
 use super::numbers::NumberColumns;
 use super::sweep::{self, Kernels, Moments};
@@ -101,11 +99,7 @@ impl Links for Pairs {
         }
         let mut room = self.room.lock().unwrap_or_else(PoisonError::into_inner);
         room.resize_with(count, Vec::new);
-        #[cfg(feature = "parallel")]
-        let felt = room.par_iter_mut();
-        #[cfg(not(feature = "parallel"))]
-        let felt = room.iter_mut();
-        felt.enumerate().for_each(|(c, felt)| chunk(kernel, &q, numbers, c, count, felt));
+        each_on_its_core(&mut room, |c, felt| chunk(kernel, &q, numbers, c, count, felt));
         for (c, felt) in room.iter().enumerate() {
             let start = begin(bodies, count, c);
             for (out, felt) in out.columns_mut().into_iter().zip(felt.chunks_exact(bodies - start)) {

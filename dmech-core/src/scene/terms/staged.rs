@@ -3,7 +3,7 @@
 use dmech_scalar::{Lanes, Real};
 
 use super::each::EachReady;
-use super::linked::LinkedReady;
+use super::linked::{LinkedReady, OnLink};
 use super::links::Links;
 use super::{Acts, Driven};
 use crate::law::{Between, Law, LinkLaw, PairLaw, Potential};
@@ -189,14 +189,14 @@ impl<X: crate::law::Reads<P>, T: Links, P, B> LinkedReady<X, T, P, B> {
         let (d, forward) = (self.space.image(difference(at_a.q, at_b.q)), between(a, b));
         let none = [Lanes::ZERO; D];
         let mut on_a = none;
-        if <X as PairLaw<D, P, Lanes>>::Between::<'_>::POTENTIAL {
+        if OnLink::<D, P, X, Lanes>::POTENTIAL {
             on_a = forward.gradient(d);
         }
         let mut off_b = on_a;
-        if <X as PairLaw<D, P, Lanes>>::Between::<'_>::FORCED {
+        if OnLink::<D, P, X, Lanes>::FORCED {
             let (force, gradient) = (forward.force(d, at_a.v, at_b.v), on_a);
             on_a = difference(gradient, force);
-            off_b = if <X as PairLaw<D, P, Lanes>>::Between::<'_>::RECIPROCAL {
+            off_b = if OnLink::<D, P, X, Lanes>::RECIPROCAL {
                 on_a
             } else {
                 sum(gradient, between(b, a).force(d.map(|x| -x), at_b.v, at_a.v))

@@ -42,7 +42,7 @@ impl<'a, const D: usize, R: Real, B: Images<D, R>> Way<'a, B, D, R> {
         let (a, b, moved) =
             (self.space.nearest(self.from), self.space.nearest(self.to), difference(self.to, self.from));
         let (beyond, before) = (sum(a, moved), difference(b, moved));
-        let mut jumps = R::ONE.less(R::ZERO);
+        let mut jumps = R::Mask::of(false);
         for k in 0..D {
             jumps = jumps.or(self.space.half(k).less((beyond[k] - b[k]).abs()));
         }

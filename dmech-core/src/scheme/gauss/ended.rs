@@ -3,7 +3,7 @@
 use dmech_scalar::{Count, Mask, Real};
 
 use crate::newton::Counts;
-use crate::system::stages::{either, nowhere};
+use crate::system::stages::either;
 use crate::system::{Staged, System};
 
 /// Which of those that stand side by side.
@@ -26,7 +26,7 @@ impl<Y: Staged> Ended<Y> {
     /// None.
     #[inline(always)]
     pub(super) fn none() -> Self {
-        Ended { pushes: None, which: nowhere::<Y::Scalar>(), evaluations: Count::of(0) }
+        Ended { pushes: None, which: Mask::of(false), evaluations: Count::of(0) }
     }
 
     /// With those that have ended before.

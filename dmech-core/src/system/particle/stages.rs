@@ -7,7 +7,7 @@ use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Mask, Real, Rows};
 
 use super::{Particle, Stride};
 use crate::law::{Field, Law, Potential};
-use crate::system::stages::{self, Eight, Nearing, Part, Staged, Staging, Tableau, moves, nowhere, times, weighed};
+use crate::system::stages::{self, Eight, Nearing, Part, Staged, Staging, Tableau, moves, times, weighed};
 use crate::vector::{by_component, weighted};
 
 /// A law that can be asked for eight slopes at once: every law over `f64` that is one over eight lanes too, as those are that a
@@ -144,7 +144,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
                 }
             }
         }
-        let mut nearer = nowhere::<R>();
+        let mut nearer = R::Mask::of(false);
         for part in 0..R::Eight::PARTS {
             let at = from_fn(|k| q[k].part(part));
             let speed = from_fn(|k| if L::Field::<'_>::FORCED { v[k].part(part) } else { R::Eight::alike(speed[k]) });

@@ -143,7 +143,7 @@ const NO_ROUNDING: f64 = 1e3;
 #[cold]
 pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> R::Mask {
     let rounding = R::from_f64(NO_ROUNDING) * R::EPSILON * largest_of::<R>(pushes);
-    pushes.iter().fold(nowhere::<R>(), |bent, push| {
+    pushes.iter().fold(R::Mask::of(false), |bent, push| {
         let highest = times(&tableau.highest, push).sum().abs();
         let seam = R::from_f64(SEAM) * largest_of::<R>(core::slice::from_ref(push));
         bent.or(rounding.less(highest).and(seam.less(highest)))
@@ -160,12 +160,6 @@ pub(crate) fn times<R: Real, E: Eight<R>>(row: &Row, x: &E) -> E {
 #[inline(always)]
 pub(crate) fn either<R: Real, E: Eight<R>>(mask: R::Mask, yes: &E, no: &E) -> E {
     E::by_part(|part| E::either(mask, yes.part(part), no.part(part)))
-}
-
-/// A mask that holds nowhere.
-#[inline(always)]
-pub(crate) fn nowhere<R: Real>() -> R::Mask {
-    R::ONE.less(R::ZERO)
 }
 
 /// The largest of all.

@@ -6,12 +6,10 @@ mod row;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-#[cfg(feature = "parallel")]
-use rayon::prelude::*;
-
 use self::neighbours::Neighbours;
 use self::row::Row;
 use super::Pairs;
+use super::cores::each_on_its_core;
 use super::links::{self, KnownLinks, Links};
 use super::numbers::NumberColumns;
 use super::sweep::Kernels;
@@ -124,11 +122,7 @@ impl Links for Near {
         let count = chunks(bodies);
         room.resize_with(count, Chunk::default);
         let begin = |c: usize| bodies * c / count;
-        #[cfg(feature = "parallel")]
-        let all = room.par_iter_mut();
-        #[cfg(not(feature = "parallel"))]
-        let all = room.iter_mut();
-        all.enumerate().for_each(|(c, Chunk { felt, row })| {
+        each_on_its_core(room, |c, Chunk { felt, row }| {
             let rows = begin(c)..begin(c + 1);
             let end = neighbours.end(rows.clone());
             felt.clear();

@@ -85,7 +85,7 @@ impl Row {
                 None => &core::array::from_fn(|lane| eight[lane.min(last)]),
             };
             let d = separations(&here, q, eight);
-            let mut within = Lanes::ONE.less(Lanes::ZERO);
+            let mut within = <Lanes as Real>::Mask::of(false);
             for moment in 0..places {
                 let image = space.image(d[moment]);
                 within = within.or(dot(image, image).less(limit));

@@ -173,3 +173,15 @@ fn stays(error: &Error) -> bool {
         error => matches!(error, Error::Checkpoint(_)),
     }
 }
+
+/// A correction of 0 would be taken for a solution that was found.
+#[test]
+fn a_step_without_a_root_tells_no_correction_of_nothing() {
+    let failed = |residual| Error::NotConverged { step: 3, time: 0.2, dt: 0.1, iterations: 295, residual }.to_string();
+    assert!(
+        failed(0.0).ends_with("no root was found in 295 iterations, as at rest where the force jumps"),
+        "{}",
+        failed(0.0)
+    );
+    assert!(failed(1e-20).ends_with("after 295 iterations the last correction was 1e-20"), "{}", failed(1e-20));
+}

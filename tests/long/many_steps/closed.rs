@@ -77,7 +77,8 @@ fn closed_systems_keep_energy_and_momenta() {
     // A ring, or the beads would soon be apart for good.
     const RING: [(usize, usize); 9] = [(0, 1), (1, 2), (2, 3), (3, 4), (4, 5), (5, 6), (6, 7), (7, 8), (8, 0)];
     let systems: [fn(); 9] = [
-        || keeps_everything("gravity", planets().pairs(Gravity { g: 0.9 }), 0.004),
+        // To t = 200: their motion is chaotic, and beyond 320 some start among ten neighbours leads to an encounter too close for a step.
+        || keeps_everything("gravity", planets().pairs(Gravity { g: 0.9 }), 0.002),
         || keeps_everything("Coulomb", ions().pairs(Coulomb { k: 1.1 }), 0.01),
         || keeps_everything("Lennard-Jones", atoms().pairs(LennardJones { epsilon: 1.2, sigma: 1.02 }), 0.004),
         || {

@@ -61,10 +61,12 @@ pub(crate) fn check_step<R: Real>(scheme: &impl Method, dt: f64) -> Result<(), E
 /// # Errors
 /// [`Error::EndTime`]
 fn within_reach(start: f64, end: f64, dt: f64) -> Result<(), Error> {
-    // Beyond 2⁵³ steps of one length the time t₀ + k h no longer distinguishes them.
     let n = (end - start) / dt;
-    if n.is_finite() && n <= 9_007_199_254_740_992.0 { Ok(()) } else { Err(Error::EndTime { end, dt }) }
+    if n.is_finite() && n <= TOLD_APART { Ok(()) } else { Err(Error::EndTime { end, dt }) }
 }
+
+/// More steps of one length than this, and the time t₀ + k h no longer distinguishes them: 2⁵³.
+pub(crate) const TOLD_APART: f64 = 9_007_199_254_740_992.0;
 
 /// As many steps as it takes to arrive.
 pub(crate) const UNCOUNTED: u64 = u64::MAX;

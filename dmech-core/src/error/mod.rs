@@ -71,7 +71,8 @@ pub enum Error {
         /// The time at which the step begins.
         time: f64,
     },
-    /// The step that the motion asks for is lost in the rounding of the time, as in a collision.
+    /// The step that the motion asks for is lost in the rounding of the time, as in a collision, or the end is beyond the reach of any
+    /// number of such steps.
     #[error("step {step} from t = {} would have to be as short as {}", Number(*time), Number(*dt))]
     StepVanished {
         /// The number of the step, counted from 1.

@@ -17,7 +17,7 @@ pub use implicit::ImplicitSteps;
 pub use newton::{Guess, Newton};
 pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]
-pub(crate) use particle::{PARTS, not_converged};
+pub(crate) use particle::{PARTS, fall, not_converged};
 pub use stages::{Eight, Nearing, Staged, Staging};
 pub use step::{Ahead, Beginning, Effort, Kick, Step};
 

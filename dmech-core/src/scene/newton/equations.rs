@@ -7,7 +7,7 @@ use dmech_scalar::{Lanes, Real};
 use crate::scene::matrix::Matrix;
 use crate::scene::terms::stencil::{Stencil, load};
 use crate::scene::vectors::Vectors;
-use crate::system::stages::path;
+use crate::system::stages::drift;
 use crate::system::{Guess, Newton};
 
 /// Find Δ with  Δ + g (G(q + Δ) + known) = drift,  as for one body, with one g for each coordinate.
@@ -34,19 +34,17 @@ pub(in crate::scene) struct Equations<'a, const D: usize> {
 }
 
 impl<const D: usize> Equations<'_, D> {
-    /// h v with the low part of v, component i, rounded once.
+    /// h v with the low part of v, component i.
     #[inline(always)]
     pub(super) fn drift(&self, i: usize) -> f64 {
-        let (moved, rest) = path(self.h, (self.v.flat()[i], self.v_low.flat()[i]));
-        moved + rest
+        drift(self.h, (self.v.flat()[i], self.v_low.flat()[i]))
     }
 
     /// The same for some components, eight at most.
     #[inline(always)]
     pub(super) fn drifts(&self, range: Range<usize>) -> Lanes {
         let (v, v_low) = (load(self.v.flat(), range.clone()), load(self.v_low.flat(), range));
-        let (moved, rest) = path(Lanes::splat(self.h), (v, v_low));
-        moved + rest
+        drift(Lanes::splat(self.h), (v, v_low))
     }
 
     /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), for some components, eight at most.

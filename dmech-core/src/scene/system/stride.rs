@@ -1,7 +1,5 @@
 //! The length of a step of many bodies.
 
-use dmech_scalar::Real;
-
 use crate::scene::vectors::Vectors;
 
 /// The length of a step, and what follows from it for each coordinate.
@@ -29,8 +27,9 @@ impl<const D: usize> SceneStride<D> {
     pub(super) fn couple(&mut self, share: f64) {
         let coupled = self.g.flat_mut().iter_mut().zip(self.excess.flat_mut());
         for ((g, excess), kick) in coupled.zip(self.kick.flat()) {
-            let (fall, rest) = self.dt.product(*kick);
-            (*g, *excess) = (share * fall, rest / self.dt);
+            let fall;
+            (fall, *excess) = crate::system::fall(self.dt, *kick);
+            *g = share * fall;
         }
     }
 }

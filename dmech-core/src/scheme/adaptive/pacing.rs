@@ -4,6 +4,7 @@ use dmech_scalar::{Compensated, Mask, Real, Rows, RowsMask};
 
 use super::Adaptive;
 use crate::scheme::{Adaptable, ByLane};
+use crate::span::TOLD_APART;
 use crate::system::Look;
 
 /// The last step, the next, and the time.
@@ -96,11 +97,11 @@ impl<S: Adaptable> Adaptive<S> {
         R::from_f64(self.angle) / longest
     }
 
-    /// Where as many steps as have a number, 2⁵³, would come to the end, were all as long as the longest so far. Near t = 0 the
+    /// Where as many steps as of equal steps may be would come to the end, were all as long as the longest so far. Near t = 0 the
     /// rounding of the time tells nothing of it.
     pub(crate) fn is_in_reach<R: Real>(&self, pacing: &Pacing<R>) -> R::Mask {
         let Pacing { dt, range: [_, most], .. } = *pacing;
-        let (end, steps) = (R::from_f64(self.end), R::from_f64(9_007_199_254_740_992.0));
+        let (end, steps) = (R::from_f64(self.end), R::from_f64(TOLD_APART));
         let left = end - pacing.time.value();
         end.finite().not().or(left.less_or_equal(most.max(dt) * steps))
     }

@@ -16,6 +16,8 @@ use fault::Attempt;
 pub(crate) use fault::{PARTS, not_converged};
 pub use stages::AtStages;
 pub use stride::Stride;
+#[cfg(feature = "scene")]
+pub(crate) use stride::fall;
 
 use dmech_scalar::{CompensatedVector, Real};
 

@@ -2,7 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Real, two_sum};
 
-use crate::system::stages::path;
+use crate::system::stages::{drift, path};
 use crate::vector::by_component;
 
 /// Time step and mass, with the coefficients that follow from them.
@@ -26,8 +26,8 @@ impl<R: Real> Stride<R> {
     /// A step of length dt for a particle of the given mass.
     pub fn new(dt: R, mass: R) -> Self {
         let kick = dt / mass;
-        let (fall, rest) = dt.product(kick);
-        Stride { dt, mass, kick, fall, rate: R::from_f64(2.0) / dt, excess: rest / dt }
+        let (fall, excess) = fall(dt, kick);
+        Stride { dt, mass, kick, fall, rate: R::from_f64(2.0) / dt, excess }
     }
 
     /// The same mass and γ times the step; γ may be negative.
@@ -35,14 +35,10 @@ impl<R: Real> Stride<R> {
         Stride::new(gamma * self.dt, self.mass)
     }
 
-    /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it. It is rounded
-    /// once, on targets without fused instructions too: h v and h times the low part, each rounded, are off to one side for many h.
+    /// h v with the low part of v, which is not random: the corrections of [`Stride::kick_compensated`] pass through it.
     #[inline(always)]
     pub(super) fn drift<const D: usize>(&self, v: &CompensatedVector<D, R>) -> [R; D] {
-        by_component!(|i| {
-            let (moved, rest) = path(self.dt, (v.hi[i], v.lo[i]));
-            moved + rest
-        })
+        by_component!(|i| drift(self.dt, (v.hi[i], v.lo[i])))
     }
 
     /// As [`Stride::drift`], and what its rounding leaves out: for forces that do no work.
@@ -98,6 +94,12 @@ impl<R: Real> Stride<R> {
             v.lo[i] = low + self.excess.mul_add(gradient[i], rest);
         }
     }
+}
+
+/// h²/m from h/m, rounded, and the part of h/m by which h times that exceeds it, in exact arithmetic.
+pub(crate) fn fall<R: Real>(dt: R, kick: R) -> (R, R) {
+    let (fall, rest) = dt.product(kick);
+    (fall, rest / dt)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ pub(crate) use eight::weighed;
 pub use eight::{Eight, Staging};
 pub use nearing::Nearing;
 pub(crate) use nearing::moves;
-pub(crate) use settle::{path, settle};
+pub(crate) use settle::{drift, path, settle};
 
 use dmech_scalar::{Mask, Real};
 

@@ -59,3 +59,11 @@ pub(crate) fn path<R: Real>(dt: R, (v, v_low): (R, R)) -> (R, R) {
     let (path, rest) = dt.product(v);
     (path, dt.mul_add(v_low, rest))
 }
+
+/// The same rounded once, on targets without fused instructions too: h v and h times the low part, each rounded, are off to one side
+/// for many h.
+#[inline(always)]
+pub(crate) fn drift<R: Real>(dt: R, v: (R, R)) -> R {
+    let (path, rest) = path(dt, v);
+    path + rest
+}

@@ -297,6 +297,7 @@ pub mod __private {
             Between, Conservative, Derivation, Field, Fields, Force, Law, LinearInVelocity, Mask, MassIndependent,
             PairFields, PairLaw, Potential, Reads, Real, Symmetric, VelocityIndependent, newton, radial,
         };
+        pub use dmech_core::written::fresh;
         pub use dmech_core::{rotation, written};
     }
 }

@@ -4,6 +4,7 @@ use dmech_symbolic::expression::Expr;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::block::block;
 use super::document::pointwise_texts;
 use super::generics::{generic_name, hidden_lifetime, module, parameters_of, scalar_name};
 use super::marker::{marker, told};
@@ -22,32 +23,28 @@ use crate::model::Model;
 pub(crate) fn implementation(derivation: &Derivation) -> TokenStream {
     let frame = Frame::of(derivation);
     let Frame { model, runtime, d, own, .. } = &frame;
-    let (module, self_ty, where_clause) = (module(model), &model.self_ty, &model.generics.where_clause);
+    let (self_ty, where_clause) = (&model.self_ty, &model.generics.where_clause);
     let told = told(model, runtime, &super::document::derivation(derivation));
     let markers = frame.markers().map(|name| marker(model, runtime, name));
     let items = super::author::items(model, d, None);
     let (law, fields) = (frame.law(), frame.fields());
     let (of_itself, force_of_itself, moment) = (frame.potential_of_itself(), frame.force_of_itself(), frame.moment());
-    quote! {
-        #[allow(clippy::approx_constant)]
-        const _: () = {
-            use #module as #runtime;
+    let items = quote! {
+        #told
+        #(#markers)*
 
-            #told
-            #(#markers)*
+        #[automatically_derived]
+        impl #own #runtime::written::Author<#d> for #self_ty #where_clause {
+            #items
+        }
 
-            #[automatically_derived]
-            impl #own #runtime::written::Author<#d> for #self_ty #where_clause {
-                #items
-            }
-
-            #law
-            #fields
-            #of_itself
-            #force_of_itself
-            #moment
-        };
-    }
+        #law
+        #fields
+        #of_itself
+        #force_of_itself
+        #moment
+    };
+    block(&module(model), items)
 }
 
 /// What the blocks of an implementation share.

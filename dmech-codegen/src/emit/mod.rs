@@ -1,6 +1,7 @@
 //! Kernels → tokens: the traits of mechanics for the user's type.
 
 mod author;
+mod block;
 mod body;
 mod constants;
 mod document;

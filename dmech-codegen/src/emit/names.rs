@@ -93,8 +93,11 @@ impl Names {
 
 /// A name without capitals that is neither a keyword nor one of the names t0, t1, … of values without a name.
 fn usable(name: &str) -> bool {
-    let temporary =
-        name.strip_prefix('t').is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
     let plain = !name.bytes().any(|b| b.is_ascii_uppercase());
-    !temporary && plain && syn::parse_str::<Ident>(name).is_ok()
+    temporary(name).is_none() && plain && syn::parse_str::<Ident>(name).is_ok()
+}
+
+/// Which of the names t0, t1, … it is.
+pub(super) fn temporary(name: &str) -> Option<&str> {
+    name.strip_prefix('t').filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
 }

@@ -6,6 +6,7 @@ use dmech_symbolic::program::Program;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::block::block;
 use super::body::{Printed, body};
 use super::generics::{PairGenerics, generic_name, hidden_lifetime, module};
 use super::marker::{marker, told};
@@ -27,7 +28,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let LoweredPair { variables: of_two, layout, .. } = pair;
     let names = PairGenerics::of(model);
     let PairGenerics { scalar, foreign, with_data, author, data: data_type, dimension, .. } = &names;
-    let (module, runtime, self_ty) = (module(model), runtime(), &model.self_ty);
+    let (runtime, self_ty) = (runtime(), &model.self_ty);
     let where_clause = &model.generics.where_clause;
     let receiver = receiver();
     let printer = Printer {
@@ -67,77 +68,73 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
     let numbers = quote!([#scalar; #of_body]);
     // A law that is only run counts as used.
     let declared = model.formulas().map(|formula| &formula.ident);
-    quote! {
-        #[allow(clippy::approx_constant)]
-        const _: () = {
-            use #module as #runtime;
+    let items = quote! {
+        #told
+        #(#markers)*
+        #reads
 
-            #told
-            #(#markers)*
-            #reads
+        #[automatically_derived]
+        impl #author #runtime::written::PairAuthor<#dimension, #data_type> for #self_ty #where_clause {
+            #items
+        }
 
-            #[automatically_derived]
-            impl #author #runtime::written::PairAuthor<#dimension, #data_type> for #self_ty #where_clause {
-                #items
+        /// The law between two bodies at one moment.
+        #[allow(dead_code)]
+        #[derive(Clone, Copy)]
+        pub struct #pair<#scalar> {
+            /// What is read of the law.
+            law: [#scalar; #of_law],
+            a: #numbers,
+            b: #numbers,
+            t: #scalar,
+        }
+
+        #[automatically_derived]
+        impl #with_data #runtime::PairLaw<#dimension, #data_type, #scalar> for #self_ty #where_clause {
+            type Between<#held> = #pair<#scalar> where Self: #held;
+            const AUTONOMOUS: bool = #autonomous;
+            #[inline(always)]
+            fn between(&#receiver, #a: #numbers, #b: #numbers, #t: #scalar) -> #pair<#scalar> {
+                #(let _ = <#self_ty>::#declared;)*
+                #pair { law: [#(#scalar::from_f64(#read)),*], #a, #b, #t }
             }
-
-            /// The law between two bodies at one moment.
-            #[allow(dead_code)]
-            #[derive(Clone, Copy)]
-            pub struct #pair<#scalar> {
-                /// What is read of the law.
-                law: [#scalar; #of_law],
-                a: #numbers,
-                b: #numbers,
-                t: #scalar,
+            fn written(&#receiver) -> ::core::option::Option<&dyn #runtime::written::WrittenPair<#dimension, #data_type>> {
+                ::core::option::Option::Some(#receiver)
             }
+        }
 
-            #[automatically_derived]
-            impl #with_data #runtime::PairLaw<#dimension, #data_type, #scalar> for #self_ty #where_clause {
-                type Between<#held> = #pair<#scalar> where Self: #held;
-                const AUTONOMOUS: bool = #autonomous;
-                #[inline(always)]
-                fn between(&#receiver, #a: #numbers, #b: #numbers, #t: #scalar) -> #pair<#scalar> {
-                    #(let _ = <#self_ty>::#declared;)*
-                    #pair { law: [#(#scalar::from_f64(#read)),*], #a, #b, #t }
-                }
-                fn written(&#receiver) -> ::core::option::Option<&dyn #runtime::written::WrittenPair<#dimension, #data_type>> {
-                    ::core::option::Option::Some(#receiver)
-                }
+        #[automatically_derived]
+        impl #author #runtime::PairFields<#dimension, #data_type> for #self_ty #where_clause {
+            type Fields = [::core::primitive::f64; #of_law];
+            type Moment<#scalar: #runtime::Real> = #pair<#scalar>;
+            fn fields(&#receiver) -> [::core::primitive::f64; #of_law] {
+                [#(#read),*]
             }
+            #fields
+            #[inline(always)]
+            fn moment<#scalar: #runtime::Real>(
+                #law: [#scalar; #of_law],
+                #a: #numbers,
+                #b: #numbers,
+                #t: #scalar,
+            ) -> #pair<#scalar> {
+                #pair { #law, #a, #b, #t }
+            }
+        }
 
-            #[automatically_derived]
-            impl #author #runtime::PairFields<#dimension, #data_type> for #self_ty #where_clause {
-                type Fields = [::core::primitive::f64; #of_law];
-                type Moment<#scalar: #runtime::Real> = #pair<#scalar>;
-                fn fields(&#receiver) -> [::core::primitive::f64; #of_law] {
-                    [#(#read),*]
-                }
-                #fields
-                #[inline(always)]
-                fn moment<#scalar: #runtime::Real>(
-                    #law: [#scalar; #of_law],
-                    #a: #numbers,
-                    #b: #numbers,
-                    #t: #scalar,
-                ) -> #pair<#scalar> {
-                    #pair { #law, #a, #b, #t }
-                }
-            }
+        #[automatically_derived]
+        impl #foreign #runtime::Potential<#dimension, #scalar> for #pair<#scalar> {
+            #constants
+            #functions
+        }
 
-            #[automatically_derived]
-            impl #foreign #runtime::Potential<#dimension, #scalar> for #pair<#scalar> {
-                #constants
-                #functions
-            }
-
-            #[automatically_derived]
-            impl #foreign #runtime::Between<#dimension, #scalar> for #pair<#scalar> {
-                #acts
-                #force
-            }
-        };
-    }
+        #[automatically_derived]
+        impl #foreign #runtime::Between<#dimension, #scalar> for #pair<#scalar> {
+            #acts
+            #force
+        }
+    };
+    block(&module(model), items)
 }
 
 /// What the law reads of a body.

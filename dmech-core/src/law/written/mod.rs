@@ -23,6 +23,10 @@ use dmech_scalar::Real;
 use crate::invariant::MAX_OWN;
 use crate::law::{Field, Fields, Law, Numbers, Potential};
 
+/// What generated code imports by the names of its variables: a pattern of one name is a new variable beside a function that is called
+/// so, as it is not beside a constant.
+pub const fn fresh() {}
+
 /// What a law gives at one place.
 #[derive(Clone, Copy, Debug)]
 pub struct Values<const D: usize, R = f64> {

@@ -53,6 +53,22 @@ pub fn difference<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> [R; D] {
     by_component!(|i| x[i] - y[i])
 }
 
+/// One where the mask holds, the other elsewhere.
+#[inline(always)]
+pub(crate) fn either<const D: usize, R: Real>(mask: R::Mask, one: [R; D], other: [R; D]) -> [R; D] {
+    by_component!(|i| R::either(mask, one[i], other[i]))
+}
+
+/// Of matrices.
+#[inline(always)]
+pub(crate) fn either_matrix<const D: usize, R: Real>(
+    mask: R::Mask,
+    one: [[R; D]; D],
+    other: [[R; D]; D],
+) -> [[R; D]; D] {
+    by_entry!(|i, j| R::either(mask, one[i][j], other[i][j]))
+}
+
 /// x·y.
 #[inline(always)]
 pub fn dot<const D: usize, R: Real>(x: [R; D], y: [R; D]) -> R {

@@ -14,30 +14,33 @@ use crate::lower::{Parameter, Source};
 /// The paragraphs above the functions of `Potential` at a point, or between two.
 pub(super) fn pointwise_texts(graph: &Graph, kernels: &Kernels) -> [Vec<String>; 5] {
     let formulas = Formulas { graph, dimension: kernels.formulas.gradient.len(), lines: vec![] };
-    let of = |what: &str, list: &[Expr]| formulas.components(what, "", list);
-    let (found, [potential, gradient, hessian, discrete, jacobian]) = (&kernels.formulas, kernels.pointwise.each());
+    texts("The potential.", "", &formulas, &kernels.formulas, kernels.pointwise.each())
+}
+
+/// The same with the title of the potential, and how ends are named.
+pub(super) fn texts(
+    title: &str,
+    ends: &str,
+    formulas: &Formulas<'_>,
+    found: &kernel::Formulas,
+    programs: [&Program; 5],
+) -> [Vec<String>; 5] {
+    let [potential, gradient, hessian, discrete, jacobian] = programs;
     [
-        block("The potential.", &[("Φ".to_owned(), shown(graph, found.potential))], potential),
-        block("The gradient.", &of("∂Φ/∂", &found.gradient), gradient),
+        block(title, &[("Φ".to_owned(), shown(formulas.graph, found.potential))], potential),
+        block("The gradient.", &formulas.components("∂Φ/∂", "", &found.gradient), gradient),
         costly("The Hessian.", hessian),
         block(
             "The discrete gradient, exact for any gap between the ends a and b.",
-            &of("∇̄Φ", &found.discrete_gradient),
+            &formulas.components("∇̄Φ", ends, &found.discrete_gradient),
             discrete,
         ),
-        costly("∂∇̄Φ/∂b.", jacobian),
+        costly(OF_THE_END, jacobian),
     ]
 }
 
-/// The lines above the functions of steps: the kicks, the trapezoidal step, the energy-exact steps.
-pub(super) fn step_texts(kernels: &Kernels) -> [String; 4] {
-    [
-        " v − c ∇Φ(q).".to_owned(),
-        format!(" v − c ∇Φ(q) + e H ∇Φ(q), H the Hessian. Cost: {}.", kernels.gradient_kick.cost()),
-        increment("the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", &kernels.implicit),
-        increment("the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete),
-    ]
-}
+/// What is said of the Jacobian of the discrete gradient.
+pub(super) const OF_THE_END: &str = "∂∇̄Φ/∂b.";
 
 /// A formula with what it is called.
 pub(super) type Line = (String, String);

@@ -6,7 +6,7 @@ use dmech_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::document::{force_texts, increment, pointwise_texts, step_texts};
+use super::document::{force_texts, pointwise_texts};
 use super::names::{ident, underscored};
 use super::pointwise::{FORCE, POTENTIAL};
 use super::printer::Printer;
@@ -16,17 +16,15 @@ use crate::lower::Source;
 impl Printer<'_> {
     /// The functions of `Field` for a law without a force.
     pub(super) fn steps(&self, kernels: &Kernels) -> TokenStream {
-        let [kick_doc, gradient_kick_doc, implicit_doc, exact_doc] = step_texts(kernels);
-        let kick = self.kick(&kick_doc, &kernels.kick);
-        let gradient_kick = self.gradient_kick(&gradient_kick_doc, &kernels.gradient_kick);
-        let implicit = self.step("implicit_increment", &kernels.implicit);
-        let exact = self.step("discrete_increment", &kernels.discrete);
-        quote! {
-            #kick
-            #gradient_kick
-            #[doc = #implicit_doc] #implicit
-            #[doc = #exact_doc] #exact
-        }
+        let Kernels { kick, gradient_kick, implicit, discrete, .. } = kernels;
+        let twice = format!(" v − c ∇Φ(q) + e H ∇Φ(q), H the Hessian. Cost: {}.", gradient_kick.cost());
+        let functions = [
+            self.kick(" v − c ∇Φ(q).", kick),
+            self.gradient_kick(&twice, gradient_kick),
+            self.step("implicit_increment", "the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", implicit),
+            self.step("discrete_increment", "the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", discrete),
+        ];
+        functions.into_iter().collect()
     }
 
     /// v − c times what acts.
@@ -109,7 +107,8 @@ impl Printer<'_> {
     pub(super) fn field_functions(&self, kernels: &Kernels, forced: &ForcedKernels) -> TokenStream {
         let slope = self.function("slope", &self.motion(), &[], Rank::Vector, &forced.slope);
         let half = self.function("half_force", &self.motion(), &[], Rank::Vector, &forced.half_force);
-        let potential = self.step("potential_increment", &kernels.discrete);
+        let what = "the potential alone: Δ + g ∇̄Φ(a, q + Δ) = c";
+        let potential = self.step("potential_increment", what, &kernels.discrete);
         let (half_doc, workless) = match &forced.discrete {
             ForcedStep::Mean(_) => (" F/2, the share of the start of a step in the mean force.", None),
             ForcedStep::Middle { slope, change } => (
@@ -118,11 +117,10 @@ impl Printer<'_> {
             ),
         };
         let slope_doc = format!(" ∇Φ − F: minus all that acts. Cost: {}.", forced.slope.cost());
-        let potential_doc = increment("the potential alone: Δ + g ∇̄Φ(a, q + Δ) = c", &kernels.discrete);
         quote! {
             #[doc = #slope_doc] #slope
             #[doc = #half_doc] #half
-            #[doc = #potential_doc] #potential
+            #potential
             #workless
         }
     }
@@ -131,27 +129,24 @@ impl Printer<'_> {
     pub(super) fn forced_steps(&self, forced: &ForcedKernels) -> TokenStream {
         let exact = match &forced.discrete {
             ForcedStep::Mean(step) => {
-                let exact_doc =
-                    increment("the energy-exact step: Δ + g (∇̄Φ(a, q + Δ) − F′/2) = c, F′ at (q + Δ, v′)", step);
-                let exact = self.step("discrete_increment", step);
-                quote!(#[doc = #exact_doc] #exact)
+                let what = "the energy-exact step: Δ + g (∇̄Φ(a, q + Δ) − F′/2) = c, F′ at (q + Δ, v′)";
+                self.step("discrete_increment", what, step)
             }
             ForcedStep::Middle { .. } => self.rounded_middle_step(),
         };
-        let implicit = self.step("implicit_increment", &forced.implicit);
+        let what = "the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)";
+        let implicit = self.step("implicit_increment", what, &forced.implicit);
         let kick = self.kick(&format!(" v − c (∇Φ − F). Cost: {}.", forced.kick.cost()), &forced.kick);
         let kick_by_mean = self.kick_by_mean(forced);
         let gradient_kick = forced.gradient_kick.as_ref().map(|program| {
             let doc = format!(" v − c s + e (∂s/∂q) s, with s = ∇Φ − F. Cost: {}.", program.cost());
             self.gradient_kick(&doc, program)
         });
-        let implicit_doc =
-            increment("the trapezoidal step: Δ + g (∇Φ − F)(q + Δ, v′) = c, v′ = v + (2/h)(Δ − h v)", &forced.implicit);
         quote! {
             #kick
             #kick_by_mean
             #gradient_kick
-            #[doc = #implicit_doc] #implicit
+            #implicit
             #exact
         }
     }

@@ -3,16 +3,15 @@
 use dmech_symbolic::expression::Expr;
 use dmech_symbolic::kernel::{PairForce, PairFormulas, PairPotential, Radial};
 
-use super::document::{Formulas, Line, block, costly, of_degree, of_time, shown, text};
+use super::document::{Formulas, Line, OF_THE_END, block, costly, of_degree, of_time, shown, text, texts};
 use crate::PairDerivation;
 use crate::diagnostics::counted;
 
 /// The paragraphs above the functions of `Potential`.
 pub(super) fn potential_texts(derivation: &PairDerivation, potential: &PairPotential) -> [Vec<String>; 5] {
-    let [energy, gradient, hessian, discrete, jacobian] = potential.pointwise.each();
-    let jacobian = costly("∂∇̄Φ/∂b.", jacobian);
     match &potential.formulas {
         PairFormulas::Radial(found) => {
+            let [energy, gradient, hessian, discrete, jacobian] = potential.pointwise.each();
             let [phi, c, of_ends] = radial(derivation, found);
             [
                 block("The potential, of r = |d|.", &[phi], energy),
@@ -23,26 +22,12 @@ pub(super) fn potential_texts(derivation: &PairDerivation, potential: &PairPoten
                     &[of_ends],
                     discrete,
                 ),
-                jacobian,
+                costly(OF_THE_END, jacobian),
             ]
         }
         PairFormulas::Separation(found) => {
-            let formulas = formulas(derivation);
-            [
-                block(
-                    "The potential, of the separation d.",
-                    &[("Φ".to_owned(), shown(formulas.graph, found.potential))],
-                    energy,
-                ),
-                block("The gradient.", &formulas.components("∂Φ/∂", "", &found.gradient), gradient),
-                costly("The Hessian.", hessian),
-                block(
-                    "The discrete gradient, exact for any gap between the ends a and b.",
-                    &formulas.components("∇̄Φ", "(a, b)", &found.discrete_gradient),
-                    discrete,
-                ),
-                jacobian,
-            ]
+            let title = "The potential, of the separation d.";
+            texts(title, "(a, b)", &formulas(derivation), found, potential.pointwise.each())
         }
     }
 }

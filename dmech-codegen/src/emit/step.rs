@@ -7,11 +7,13 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::body::{Printed, body};
+use super::document::increment;
 use super::names::{ident, receiver, underscored};
 use super::printer::Printer;
 
 impl Printer<'_> {
-    pub(super) fn step(&self, name: &str, step: &Step) -> TokenStream {
+    /// The function that solves a step, with what it is called.
+    pub(super) fn step(&self, name: &str, what: &str, step: &Step) -> TokenStream {
         let Self { scalar, runtime, variables, .. } = self;
         let equation = ident("equation");
         let Step { way, given, program, .. } = step;
@@ -59,7 +61,8 @@ impl Printer<'_> {
                 })
             }
         };
-        self.increment(name, quote!(#parameters #solution))
+        let (doc, function) = (increment(what, step), self.increment(name, quote!(#parameters #solution)));
+        quote!(#[doc = #doc] #function)
     }
 
     /// A function that solves the equation of a step.

@@ -20,8 +20,8 @@ impl<'m> Interpreter<'m> {
             return self.compound_assignment(binary, operator, e);
         }
         match &binary.op {
-            BinOp::And(_) => self.conjunction(&binary.left, &binary.right, e),
-            BinOp::Or(_) => self.disjunction(&binary.left, &binary.right, e),
+            BinOp::And(_) => self.connective(false, [&binary.left, &binary.right], e),
+            BinOp::Or(_) => self.connective(true, [&binary.left, &binary.right], e),
             op => match Comparison::of(op) {
                 Some(comparison) => self.comparison(comparison, binary, e),
                 None => self.refuse(body::bit_operator(op)),

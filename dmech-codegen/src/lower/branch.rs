@@ -62,32 +62,23 @@ impl<'m> Interpreter<'m> {
         [(one, other), (other, one)].into_iter().find(|&(field, variant)| is_field(field) && is_variant(variant))
     }
 
-    /// left && right; the right side is not looked at where the left one decides.
-    pub(super) fn conjunction(&mut self, left: &'m Expr, right: &'m Expr, e: &'m Expr) -> Value {
+    /// left && right, which a false side decides, or left || right, which a true one does; the right side is not looked at where the left
+    /// one decides.
+    pub(super) fn connective(&mut self, decides: bool, [left, right]: [&'m Expr; 2], e: &'m Expr) -> Value {
         let one = self.condition(left);
-        if let Some(Truth::Known(false)) = one {
-            return Value::known(false);
+        if let Some(Truth::Known(known)) = one
+            && known == decides
+        {
+            return Value::known(decides);
         }
         match (one, self.condition(right)) {
-            (Some(Truth::Known(true)), Some(two)) => Value::Truth(two),
-            (Some(_), Some(Truth::Known(false))) => Value::known(false),
-            (Some(one), Some(Truth::Known(true))) => Value::Truth(one),
-            (Some(Truth::When(one)), Some(Truth::When(two))) => self.joined(one.and(two), e),
-            _ => Value::Unknown,
-        }
-    }
-
-    /// left || right
-    pub(super) fn disjunction(&mut self, left: &'m Expr, right: &'m Expr, e: &'m Expr) -> Value {
-        let one = self.condition(left);
-        if let Some(Truth::Known(true)) = one {
-            return Value::known(true);
-        }
-        match (one, self.condition(right)) {
-            (Some(Truth::Known(false)), Some(two)) => Value::Truth(two),
-            (Some(_), Some(Truth::Known(true))) => Value::known(true),
-            (Some(one), Some(Truth::Known(false))) => Value::Truth(one),
-            (Some(Truth::When(one)), Some(Truth::When(two))) => self.joined(one.or(two), e),
+            (Some(Truth::Known(_)), Some(two)) => Value::Truth(two),
+            (Some(_), Some(Truth::Known(known))) if known == decides => Value::known(decides),
+            (Some(one), Some(Truth::Known(_))) => Value::Truth(one),
+            (Some(Truth::When(one)), Some(Truth::When(two))) => {
+                let both = if decides { one.or(two) } else { one.and(two) };
+                self.joined(both, e)
+            }
             _ => Value::Unknown,
         }
     }

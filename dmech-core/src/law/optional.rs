@@ -2,7 +2,6 @@
 
 use dmech_scalar::Real;
 
-use super::field::Linearised;
 use super::perhaps::Perhaps;
 use super::written::{Written, WrittenPair};
 use super::{
@@ -167,15 +166,6 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Option<F> {
     }
     fn frequency(from_now: impl Fn(R) -> Option<Self>, mass: R, t: R, course: Course<D, R>) -> Frequency<R> {
         F::frequency(|s| from_now(s).flatten(), mass, t, course)
-    }
-    fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
-        self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.end_slope(b, v, t))
-    }
-    fn secant_slope(&self, a: [R; D], b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
-        self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.secant_slope(a, b, v, t))
-    }
-    fn middle_slope(&self, ends: [[R; D]; 2], mean: [R; D], t: R) -> Linearised<D, R> {
-        self.as_ref().map_or(([R::ZERO; D], nothing(), nothing()), |field| field.middle_slope(ends, mean, t))
     }
 }
 

@@ -2,11 +2,10 @@
 
 use dmech_scalar::{Mask, Real};
 
-use super::field::Linearised;
 use super::{Between, Field, Potential};
 use crate::look::{Course, Frequency};
 use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::vector::{by_component, by_entry};
+use crate::vector::{either, either_matrix};
 
 /// Functions that are asked of what is within, and by what their values are passed on: `or(v) kick(…)` is
 /// `self.or(v, self.law.kick(…))`.
@@ -47,17 +46,12 @@ impl<F, R: Real> Perhaps<F, R> {
     /// x where the law is here, else what there is without it.
     #[inline(always)]
     fn or<const D: usize>(&self, without: [R; D], x: [R; D]) -> [R; D] {
-        by_component!(|i| R::either(self.here, x[i], without[i]))
+        either(self.here, x, without)
     }
 
     #[inline(always)]
     fn matrix<const D: usize>(&self, x: [[R; D]; D]) -> [[R; D]; D] {
-        by_entry!(|i, j| R::either(self.here, x[i][j], R::ZERO))
-    }
-
-    #[inline(always)]
-    fn all<const D: usize>(&self, (x, by_q, by_v): Linearised<D, R>) -> Linearised<D, R> {
-        (self.vector(x), self.matrix(by_q), self.matrix(by_v))
+        either_matrix(self.here, x, [[R::ZERO; D]; D])
     }
 
     /// The increment by the law, or of free motion. Where there is no law, the equation of the first that has one is solved once more:
@@ -128,15 +122,6 @@ impl<F: Field<D, R>, const D: usize, R: Real> Field<D, R> for Perhaps<F, R> {
         }
         let free = F::frequency(|_| None, mass, t, course);
         if here.any() { free.where_alone(here.not(), under(course.lent(here))) } else { free }
-    }
-    fn end_slope(&self, b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
-        self.all(self.law.end_slope(b, v, t))
-    }
-    fn secant_slope(&self, a: [R; D], b: [R; D], v: [R; D], t: R) -> Linearised<D, R> {
-        self.all(self.law.secant_slope(a, b, v, t))
-    }
-    fn middle_slope(&self, ends: [[R; D]; 2], mean: [R; D], t: R) -> Linearised<D, R> {
-        self.all(self.law.middle_slope(ends, mean, t))
     }
 }
 

@@ -13,7 +13,7 @@ use core::array::from_fn;
 
 use dmech_scalar::{Mask, Real};
 
-use crate::vector::{dot, sum};
+use crate::vector::{dot, either, sum};
 
 /// By A with the one entry a above its diagonal.
 #[inline(always)]
@@ -71,7 +71,7 @@ pub(crate) fn kick_by_mean<const D: usize, R: Real>(c: R, push: [R; D], s: [[R; 
     let solved = sum(v, crate::newton::elimination::solve(matrix, change));
     if rotates && turns.any() {
         let turned = amid(push.map(|p| half * p), v, |v| rotated(a, v));
-        return from_fn(|i| R::either(turns, turned[i], solved[i]));
+        return either(turns, turned, solved);
     }
     solved
 }

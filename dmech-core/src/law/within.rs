@@ -7,7 +7,7 @@ use dmech_scalar::{Mask, Real};
 use super::written::WrittenPair;
 use super::{Between, Numbers, PairFields, PairLaw, Reads};
 use super::{LinearInVelocity, Potential, VelocityIndependent};
-use crate::vector::{by_component, by_entry, dot, scaled, sum};
+use crate::vector::{by_entry, dot, either, either_matrix, scaled, sum};
 
 /// A law of the distance, cut off at r: Φ(d) − Φ(r) within, 0 beyond. Where Φ(r) = 0 it is the law as it is.
 ///
@@ -122,12 +122,12 @@ fn along<const D: usize, R: Real>(x: R) -> [R; D] {
 /// x where it is so, else 0.
 #[inline(always)]
 fn only<const D: usize, R: Real>(mask: R::Mask, x: [R; D]) -> [R; D] {
-    by_component!(|k| R::either(mask, x[k], R::ZERO))
+    either(mask, x, [R::ZERO; D])
 }
 
 #[inline(always)]
 fn only_block<const D: usize, R: Real>(mask: R::Mask, x: [[R; D]; D]) -> [[R; D]; D] {
-    by_entry!(|k, l| R::either(mask, x[k][l], R::ZERO))
+    either_matrix(mask, x, [[R::ZERO; D]; D])
 }
 
 /// Both ends of a way: which lie within, and the squares of the distances.
@@ -195,8 +195,7 @@ impl<const D: usize, R: Real, B: Potential<D, R>> Potential<D, R> for Cut<B, R> 
         if !ends.across.any() {
             return inside;
         }
-        let across = scaled(self.part::<D>(&ends), sum(a, b));
-        by_component!(|k| R::either(ends.across, across[k], inside[k]))
+        either(ends.across, scaled(self.part::<D>(&ends), sum(a, b)), inside)
     }
 
     #[inline(always)]
@@ -214,7 +213,7 @@ impl<const D: usize, R: Real, B: Potential<D, R>> Potential<D, R> for Cut<B, R> 
             let bent = way[k] * ((slope[l] - (part + part) * b[l]) / length);
             if k == l { bent + part } else { bent }
         };
-        by_entry!(|k, l| R::either(ends.across, row(k, l), inside[k][l]))
+        either_matrix(ends.across, by_entry!(|k, l| row(k, l)), inside)
     }
 }
 

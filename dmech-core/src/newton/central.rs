@@ -167,8 +167,7 @@ fn rank_one<const D: usize, R: Real>(
 ) -> Correction<D, R> {
     let g = equation.g;
     let gradient = scaled(c, sum);
-    let wanted = equation.increment(gradient);
-    let residual = difference(wanted, delta);
+    let residual = equation.rest(delta, gradient);
     let p = R::ONE + g * c;
     let across = p + g * k * dot(x, sum);
     let along = dot(x, residual) / across;

@@ -26,10 +26,7 @@ pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
     // |drift − frozen − g G − Δ|, G where the correction was made; of a trapezoid, whose G comes with J δ added, |δ|.
-    let rest = |delta: [R; D], made: &Correction<D, R>| {
-        let wanted = equation.increment(made.parts[0]);
-        length(&by_component!(|i| wanted[i] - delta[i])).to_f64()
-    };
+    let rest = |delta: [R; D], made: &Correction<D, R>| length(&equation.rest(delta, made.parts[0])).to_f64();
     let mut delta = equation.guess;
     let mut made = correct(&equation, delta, equation.end(delta));
     let mut left = rest(delta, &made);

@@ -101,7 +101,7 @@ fn definite<const D: usize, R: Real>(
     (gradient, jacobian): ([R; D], [[R; D]; D]),
 ) -> (Correction<D, R>, [R; D]) {
     let matrix = newton_matrix(equation.g, &jacobian);
-    let (change, pivots) = elimination::solve_definite(matrix, rest(equation, delta, gradient));
+    let (change, pivots) = elimination::solve_definite(matrix, equation.rest(delta, gradient));
     (Correction::in_parts(change, gradient, turned(&jacobian, change)), pivots)
 }
 
@@ -112,14 +112,8 @@ fn correction<const D: usize, R: Real>(
     jacobian: &[[R; D]; D],
 ) -> Correction<D, R> {
     let (change, [continued, definite]) =
-        doubt::solve(newton_matrix(equation.g, jacobian), rest(equation, delta, gradient));
+        doubt::solve(newton_matrix(equation.g, jacobian), equation.rest(delta, gradient));
     Correction { continued, definite, ..Correction::in_parts(change, gradient, turned(jacobian, change)) }
-}
-
-/// drift − frozen − g G − Δ.
-fn rest<const D: usize, R: Real>(equation: &Equation<D, R>, delta: [R; D], gradient: [R; D]) -> [R; D] {
-    let wanted = equation.increment(gradient);
-    by_component!(|i| wanted[i] - delta[i])
 }
 
 /// J δ.

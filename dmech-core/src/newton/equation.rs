@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Count, Mask, Real, two_sum};
 
-use crate::vector::{by_component, difference};
+use crate::vector::{by_component, difference, either};
 
 /// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  where G(b) is ∇Φ(b) (trapezoid) or ∇̄Φ(a, b) (energy-exact steps).
 ///
@@ -103,6 +103,12 @@ impl<const D: usize, R: Real> Equation<D, R> {
         by_component!(|i| (wanted[i] - delta[i]) + left[i])
     }
 
+    /// The same as it is rounded.
+    #[inline]
+    pub(super) fn rest(&self, delta: [R; D], gradient: [R; D]) -> [R; D] {
+        difference(self.increment(gradient), delta)
+    }
+
     /// q + Δ.
     #[inline]
     pub fn end(&self, delta: [R; D]) -> [R; D] {
@@ -166,12 +172,11 @@ impl<const D: usize, R: Real> Increment<D, R> {
     /// The one where the mask holds, the other elsewhere.
     #[inline(always)]
     pub(crate) fn either(which: R::Mask, one: Self, other: Self) -> Self {
-        let either = |x: [R; D], y: [R; D]| core::array::from_fn(|i| R::either(which, x[i], y[i]));
         let Increment { delta, gradient, parts: [main, rest], evaluations, iterations } = other;
         Increment {
-            delta: either(one.delta, delta),
-            gradient: either(one.gradient, gradient),
-            parts: [either(one.parts[0], main), either(one.parts[1], rest)],
+            delta: either(which, one.delta, delta),
+            gradient: either(which, one.gradient, gradient),
+            parts: [either(which, one.parts[0], main), either(which, one.parts[1], rest)],
             evaluations: which.count(one.evaluations, evaluations),
             iterations: which.count(one.iterations, iterations),
         }

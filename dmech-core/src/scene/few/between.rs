@@ -5,9 +5,10 @@ use core::marker::PhantomData;
 
 use dmech_scalar::{Mask, Real};
 
+use super::Of;
 use super::among::{Among, AmongFew, Places};
 use super::links::{LinksOfFew, Presence};
-use super::sides::{Acting, Sides};
+use super::sides::{Sides, WhoActs};
 use super::sums::{add, add_block, add_link, add_opposite, moving};
 use crate::law::{Between, Numbers, PairFields, Potential, Reads};
 use crate::look::{Course, Frequency, Stiffness};
@@ -15,15 +16,13 @@ use crate::scene::space::{Images, SpaceOfFew};
 use crate::scene::terms::{Acts, LinkedReady, Way, link_stiffness};
 use crate::vector::{by_entry, difference};
 
-type Of<N, R> = <N as Numbers>::Of<R>;
-
 impl<const D: usize, const N: usize, S: Sides, P, X: PairFields<D, P>, T: LinksOfFew, B: SpaceOfFew<D>>
     AmongFew<D, N, S> for LinkedReady<X, T, P, B>
 where
     Self: Acts<D>,
 {
     type Numbers = ((X::Fields, [<X as Reads<P>>::Numbers; N]), (T::Numbers<N>, B::Numbers));
-    type Moment<R: Real> = BetweenFew<X, T, P, B, S::Acting<N, R>, D, N, R>;
+    type Moment<R: Real> = BetweenFew<X, T, P, B, S::WhoActs<N, R>, D, N, R>;
 
     fn numbers(&self) -> Self::Numbers {
         ((self.law.fields(), from_fn(|i| self.numbers.of_body(i))), (self.links.numbers(), self.space.numbers()))
@@ -37,7 +36,7 @@ where
     #[inline(always)]
     fn moment<R: Real>(
         ((law, bodies), (links, space)): Of<Self::Numbers, R>,
-        acting: S::Acting<N, R>,
+        acting: S::WhoActs<N, R>,
         t: R,
     ) -> Self::Moment<R> {
         BetweenFew { law, bodies, links, acting, space: B::of(space), t, data: PhantomData }
@@ -64,7 +63,7 @@ pub struct BetweenFew<
     data: PhantomData<fn() -> P>,
 }
 
-impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, const D: usize, const N: usize, R: Real>
+impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: WhoActs<R>, const D: usize, const N: usize, R: Real>
     BetweenFew<X, T, P, B, W, D, N, R>
 {
     #[inline(always)]
@@ -90,7 +89,7 @@ impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, cons
     }
 }
 
-impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: Acting<R>, const D: usize, const N: usize, R: Real>
+impl<X: PairFields<D, P>, T: LinksOfFew, P, B: SpaceOfFew<D>, W: WhoActs<R>, const D: usize, const N: usize, R: Real>
     Among<D, N, R> for BetweenFew<X, T, P, B, W, D, N, R>
 {
     #[inline(always)]

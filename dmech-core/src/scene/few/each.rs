@@ -4,19 +4,18 @@ use core::array::from_fn;
 
 use dmech_scalar::Real;
 
+use super::Of;
 use super::among::{Among, AmongFew, Places};
 use super::links::{Always, Presence};
-use super::sides::{Acting, Sides};
+use super::sides::{Sides, WhoActs};
 use super::sums::{add, add_block, moving};
-use crate::law::{Field, Fields, Numbers, Potential};
+use crate::law::{Field, Fields, Potential};
 use crate::look::{Course, Frequency, Stiffness};
 use crate::scene::terms::EachReady;
 
-type Of<N, R> = <N as Numbers>::Of<R>;
-
 impl<const D: usize, const N: usize, S: Sides, X: Fields<D>> AmongFew<D, N, S> for EachReady<X> {
     type Numbers = (X::Numbers, [f64; N]);
-    type Moment<R: Real> = OnEachOfFew<X, S::Acting<N, R>, D, N, R>;
+    type Moment<R: Real> = OnEachOfFew<X, S::WhoActs<N, R>, D, N, R>;
 
     fn numbers(&self) -> Self::Numbers {
         (self.law.numbers(), from_fn(|i| self.masses[i]))
@@ -26,7 +25,7 @@ impl<const D: usize, const N: usize, S: Sides, X: Fields<D>> AmongFew<D, N, S> f
         (0..N).for_each(|_| see("masses"));
     }
     #[inline(always)]
-    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), acting: S::Acting<N, R>, t: R) -> Self::Moment<R> {
+    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), acting: S::WhoActs<N, R>, t: R) -> Self::Moment<R> {
         OnEachOfFew { law, masses, acting, t }
     }
 }
@@ -46,7 +45,7 @@ impl<X: Fields<D>, W, const D: usize, const N: usize, R: Real> OnEachOfFew<X, W,
     }
 }
 
-impl<X: Fields<D>, W: Acting<R>, const D: usize, const N: usize, R: Real> Among<D, N, R>
+impl<X: Fields<D>, W: WhoActs<R>, const D: usize, const N: usize, R: Real> Among<D, N, R>
     for OnEachOfFew<X, W, D, N, R>
 {
     #[inline(always)]

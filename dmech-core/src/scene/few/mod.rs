@@ -26,6 +26,8 @@ use crate::law::{Fields, Law, LinearInVelocity, Numbers, VelocityIndependent};
 use crate::state::State;
 use crate::system::{LinearVelocities, WithoutVelocities};
 
+type Of<N, R> = <N as Numbers>::Of<R>;
+
 /// N bodies in D dimensions under the terms `A` of a scene, as one law of K = N D coordinates, body after body: [`Scene::as_law`].
 ///
 /// ```text
@@ -239,7 +241,7 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Si
 
     #[inline(always)]
     fn moment<R: Real>(
-        ([weights, inertia], numbers): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>),
+        ([weights, inertia], numbers): ([[R; N]; 2], Of<A::Numbers, R>),
         _: R,
         t: R,
     ) -> Whole<A, D, N, K, R, S> {
@@ -247,7 +249,7 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Si
     }
 
     #[inline(always)]
-    fn masses<R: Real>(([weights, _], _): ([[R; N]; 2], <A::Numbers as Numbers>::Of<R>)) -> [R; K] {
+    fn masses<R: Real>(([weights, _], _): ([[R; N]; 2], Of<A::Numbers, R>)) -> [R; K] {
         from_fn(|i| weights[i / D])
     }
 }

@@ -13,10 +13,10 @@ pub trait Sides: Copy + Debug + Send + Sync + 'static {
     /// Every body acts on all others, and counts in all sums.
     const MUTUAL: bool;
     /// Which of N bodies act.
-    type Acting<const N: usize, R: Real>: Acting<R>;
+    type WhoActs<const N: usize, R: Real>: WhoActs<R>;
 
     /// Which of the bodies act: those that count by a mass, and not by 0.
-    fn acting<const N: usize, R: Real>(weights: &[R; N]) -> Self::Acting<N, R>;
+    fn acting<const N: usize, R: Real>(weights: &[R; N]) -> Self::WhoActs<N, R>;
 }
 
 /// Every body acts on all others: what [`Scene::as_law`](crate::Scene::as_law) makes.
@@ -29,7 +29,7 @@ pub enum Mutual {}
 pub enum Restricted {}
 
 /// Which of few bodies act on others, in the lanes of a scalar.
-pub trait Acting<R: Real>: Copy {
+pub trait WhoActs<R: Real>: Copy {
     /// Where a link is there and one of its bodies acts.
     type Where<T: Presence<R>>: Presence<R>;
 
@@ -39,7 +39,7 @@ pub trait Acting<R: Real>: Copy {
 
 impl Sides for Mutual {
     const MUTUAL: bool = true;
-    type Acting<const N: usize, R: Real> = All;
+    type WhoActs<const N: usize, R: Real> = All;
 
     #[inline(always)]
     fn acting<const N: usize, R: Real>(_: &[R; N]) -> All {
@@ -49,7 +49,7 @@ impl Sides for Mutual {
 
 impl Sides for Restricted {
     const MUTUAL: bool = false;
-    type Acting<const N: usize, R: Real> = Those<N, R>;
+    type WhoActs<const N: usize, R: Real> = Those<N, R>;
 
     #[inline(always)]
     fn acting<const N: usize, R: Real>(weights: &[R; N]) -> Those<N, R> {
@@ -61,7 +61,7 @@ impl Sides for Restricted {
 #[derive(Clone, Copy)]
 pub struct All;
 
-impl<R: Real> Acting<R> for All {
+impl<R: Real> WhoActs<R> for All {
     type Where<T: Presence<R>> = T;
 
     #[inline(always)]
@@ -74,7 +74,7 @@ impl<R: Real> Acting<R> for All {
 #[derive(Clone, Copy)]
 pub struct Those<const N: usize, R: Real>([R::Mask; N]);
 
-impl<const N: usize, R: Real> Acting<R> for Those<N, R> {
+impl<const N: usize, R: Real> WhoActs<R> for Those<N, R> {
     type Where<T: Presence<R>> = Here<R>;
 
     #[inline(always)]

@@ -16,7 +16,7 @@ const STIFFEST: f64 = 1024.0;
 /// A long chain does not fit into the nearest memory, and a step costs what is read and written: everything that a body
 /// needs is done while it is at hand, eight bodies at a time, and the Jacobian is never stored.
 #[derive(Clone, Debug)]
-pub(super) struct Elimination<const D: usize> {
+pub(super) struct ChainElimination<const D: usize> {
     /// Pᵢ⁻¹ Uᵢ, with Pᵢ the eliminated diagonal and −Uᵢ what is right of it.
     following: Vec<Block<D>>,
     /// drift − g (G + known) − Δ; after a step that conserves the energy, in its place what the rounding of G left out.
@@ -25,9 +25,9 @@ pub(super) struct Elimination<const D: usize> {
     positive: bool,
 }
 
-impl<const D: usize> Elimination<D> {
+impl<const D: usize> ChainElimination<D> {
     pub(super) fn new(bodies: usize) -> Self {
-        Elimination { following: vec![[[0.0; D]; D]; bodies], residual: Vectors::zeros(bodies), positive: true }
+        ChainElimination { following: vec![[[0.0; D]; D]; bodies], residual: Vectors::zeros(bodies), positive: true }
     }
 
     /// What the rounding of the last G + J δ left out.
@@ -50,7 +50,7 @@ impl<const D: usize> Solver<D> {
     /// As [`Solver::settle`] for the whole step, with a Jacobian for each correction: here it costs no more than to keep one.
     pub(super) fn settle_chain<U: Unknown<D>>(
         &mut self,
-        chain: &mut Elimination<D>,
+        chain: &mut ChainElimination<D>,
         step: Part<'_, U, D>,
     ) -> Result<u32, NotConverged> {
         let Part { equation, unknown, .. } = step;
@@ -86,7 +86,7 @@ impl<const D: usize> Solver<D> {
     /// not positive definite.
     fn along<U: Unknown<D>>(
         &mut self,
-        chain: &mut Elimination<D>,
+        chain: &mut ChainElimination<D>,
         equation: &Equations<'_, D>,
         unknown: &U,
         guess: bool,
@@ -138,7 +138,7 @@ impl<const D: usize> Solver<D> {
 
     /// δᵢ = yᵢ + (P⁻¹U)ᵢ δᵢ₊₁ from the last body to the first; Δ += δ, and G += J δ with J δ = (r − δ)/g.
     /// max |δ| and max |Δ| come back, not finite if a component is not.
-    fn back<U: Unknown<D>>(&mut self, chain: &mut Elimination<D>, equation: &Equations<'_, D>) -> [f64; 2] {
+    fn back<U: Unknown<D>>(&mut self, chain: &mut ChainElimination<D>, equation: &Equations<'_, D>) -> [f64; 2] {
         let bodies = self.delta.bodies();
         let (mut size, mut step, mut odd) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
         let mut after = [0.0; D];

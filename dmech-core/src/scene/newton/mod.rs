@@ -10,7 +10,7 @@ mod tests;
 
 use dmech_scalar::{Lanes, Real, two_sum};
 
-use self::chain::Elimination;
+use self::chain::ChainElimination;
 use self::equations::Part;
 pub(super) use self::equations::{Equations, Unknown};
 use self::progress::{Progress, Verdict};
@@ -76,7 +76,7 @@ fn unfit<U: Unknown<D>, const D: usize>(iteration: u32) -> NotConverged {
 pub(super) struct Solver<const D: usize> {
     matrix: Matrix<D>,
     /// In place of the matrix, where consecutive bodies are linked and forces do not depend on velocities.
-    chain: Option<Elimination<D>>,
+    chain: Option<ChainElimination<D>>,
     /// Δ.
     pub(super) delta: Vectors<D>,
     /// G at the solution, G + J δ of the last correction.
@@ -98,7 +98,7 @@ impl<const D: usize> Solver<D> {
         let zeros = Vectors::zeros(bodies);
         Solver {
             matrix: Matrix::new(bodies, topology),
-            chain: (*topology == Topology::Chain).then(|| Elimination::new(bodies)),
+            chain: (*topology == Topology::Chain).then(|| ChainElimination::new(bodies)),
             delta: zeros.clone(),
             gradient: zeros.clone(),
             rest: zeros.clone(),

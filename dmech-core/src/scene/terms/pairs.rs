@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use super::cores::each_on_its_core;
 use super::links::{self, KnownLinks, Links};
 use super::numbers::NumberColumns;
-use super::sweep::{self, Kernels, Moments};
+use super::sweep::{self, Kernels, Positions};
 use crate::law::Numbers;
 use crate::scene::acting::Acting;
 use crate::scene::space::Space;
@@ -129,7 +129,7 @@ impl Links for Pairs {
 /// What the bodies feel from the pairs of chunk c.
 fn chunk<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
-    q: &Moments<'_, D, S>,
+    q: &Positions<'_, D, S>,
     numbers: &NumberColumns<N>,
     c: usize,
     count: usize,

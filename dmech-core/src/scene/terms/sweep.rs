@@ -33,11 +33,11 @@ impl<K: Kernel<D, S, N, f64> + Kernel<D, S, N, Lanes>, const D: usize, const S: 
 }
 
 /// The columns of the positions at S moments.
-pub(super) type Moments<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
+pub(super) type Positions<'a, const D: usize, const S: usize> = [[&'a [f64]; D]; S];
 
 /// q_a − q_b at each moment, for each b of the lanes.
 #[inline(always)]
-fn from_one<const D: usize, const S: usize, R: Packed>(q: &Moments<'_, D, S>, a: usize, b: usize) -> [[R; D]; S] {
+fn from_one<const D: usize, const S: usize, R: Packed>(q: &Positions<'_, D, S>, a: usize, b: usize) -> [[R; D]; S] {
     each(|moment, k| R::from_f64(q[moment][k][a]) - R::load(q[moment][k], b))
 }
 
@@ -73,7 +73,7 @@ pub(super) fn link<const D: usize, const S: usize, N: Numbers>(
 /// Column k of `out` begins with body `rows.start`.
 pub(super) fn triangle<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
-    q: &Moments<'_, D, S>,
+    q: &Positions<'_, D, S>,
     numbers: &NumberColumns<N>,
     rows: Range<usize>,
     mut out: [&mut [f64]; D],
@@ -90,7 +90,7 @@ pub(super) fn triangle<const D: usize, const S: usize, N: Numbers>(
 /// The same where some bodies act and the others only feel: `groups` of consecutive bodies of one kind are together all.
 pub(super) fn one_sided<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
-    q: &Moments<'_, D, S>,
+    q: &Positions<'_, D, S>,
     numbers: &NumberColumns<N>,
     groups: &[Group],
     mut out: [&mut [f64]; D],
@@ -116,7 +116,7 @@ pub(super) fn one_sided<const D: usize, const S: usize, N: Numbers>(
 #[inline(always)]
 fn row<const D: usize, const S: usize, N: Numbers>(
     kernel: &impl Kernels<D, S, N>,
-    q: &Moments<'_, D, S>,
+    q: &Positions<'_, D, S>,
     numbers: &NumberColumns<N>,
     a: usize,
     others: Range<usize>,
@@ -186,20 +186,20 @@ pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
 /// Where a chain is, and where its gradient goes.
 pub(super) trait Sink<const D: usize, const S: usize> {
     /// The columns of the positions.
-    fn q(&self) -> Moments<'_, D, S>;
+    fn q(&self) -> Positions<'_, D, S>;
     /// Component k of the gradient at body j, or at so many from j on. Where the bodies before those are is not asked for again.
     fn put<R: Packed>(&mut self, k: usize, j: usize, gradient: R);
 }
 
 /// Into columns, in place of what is there or to be added to it.
 pub(super) struct Gradient<'a, const D: usize, const S: usize, const SET: bool> {
-    pub(super) q: Moments<'a, D, S>,
+    pub(super) q: Positions<'a, D, S>,
     pub(super) out: [&'a mut [f64]; D],
 }
 
 impl<const D: usize, const S: usize, const SET: bool> Sink<D, S> for Gradient<'_, D, S, SET> {
     #[inline(always)]
-    fn q(&self) -> Moments<'_, D, S> {
+    fn q(&self) -> Positions<'_, D, S> {
         self.q
     }
 
@@ -239,7 +239,7 @@ pub(super) struct Staying<'a, const D: usize> {
 
 impl<const D: usize> Sink<D, 1> for Staying<'_, D> {
     #[inline(always)]
-    fn q(&self) -> Moments<'_, D, 1> {
+    fn q(&self) -> Positions<'_, D, 1> {
         [self.q]
     }
 
@@ -258,7 +258,7 @@ pub(super) struct Drifting<'a, const D: usize> {
 
 impl<const D: usize> Sink<D, 1> for Drifting<'_, D> {
     #[inline(always)]
-    fn q(&self) -> Moments<'_, D, 1> {
+    fn q(&self) -> Positions<'_, D, 1> {
         [self.q.each_ref().map(|q| &**q)]
     }
 
@@ -295,7 +295,7 @@ pub(super) fn stencil<const D: usize, const S: usize, N: Numbers>(
 #[inline(always)]
 fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
     kernel: &impl Kernel<D, S, N, R>,
-    q: &Moments<'_, D, S>,
+    q: &Positions<'_, D, S>,
     numbers: &NumberColumns<N>,
     j: usize,
 ) -> [R; D] {
@@ -307,7 +307,7 @@ fn neighbours<const D: usize, const S: usize, N: Numbers, R: Packed>(
 #[expect(clippy::type_complexity, reason = "what a kernel takes, in its order")]
 #[inline(always)]
 fn along<const D: usize, const S: usize, N: Numbers, R: Packed>(
-    q: &Moments<'_, D, S>,
+    q: &Positions<'_, D, S>,
     numbers: &NumberColumns<N>,
     j: usize,
 ) -> (N::Of<R>, N::Of<R>, [[R; D]; S]) {

@@ -2,7 +2,7 @@
 
 use crate::law::Potential;
 use crate::scene::space::Images;
-use crate::vector::{difference, dot, sum};
+use crate::vector::{difference, dot, either, either_matrix, sum};
 use dmech_scalar::{Mask, Real};
 
 /// From one separation to another.
@@ -57,7 +57,7 @@ impl<'a, const D: usize, R: Real, B: Images<D, R>> Way<'a, B, D, R> {
         }
         let ends = self.ends();
         let plain = law.discrete_gradient(ends.a, ends.b);
-        if ends.jumps.any() { ends.choose(plain, ends.secant(law)) } else { plain }
+        if ends.jumps.any() { either(ends.jumps, ends.secant(law), plain) } else { plain }
     }
 
     /// ∂∇̄Φ/∂(the end).
@@ -71,17 +71,11 @@ impl<'a, const D: usize, R: Real, B: Images<D, R>> Way<'a, B, D, R> {
         if !ends.jumps.any() {
             return plain;
         }
-        let jumped = ends.secant_jacobian(law);
-        core::array::from_fn(|k| ends.choose(plain[k], jumped[k]))
+        either_matrix(ends.jumps, ends.secant_jacobian(law), plain)
     }
 }
 
 impl<const D: usize, R: Real> Ends<D, R> {
-    #[inline(always)]
-    fn choose(&self, plain: [R; D], jumped: [R; D]) -> [R; D] {
-        core::array::from_fn(|k| R::either(self.jumps, jumped[k], plain[k]))
-    }
-
     /// c/|Δ|².
     fn missing(&self, law: &impl Potential<D, R>) -> R {
         let end = law.potential(self.b) - law.potential(self.beyond);

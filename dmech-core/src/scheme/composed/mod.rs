@@ -17,7 +17,7 @@ pub use steps::{OneStep, Steps, StepsMemory, StepsRoom};
 use dmech_scalar::Real;
 
 use self::coefficients::{SofroniouSpaletta6, SofroniouSpaletta8, Suzuki4S7};
-use super::splitting::digits;
+use super::splitting::{First, digits, ends};
 use super::{Boris, DiscreteGradient, Implicit, Leapfrog, Method};
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
@@ -115,16 +115,7 @@ impl<S: Composable, C: Coefficients<STAGES>, const STAGES: usize> Composed<S, C,
     const TITLE: Name = Name::of(&["Composed(", S::NAME, ", ", C::NAME, ")"]);
 
     /// c₁, …, c_N: where in the step the stages end.
-    pub(crate) const ENDS: [f64; STAGES] = {
-        let mut ends = [1.0; STAGES];
-        let (mut sum, mut k) = (0.0, 0);
-        while k + 1 < STAGES {
-            sum += C::GAMMA[k];
-            ends[k] = sum;
-            k += 1;
-        }
-        ends
-    };
+    pub(crate) const ENDS: [f64; STAGES] = ends(First::Kick, C::GAMMA);
 
     /// Where in the step a stage begins.
     pub(crate) const fn begins(k: usize) -> f64 {

@@ -68,7 +68,8 @@ const fn joined<const N: usize>(first: First, kicks: [f64; N]) -> [f64; N] {
     joined
 }
 
-const fn ends<const N: usize>(first: First, drifts: [f64; N]) -> [f64; N] {
+/// Where in the step its drifts end.
+pub(crate) const fn ends<const N: usize>(first: First, drifts: [f64; N]) -> [f64; N] {
     let mut ends = [1.0; N];
     let whole = matches!(first, First::Kick);
     let (mut sum, mut k) = (0.0, 0);

@@ -1,11 +1,11 @@
 //! The energy-exact one-step scheme.
 
-use super::by_lane::by_lane;
-use super::memory::{memory, one_solve};
-use super::{Effort, Method, Newton, Scheme, remember};
+use super::composed::SlopeAt;
+use super::one_solve::{Begun, OneSolveMemory, Stage, one_solve};
+use super::{Method, Newton, Scheme};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, ImplicitSteps, Step};
+use crate::system::{ImplicitSteps, Step};
 
 /// The energy-exact step (LaBudde–Greenspan): mean velocity, and the force as a discrete gradient.
 ///
@@ -49,23 +49,6 @@ impl DiscreteGradient {
     }
 }
 
-memory! {
-    /// What [`DiscreteGradient`](struct@DiscreteGradient) carries.
-    pub struct DiscreteGradientMemory<Y> {
-        /// Position.
-        pub q: Y::Sum,
-        /// Velocity.
-        pub v: Y::Sum,
-    }
-    lists {
-        /// ∇̄Φ less the mean force of the last three steps, the newest first; ∇Φ − F before the first step.
-        slopes: [Y::Vector; 3],
-    }
-    uncarried {}
-}
-
-by_lane! { DiscreteGradientMemory { q, v, slopes }; }
-
 impl Method for DiscreteGradient {
     const NAME: &'static str = "DiscreteGradient";
     const ORDER: u32 = 2;
@@ -79,31 +62,32 @@ impl Method for DiscreteGradient {
     }
 }
 
-impl DiscreteGradient {
-    /// The share of h²/m at the unknown force.
-    pub(super) const SHARE: f64 = 0.5;
-}
-
-impl<Y: ImplicitSteps> Scheme<Y> for DiscreteGradient {
-    one_solve! { DiscreteGradientMemory }
+impl Stage for DiscreteGradient {
+    const SLOPE_AT: SlopeAt = SlopeAt::Middle;
+    const SHARE: f64 = 0.5;
 
     /// (v′ + v)/2 = (q′ − q)/h; m (v′ − v)/h = −∇̄Φ(q, q′) + (F + F′)/2.
     #[inline(always)]
-    fn step(
+    fn advance<Y: ImplicitSteps>(
         &self,
         system: &Y,
-        stride: &Y::Stride,
-        t: Y::Scalar,
-        memory: &mut Self::Memory,
-        solver: &mut Y::Solver,
-    ) -> Result<Effort<Y::Scalar>, NotConverged> {
-        let DiscreteGradientMemory { q, v, slopes } = memory;
-        let ahead = Ahead::Continued(slopes.each_ref());
+        Begun { stride, t, ahead, solver }: Begun<'_, Y>,
+        _: &Y::Vector,
+        [q, v]: [&mut Y::Sum; 2],
+    ) -> Result<Y::Found, NotConverged> {
         let mut found = system.solve_exact(solver, &Step { stride, t, q, v, ahead, newton: &self.newton })?;
         system.settle(solver, stride, 0.5, &mut found, [q, v]);
-        remember::<Y>(solver, &found, slopes);
-        Ok(Y::effort(&found))
+        Ok(found)
     }
+
+    #[inline(always)]
+    fn work_of<Y: ImplicitSteps>(system: &Y, solver: &Y::Solver, found: &Y::Found, _: &Y::Vector) -> Y::Scalar {
+        system.work_along(Y::found(solver, found), Y::moved(solver, found))
+    }
+}
+
+impl<Y: ImplicitSteps> Scheme<Y> for DiscreteGradient {
+    one_solve! {}
 
     /// (−∇̄Φ(q, q′) + (F + F′)/2)·Δq.
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

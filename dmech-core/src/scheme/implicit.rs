@@ -2,12 +2,12 @@
 
 use dmech_scalar::Real;
 
-use super::by_lane::by_lane;
-use super::memory::{memory, one_solve};
-use super::{Effort, Method, Newton, Scheme, remember};
+use super::composed::SlopeAt;
+use super::one_solve::{Begun, OneSolveMemory, Stage, one_solve};
+use super::{Method, Newton, Scheme};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
-use crate::system::{Ahead, ImplicitSteps, Step};
+use crate::system::{ImplicitSteps, Step};
 
 /// The implicit formulas (Greenspan (2.1)–(2.5)): mean velocity and mean acceleration.
 ///
@@ -45,23 +45,6 @@ impl Implicit {
     }
 }
 
-memory! {
-    /// What [`Implicit`](struct@Implicit) carries.
-    pub struct ImplicitMemory<Y> {
-        /// Position.
-        pub q: Y::Sum,
-        /// Velocity.
-        pub v: Y::Sum,
-    }
-    lists {
-        /// ∇Φ − F in the last three states, the newest first.
-        slopes: [Y::Vector; 3],
-    }
-    uncarried {}
-}
-
-by_lane! { ImplicitMemory { q, v, slopes }; }
-
 impl Method for Implicit {
     const NAME: &'static str = "Implicit";
     const ORDER: u32 = 2;
@@ -76,32 +59,33 @@ impl Method for Implicit {
     }
 }
 
-impl Implicit {
-    /// The share of h²/m at the unknown force.
-    pub(super) const SHARE: f64 = 0.25;
-}
-
-impl<Y: ImplicitSteps> Scheme<Y> for Implicit {
-    one_solve! { ImplicitMemory }
+impl Stage for Implicit {
+    const SLOPE_AT: SlopeAt = SlopeAt::End;
+    const SHARE: f64 = 0.25;
 
     /// (v′ + v)/2 = (q′ − q)/h; (v′ − v)/h = (a(q′, v′, t′) + a(q, v, t))/2.
     #[inline(always)]
-    fn step(
+    fn advance<Y: ImplicitSteps>(
         &self,
         system: &Y,
-        stride: &Y::Stride,
-        t: Y::Scalar,
-        memory: &mut Self::Memory,
-        solver: &mut Y::Solver,
-    ) -> Result<Effort<Y::Scalar>, NotConverged> {
-        let ImplicitMemory { q, v, slopes } = memory;
-        let ahead = Ahead::Continued(slopes.each_ref());
-        let step = Step { stride, t, q, v, ahead, newton: &self.newton };
-        let mut found = system.solve_mean(solver, &step, &slopes[0])?;
-        system.settle_mean(solver, stride, &slopes[0], &mut found, [q, v]);
-        remember::<Y>(solver, &found, slopes);
-        Ok(Y::effort(&found))
+        Begun { stride, t, ahead, solver }: Begun<'_, Y>,
+        known: &Y::Vector,
+        [q, v]: [&mut Y::Sum; 2],
+    ) -> Result<Y::Found, NotConverged> {
+        let mut found = system.solve_mean(solver, &Step { stride, t, q, v, ahead, newton: &self.newton }, known)?;
+        system.settle_mean(solver, stride, known, &mut found, [q, v]);
+        Ok(found)
     }
+
+    #[inline(always)]
+    fn work_of<Y: ImplicitSteps>(system: &Y, solver: &Y::Solver, found: &Y::Found, known: &Y::Vector) -> Y::Scalar {
+        let of = |slope| system.work_along(slope, Y::moved(solver, found));
+        Y::Scalar::from_f64(0.5) * (of(known) + of(Y::found(solver, found)))
+    }
+}
+
+impl<Y: ImplicitSteps> Scheme<Y> for Implicit {
+    one_solve! {}
 
     /// (F + F′)/2·Δq (2.7).
     fn work(&self, system: &Y, _: &Y::Stride, before: &Self::Memory, after: &Self::Memory) -> Y::Scalar {

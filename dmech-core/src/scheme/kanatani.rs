@@ -4,6 +4,7 @@ use dmech_scalar::Real;
 
 use super::by_lane::by_lane;
 use super::memory::memory;
+use super::one_solve::Stage;
 use super::{
     DiscreteGradient, Effort, Method, Newton, Reached, Scheme, WithoutVelocities, alike, remember, single_step,
 };
@@ -156,7 +157,7 @@ impl<Y: ImplicitSteps + WithoutVelocities> Scheme<Y> for Kanatani {
                 Ok(KanataniMemory::new(q_before, q, &z, slope))
             }
             Start::BackwardStep => {
-                let back = system.stage(stride, -Y::Scalar::ONE, DiscreteGradient::SHARE);
+                let back = system.stage(stride, -Y::Scalar::ONE, <DiscreteGradient as Stage>::SHARE);
                 let (q, v, ahead) = (Y::sum(q), Y::sum(v), Ahead::Continued([slope; 3]));
                 let step = Step { stride: &back, t, q: &q, v: &v, ahead, newton: &self.newton };
                 let found = system.solve_exact(solver, &step)?;

@@ -100,33 +100,4 @@ macro_rules! q_and_v {
     };
 }
 
-/// What a scheme that solves one equation in a step is beside that equation and its work: it carries position and velocity as sums, and
-/// the last three slopes.
-macro_rules! one_solve {
-    ($memory:ident) => {
-        const SHARE: f64 = Self::SHARE;
-
-        const STRETCHES: bool = false;
-
-        type Memory = $memory<Y>;
-        type Workspace = Y::Solver;
-
-        fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Solver {
-            system.solver()
-        }
-
-        fn begin(
-            &self,
-            _: &Y,
-            _: &Y::Stride,
-            start: &crate::system::Beginning<'_, Y>,
-            _: &mut Y::Solver,
-        ) -> Result<Self::Memory, NotConverged> {
-            Ok($memory { q: Y::sum(start.q), v: Y::sum(start.v), slopes: crate::scheme::alike(start.slope) })
-        }
-
-        crate::scheme::memory::q_and_v! { Y::value }
-    };
-}
-
-pub(crate) use {memory, one_solve, q_and_v};
+pub(crate) use {memory, q_and_v};

@@ -15,6 +15,7 @@ mod leapfrog;
 mod memory;
 mod missing;
 mod nystrom;
+mod one_solve;
 mod relaxed;
 mod runge_kutta_nystrom;
 mod set;
@@ -26,18 +27,19 @@ pub use boris::Boris;
 pub use by_lane::ByLane;
 pub use compensated_leapfrog::{CompensatedLeapfrog, CompensatedLeapfrogMemory};
 pub use composed::{
-    Coefficients, Composable, Composed, OneStep, Stage, StagesMemory, Steps, StepsMemory, StepsRoom, coefficients,
+    Coefficients, Composable, Composed, OneStep, StagesMemory, Steps, StepsMemory, StepsRoom, coefficients,
 };
-pub use discrete_gradient::{DiscreteGradient, DiscreteGradientMemory};
+pub use discrete_gradient::DiscreteGradient;
 pub use explicit::{Explicit, ExplicitMemory};
 pub use force_gradient::ForceGradient;
 pub(crate) use gauss::tableau;
 pub use gauss::{Gauss, GaussMemory, LineIntegral};
-pub use implicit::{Implicit, ImplicitMemory};
+pub use implicit::Implicit;
 pub use kanatani::{Kanatani, KanataniMemory, Start};
 pub use leapfrog::Leapfrog;
 pub use missing::{NeverBegun, NoScheme, WithScheme};
 pub use nystrom::Nystrom;
+pub use one_solve::{Begun, OneSolveMemory, Stage};
 pub use relaxed::{Relaxed, RelaxedMemory, RelaxedRoom};
 pub use runge_kutta_nystrom::{NystromStages, RungeKuttaNystrom, RungeKuttaNystromMemory};
 pub use splitting::{First, SplittingMemory};

@@ -11,7 +11,8 @@ pub mod coefficients;
 mod tests;
 
 pub use coefficients::Coefficients;
-pub use stages::{Stage, StagesMemory};
+pub(super) use predictor::SlopeAt;
+pub use stages::StagesMemory;
 pub use steps::{OneStep, Steps, StepsMemory, StepsRoom};
 
 use dmech_scalar::Real;

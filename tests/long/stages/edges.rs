@@ -1,13 +1,17 @@
 //! Where methods break: steps far too long, collisions, laws without a value, choices, rest, units.
 
+use std::f64::consts::FRAC_PI_2;
+
+use approx::assert_abs_diff_eq;
+use dmech::extend::{AtStages, Fields, Rides};
 use dmech::models::pairs::Gravity;
 use dmech::models::{HenonHeiles, Kepler, Pendulum};
 use dmech::prelude::*;
 
 use crate::laws::*;
 
-/// Evaluations of a step at most: of each half of a half the sweeps that a step may have.
-const MOST: u64 = 8 * 60 * 511;
+/// Evaluations of a step at most: of each half of a half the sweeps that a step may have, and as many from a guess.
+const MOST: u64 = 8 * 120 * 511;
 
 /// Either a run to its end or what it was until a step without a solution: with as many states as steps, finite, and never
 /// more work than halving can make.
@@ -252,6 +256,112 @@ fn a_jump_is_seen_and_a_polynomial_is_none() {
     for (at, jumps) in [(0.2, true), (50.0, false)] {
         counted!(Gauss::order16(), at, jumps);
         counted!(LineIntegral::order6(), at, jumps);
+    }
+}
+
+/// x y: at rest at (1, 0) nothing acts on x until y has moved, and on y until x has.
+#[derive(Clone, Copy, Debug)]
+struct Crossed {
+    k: f64,
+}
+
+#[dmech::law]
+impl Crossed {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        self.k * q[0] * q[1]
+    }
+}
+
+/// Crossed fields: from rest a cycloid.
+#[derive(Clone, Copy, Debug)]
+struct Cycloid {
+    e: f64,
+    b: f64,
+}
+
+#[dmech::law]
+impl Cycloid {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -self.e * q[1]
+    }
+    #[force]
+    fn lorentz(&self, v: [f64; 2]) -> [f64; 2] {
+        [self.b * v[1], -self.b * v[0]]
+    }
+}
+
+/// Each coordinate pulls the next.
+#[derive(Clone, Copy, Debug)]
+struct Round {
+    k: f64,
+}
+
+#[dmech::law]
+impl Round {
+    #[force]
+    fn pull(&self, q: [f64; 3]) -> [f64; 3] {
+        [self.k * q[2], self.k * q[0], self.k * q[1]]
+    }
+}
+
+/// Coordinates on which nothing acts before another has moved change in one sweep, and the others in the next: alone, in a scene, and
+/// beside members that all move.
+#[test]
+fn coordinates_that_wait_for_others() {
+    fn check<L, const D: usize>(law: L, exact: impl Fn(f64) -> [f64; D])
+    where
+        L: Fields<D> + Law<D> + AtStages<D, f64> + Copy + std::fmt::Debug + Sync + 'static,
+        Gauss: Rides<L, D>,
+    {
+        let start = State::new(exact(0.0), [0.0; D]);
+        for h in [0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0] {
+            let alone = |start| Simulation::new(law, start).scheme(Gauss::order16()).dt(h).run(3).unwrap();
+            let scene = Simulation::scene(Scene::new().body(1.0, start.q, start.v).field(law));
+            let scene = scene.scheme(Gauss::order16()).dt(h).run(3).unwrap();
+            let run = alone(start);
+            let (last, wanted) = (run.last().q, exact(3.0 * h));
+            for i in 0..D {
+                assert_abs_diff_eq!(last[i], wanted[i], epsilon = 1e-14 * wanted[i].abs().max(1.0));
+                assert_abs_diff_eq!(last[i], scene.last().q[0][i], epsilon = 1e-14 * wanted[i].abs().max(1.0));
+            }
+            assert_eq!(run.report().rough(), 0, "{law:?}, h = {h}");
+            let starts = |k: usize| {
+                let mut start = start;
+                start.v[0] += 0.3 * (k % 3) as f64;
+                start
+            };
+            let members = Ensemble::of(21).law(|_| law).start(starts).scheme(Gauss::order16()).dt(h).run(3).unwrap();
+            for k in 0..21 {
+                let (member, alone) = (members.member(k).unwrap(), alone(starts(k)));
+                assert_eq!(member.last(), alone.last(), "{law:?}, member {k}, h = {h}");
+                assert_eq!(member.report().evaluations(), alone.report().evaluations(), "{law:?}, member {k}, h = {h}");
+            }
+        }
+    }
+    let k: f64 = 1.3;
+    let phase = move |t: f64| k.sqrt() * t;
+    check(Crossed { k }, move |t| [(phase(t).cosh() + phase(t).cos()) / 2.0, (phase(t).cos() - phase(t).cosh()) / 2.0]);
+    let (e, b) = (0.7, 1.1);
+    check(Cycloid { e, b }, move |t| [e * (t - (b * t).sin() / b) / b, e * (1.0 - (b * t).cos()) / (b * b)]);
+    let series = |t: f64, from: i32| {
+        let term = |n: i32| t.powi(n) / (1..=n).map(f64::from).product::<f64>();
+        (0..5).rev().map(|k| term(6 * k + from)).sum::<f64>()
+    };
+    check(Round { k }, move |t| [0, 2, 4].map(|from| series(phase(t), from)));
+    // The circle of a charge is the same circle in whatever direction it begins, and the way back is the way there.
+    let magnet = |b| Cycloid { e: 0.0, b };
+    for turn in [0.0, 1e-9, 0.1, 0.7, FRAC_PI_2] {
+        for h in [0.4, 0.9, 1.6] {
+            let run =
+                |b, start| Simulation::new(magnet(b), start).scheme(LineIntegral::order4()).dt(h).run(10).unwrap();
+            let there = run(b, State::new([0.0; 2], [turn.cos(), turn.sin()]));
+            let back = run(-b, there.last().reversed());
+            assert_eq!(there.report().rough(), 0, "{turn}, h = {h}");
+            let home = back.last().q[0].abs().max(back.last().q[1].abs());
+            assert!(home < 1e-12, "{turn}, h = {h}: {home:e}");
+        }
     }
 }
 

@@ -71,6 +71,11 @@ pub(super) fn whole<Y: Staged>(
     sweeps: &mut Sweeps<Y>,
 ) -> Result<Which<Y>, Astray> {
     stages::go_on(Y::eights_mut(pushes), tableau, ratio);
+    let guessed = ratio.equal(Y::Scalar::ZERO);
+    sweeps.of_each = Count::of(0);
+    if Y::eights(pushes).len() > 1 && guessed.any() {
+        from_guess((system, tableau), stride, t, [&*q, &*v], guessed, pushes, sweeps);
+    }
     system.aim(tableau, stride, t, q, v, pushes, &mut sweeps.aim);
     until_rounding(system, tableau, stride, pushes, sweeps)?;
     Y::settle_pushes(tableau, stride, pushes, [q, v]);
@@ -96,6 +101,37 @@ pub(super) fn whole_in_registers<Y: Staged>(
     bent
 }
 
+/// Sweeps two by two, from a guess that tells little of how coordinates will move: one at rest on which nothing acts may be moved by
+/// another, and what changes in one sweep and what changes in the next are then not the same. Until two together come no nearer.
+#[cold]
+#[inline(never)]
+fn from_guess<Y: Staged>(
+    (system, tableau): With<'_, Y>,
+    stride: &Y::Stride,
+    t: Y::Scalar,
+    [q, v]: [&Y::Sum; 2],
+    guessed: Which<Y>,
+    pushes: &mut Y::Pushes,
+    Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
+) {
+    let (mut ended, mut last) = (Ended::<Y>::none(), Y::Scalar::from_f64(f64::INFINITY));
+    ended.add(guessed.not(), pushes, 0);
+    for pair in 1..=SWEEPS / 2 {
+        system.aim(tableau, stride, t, q, v, pushes, aim);
+        system.sweep(tableau, stride, aim, pushes);
+        let change = Y::nearing(aim).change();
+        system.sweep(tableau, stride, aim, pushes);
+        let change = change.max(Y::nearing(aim).change());
+        *made += 2;
+        let counts = Y::Scalar::ONE.less(change).and(change.less(last)).and(Mask::of(pair < SWEEPS / 2));
+        last = change;
+        if ended.add(ended.or(counts).not(), pushes, 2 * pair) {
+            break;
+        }
+    }
+    *of_each = ended.evaluations;
+}
+
 #[inline(always)]
 fn until_rounding<Y: Staged>(
     system: &Y,
@@ -105,7 +141,7 @@ fn until_rounding<Y: Staged>(
     Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
 ) -> Result<(), Astray> {
     let (mut ended, mut stalls) = (Ended::<Y>::none(), Y::Scalar::ZERO);
-    for _ in 0..SWEEPS {
+    for sweep in 1..=SWEEPS {
         *made += 1;
         let goes_on = ended.or(system.sweep(tableau, stride, aim, pushes));
         if goes_on.all() {
@@ -116,18 +152,18 @@ fn until_rounding<Y: Staged>(
             return Err(Astray(f64::NAN));
         }
         let near = goes_on.or(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
-        if ended.add(near.and(goes_on.not()), pushes, *made) {
-            *of_each = ended.evaluations;
+        if ended.add(near.and(goes_on.not()), pushes, sweep) {
+            *of_each += ended.evaluations;
             return Ok(());
         }
         stalls += Y::Scalar::either(near, Y::Scalar::ZERO, Y::Scalar::ONE);
         if stalls.equal(Y::Scalar::from_f64(STALLS)).any() {
-            return Err(Astray(Y::nearing(aim).change()));
+            return Err(Astray(Y::nearing(aim).change().to_f64()));
         }
     }
     // Where nothing tells what counts, rounding itself may go to and fro.
     let near = finite::<Y>(pushes).and(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
-    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Astray(Y::nearing(aim).change())) }
+    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Astray(Y::nearing(aim).change().to_f64())) }
 }
 
 /// A step that is made now and then: one copy of it for all that make such.

@@ -113,7 +113,7 @@ impl<R: Staging> Nearing<R> {
 
     /// The largest change in the last sweep.
     #[cold]
-    pub(crate) fn change(&self) -> f64 {
-        self.change.largest().to_f64()
+    pub(crate) fn change(&self) -> R {
+        self.change.largest()
     }
 }

@@ -389,3 +389,29 @@ fn what_is_watched_starts_with_the_first_state_watched() {
     let momentum = watch.drifts()[Invariant::LinearMomentum as usize].unwrap();
     assert!((momentum.max_abs() - 1.3 * 0.13_f64.sqrt()).abs() < 1e-15, "{momentum:?}");
 }
+
+/// A law that pins a body which moves is refused, whenever it comes: it would neither rest nor be pushed.
+#[test]
+fn a_body_that_moves_is_not_pinned_on_the_way() {
+    let two = |v| Scene::new().body(1.0, [0.0; 2], v).body(0.3, [1.0, 0.0], [0.0, 0.7]).pairs(Gravity { g: 1.0 });
+    let (free, pinned) = (two([0.0, -0.2]).as_law::<2, 4>(), two([0.0; 2]).pin(0).as_law::<2, 4>());
+    let mut stepper = Simulation::new(free, free.start()).scheme(DiscreteGradient).dt(0.01).stepper().unwrap();
+    stepper.advance(10).unwrap();
+    let (state, body) = (stepper.state(), SceneError::PinnedMoves { body: 0, speed: stepper.state().v[0] });
+    *stepper.law_mut() = pinned;
+    assert_eq!(stepper.step().unwrap_err(), Error::from(body));
+    assert_eq!(stepper.state(), state);
+    assert_eq!(
+        Simulation::new(pinned, state).scheme(DiscreteGradient).dt(0.01).run(1).unwrap_err().cause(),
+        body.into()
+    );
+    // At rest it may be.
+    let [q, mut v] = [state.q, state.v];
+    v[..2].fill(0.0);
+    stepper.set_state(State::new(q, v)).unwrap();
+    stepper.advance(50).unwrap();
+    assert_eq!((&stepper.state().q[..2], &stepper.state().v[..2]), (&q[..2], &[0.0; 2][..]));
+    *stepper.law_mut() = free;
+    stepper.advance(50).unwrap();
+    assert!(stepper.state().v[..2] != [0.0; 2]);
+}

@@ -14,6 +14,9 @@ use crate::newton::{Equation, Increment, NotConverged, free};
 
 /// `Option<MyLaw>` is a law: `None` is free motion. A wind that blows for a while, a hand that holds and lets go:
 /// `stepper.law_mut()` changes it on the way. Of an [ensemble](crate::Ensemble) some members may have one and others none.
+///
+/// Without a law each coordinate has the mass of the simulation: the masses of the bodies of a `Scene::as_law` are with that law. A scene
+/// with `.pairs(None::<MyLaw>)` has them.
 #[diagnostic::do_not_recommend]
 impl<L: Law<D, R>, const D: usize, R: Real> Law<D, R> for Option<L> {
     type Field<'a>

@@ -28,7 +28,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
         Ok(())
     }
 
-    /// Refuses states that are not of numbers, or in which a pinned body moves.
+    /// Refuses states that are not of numbers.
     pub(super) fn check_state(&self, state: &State<D, R>) -> Result<(), Error> {
         if !state.t.is_finite() {
             return Err(Error::State { quantity: "t", value: state.t });
@@ -38,8 +38,13 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
                 return Err(Error::State { quantity, value: value.to_f64() });
             }
         }
+        Ok(())
+    }
+
+    /// Refuses laws that pin a body which moves, also those that come in on the way.
+    fn check_pins(&self, #[cfg_attr(not(feature = "scene"), expect(unused))] v: &[R; D]) -> Result<(), Error> {
         #[cfg(feature = "scene")]
-        for (i, v) in state.v.iter().enumerate() {
+        for (i, v) in v.iter().enumerate() {
             if self.law.pinned(i) && !v.equal(R::ZERO).all() {
                 return Err(crate::error::SceneError::PinnedMoves { body: i / L::BODY, speed: v.to_f64() }.into());
             }
@@ -50,6 +55,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Particle<L, D, R> {
     /// ∇Φ − F, where the law has a value and is what was written.
     pub(super) fn slope_at_the_start(&self, start: &State<D, R>) -> Result<[R; D], Error> {
         self.law.refused().map_or(Ok(()), Err)?;
+        self.check_pins(&start.v)?;
         let field = self.field(R::from_f64(start.t));
         let potential = field.potential(start.q);
         if !potential.finite().all() {

@@ -415,3 +415,19 @@ fn a_body_that_moves_is_not_pinned_on_the_way() {
     stepper.advance(50).unwrap();
     assert!(stepper.state().v[..2] != [0.0; 2]);
 }
+
+/// A law of coordinates with masses of their own is changed as any.
+#[test]
+fn a_law_with_masses_changes() {
+    let begin = |gm, state| {
+        let simulation = Simulation::new(Kepler { gm }, state).masses([1.2, 0.7]);
+        simulation.scheme(DiscreteGradient).dt(0.01).stepper().unwrap()
+    };
+    let mut stepper = begin(1.3, START);
+    stepper.advance(20).unwrap();
+    stepper.law_mut().law_mut().gm = 0.9;
+    let mut other = begin(0.9, stepper.state());
+    stepper.advance(20).unwrap();
+    other.advance(20).unwrap();
+    assert_eq!((stepper.state(), stepper.law().law().gm), (other.state(), 0.9));
+}

@@ -36,6 +36,11 @@ impl<L, const D: usize> Masses<L, D> {
     pub fn law(&self) -> &L {
         &self.law
     }
+
+    /// The law, to be changed: `stepper.law_mut().law_mut().k = 4.0;`.
+    pub fn law_mut(&mut self) -> &mut L {
+        &mut self.law
+    }
 }
 
 #[diagnostic::do_not_recommend]

@@ -78,7 +78,8 @@ impl<P: Conservative> LinearInVelocity for P {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` names the mass `m`, which is one number, and here each coordinate has its own",
     label = "this law has one mass",
-    note = "give the masses that the law needs as fields of `{Self}`, or set one mass with `.mass(m)`"
+    note = "give the masses that the law needs as fields of `{Self}`, or set one mass with `.mass(m)`",
+    note = "a scene as one law has the masses of its bodies"
 )]
 pub trait MassIndependent {}
 

@@ -12,7 +12,7 @@ use crate::scheme::{Effort, Scheme, alike};
 use crate::system::{Ahead, Beginning, ImplicitSteps};
 
 memory! {
-    /// What a composition of [`DiscreteGradient`](struct@DiscreteGradient) or [`Implicit`](struct@Implicit) carries.
+    /// What a composition of [`DiscreteGradient`](struct@crate::DiscreteGradient) or [`Implicit`](struct@crate::Implicit) carries.
     pub struct StagesMemory<Y, const N: usize> {
         /// Position.
         pub q: Y::Sum,

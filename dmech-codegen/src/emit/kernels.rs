@@ -17,10 +17,10 @@ impl Printer<'_> {
     /// The functions of `Field` for a law without a force.
     pub(super) fn steps(&self, kernels: &Kernels) -> TokenStream {
         let Kernels { kick, gradient_kick, implicit, discrete, .. } = kernels;
-        let twice = format!(" v − c ∇Φ(q) + e H ∇Φ(q), H the Hessian. Cost: {}.", gradient_kick.cost());
+        let with_gradient = format!(" v − c ∇Φ(q) + e H ∇Φ(q), H the Hessian. Cost: {}.", gradient_kick.cost());
         let functions = [
             self.kick(" v − c ∇Φ(q).", kick),
-            self.gradient_kick(&twice, gradient_kick),
+            self.gradient_kick(&with_gradient, gradient_kick),
             self.step("implicit_increment", "the trapezoidal step: Δ + g ∇Φ(q + Δ) = c", implicit),
             self.step("discrete_increment", "the energy-exact steps: Δ + g ∇̄Φ(a, q + Δ) = c", discrete),
         ];

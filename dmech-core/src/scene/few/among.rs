@@ -2,6 +2,7 @@
 
 use dmech_scalar::Real;
 
+use super::Of;
 use super::sides::{Mutual, Sides};
 use crate::law::Numbers;
 use crate::look::{Course, Frequency};
@@ -27,7 +28,7 @@ pub trait AmongFew<const D: usize, const N: usize, S: Sides = Mutual>: Acts<D> {
     /// The names of these numbers, in their order.
     fn names(see: &mut dyn FnMut(&'static str));
     /// What acts at a time, by these numbers, on those on whom it acts.
-    fn moment<R: Real>(numbers: <Self::Numbers as Numbers>::Of<R>, acting: S::WhoActs<N, R>, t: R) -> Self::Moment<R>;
+    fn moment<R: Real>(numbers: Of<Self::Numbers, R>, acting: S::WhoActs<N, R>, t: R) -> Self::Moment<R>;
 }
 
 /// What acts among N bodies at one moment: the functions of [`Acts`], each of which adds to what it is given. Test bodies feel what acts
@@ -116,7 +117,7 @@ impl<const D: usize, const N: usize, S: Sides, A: AmongFew<D, N, S>, B: AmongFew
         B::names(see);
     }
     #[inline(always)]
-    fn moment<R: Real>((a, b): <Self::Numbers as Numbers>::Of<R>, acting: S::WhoActs<N, R>, t: R) -> Self::Moment<R> {
+    fn moment<R: Real>((a, b): Of<Self::Numbers, R>, acting: S::WhoActs<N, R>, t: R) -> Self::Moment<R> {
         (A::moment(a, acting, t), B::moment(b, acting, t))
     }
 }

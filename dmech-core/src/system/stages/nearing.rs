@@ -89,10 +89,11 @@ impl<R: Staging> Nearing<R> {
         let least = self.change.part(part) * R::Eight::alike(self.unit);
         let shrinks = change.less(before);
         let nearer = least.less_or_equal(change * change).and(shrinks);
-        // Roundings go to and fro: of eight stages one would come nearer to what it was before again and again.
-        let smaller = Part::<R>::either(shrinks, change, before);
+        // Roundings go to and fro: of eight stages one would come nearer to what it was before again and again. Of two choices neither
+        // is the number that is there: to choose that is a store by mask, which with AVX2 took a sixteenth of a step of two coordinates.
         let no_rounding = R::Eight::alike(self.rounding).less(change);
-        self.before.set(part, Part::<R>::either(no_rounding, change, smaller));
+        let most = Part::<R>::either(no_rounding, R::Eight::alike(R::from_f64(f64::INFINITY)), before);
+        self.before.set(part, Part::<R>::either(change.less(most), change, most));
         self.change.set(part, change);
         R::Eight::any(nearer)
     }

@@ -139,7 +139,8 @@
 //!
 //! On an orbit of eccentricity 0.99 equal steps must be as short everywhere as the pericentre asks. `.adaptive(tolerance)` in
 //! place of `.dt(h)` takes steps in proportion to the time scale that the law itself has where the motion is, by a reversible
-//! rule: what the schemes keep, they keep, `DiscreteGradient` and its compositions the energy exactly. `Gauss` is the fast one for
+//! rule: what the schemes keep, they keep, `DiscreteGradient` and its compositions the energy exactly, others to and fro once the steps
+//! are short enough to see the motion change. `Gauss` is the fast one for
 //! many digits, `Nystrom` for few (see [`Simulation::adaptive`]):
 //!
 //! ```

@@ -241,7 +241,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
                 let end = pacing.time.value();
                 let q = <S as Scheme<Together<L, D, W>>>::position(&scheme, &memory);
                 let v = scheme.velocity(system, stride, end, &memory);
-                let look = system.look_along(end, *q, v, self.least(*longest));
+                let look = system.look_along(end, *q, v, pacing.least(*longest));
                 spent.evaluations += Rows::either(due, Rows::from_f64(EVALUATIONS.into()), Rows::ZERO);
                 self.looked(&look, due, &mut pacing);
             }

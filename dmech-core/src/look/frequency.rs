@@ -13,8 +13,17 @@ const EVEN: f64 = 4.0;
 /// 1/4 of (EVEN ANGLE²)⁻², and a little more for rounding: (x + y + 2z)² is at most 4 (x² + y² + 2z²).
 const SURE: f64 = 1.01 * 0.25 / (EVEN * EVEN * ANGLE * ANGLE * ANGLE * ANGLE);
 
-/// How often s is shortened at most.
+/// How often s is shortened at most, and to what part of it at once.
 const MOST: u32 = 120;
+const LEAST_PART: f64 = 0.015625;
+
+/// By what part of its square K may change within s unseen: for a Kepler orbit it is 0.1.
+const CHANGES: f64 = 0.5;
+/// Where between K is looked at, else: at s/16, s/256 and so on.
+const PROBE: f64 = 0.0625;
+const PROBES: i32 = 5;
+/// How often that is looked for.
+const PLACES: u32 = 8;
 
 /// Evaluations of ∂a/∂q in a look.
 pub const EVALUATIONS: u32 = 5;
@@ -87,19 +96,15 @@ impl<R: Real> Frequency<R> {
         Frequency { power, rise, passing, s }
     }
 
-    /// ω¹², and ‖K‖ in units of s.
+    /// A length of time in which K is as large as here or not much larger, s or less, and m K so long before and after.
     #[inline(always)]
-    fn with_size<const D: usize>(
-        course: Course<D, R>,
-        stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
-    ) -> (Frequency<R>, R) {
-        let Course { per_mass, least, .. } = course;
-        let (half, two, angle) = (R::from_f64(0.5), R::from_f64(2.0), R::from_f64(ANGLE));
-        // t − 0 is t to the bit, also where that is −0.
-        let here = stiffness(R::from_f64(-0.0), course.q, course.v);
-        let size = per_mass * here.norm();
-        let mut s = (angle / size.sqrt()).min(angle / least);
-        let mut sides = course.sides(&stiffness, s);
+    fn as_even<const D: usize>(
+        course: &Course<D, R>,
+        stiffness: &impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
+        (mut s, size): (R, R),
+    ) -> (R, [Stiffness<D, R>; 2]) {
+        let (per_mass, two) = (course.per_mass, R::from_f64(2.0));
+        let mut sides = course.sides(stiffness, s);
         // Where K is small only here, the motion is not alike as far away as K tells.
         for _ in 0..MOST {
             let [before, after] = &sides;
@@ -115,10 +120,62 @@ impl<R: Real> Frequency<R> {
             if even.all() {
                 break;
             }
-            let shorter = || s * excess.powf(R::from_f64(-0.25));
+            // Far away K may be 10⁸⁰ times what it is near: by that alone s would be lost in the rounding of q.
+            let shorter = || s * excess.powf(R::from_f64(-0.25)).max(R::from_f64(LEAST_PART));
             let shorter = R::select(excess.finite(), shorter, || R::from_f64(1e-3) * s.min(R::from_f64(1e150)));
             s = R::either(even, s, shorter);
-            sides = course.sides(&stiffness, s);
+            sides = course.sides(stiffness, s);
+        }
+        (s, sides)
+    }
+
+    /// A shorter s where K is alike there and here, and larger between: it passes through zero here, and what is there is another place.
+    /// That is looked for where K is not nearly constant.
+    #[inline(always)]
+    fn nearer<const D: usize>(
+        course: &Course<D, R>,
+        stiffness: &impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
+        (s, here, [before, after]): (R, &Stiffness<D, R>, &[Stiffness<D, R>; 2]),
+    ) -> R {
+        let squares = |side: &Stiffness<D, R>| {
+            let change = side.map2(here, |x, y| x - y);
+            change.dot(&change)
+        };
+        let changes = (R::from_f64(CHANGES) * here.dot(here)).less(squares(before) + squares(after));
+        if !changes.any() {
+            return s;
+        }
+        let most = R::from_f64(2.0) * here.norm().max(before.norm()).max(after.norm());
+        let mut found = s;
+        for k in (1..=PROBES).rev() {
+            let part = s * R::from_f64(PROBE.powi(k));
+            let [before, after] = course.sides(stiffness, part);
+            let larger = changes.and(most.less(before.norm().max(after.norm())));
+            found = R::either(larger, part, found);
+        }
+        found
+    }
+
+    /// ω¹², and ‖K‖ in units of s.
+    #[inline(always)]
+    fn with_size<const D: usize>(
+        course: Course<D, R>,
+        stiffness: impl Fn(R, [R; D], [R; D]) -> Stiffness<D, R>,
+    ) -> (Frequency<R>, R) {
+        let Course { per_mass, least, .. } = course;
+        let (half, two, angle) = (R::from_f64(0.5), R::from_f64(2.0), R::from_f64(ANGLE));
+        // t − 0 is t to the bit, also where that is −0.
+        let here = stiffness(R::from_f64(-0.0), course.q, course.v);
+        let size = per_mass * here.norm();
+        let mut s = (angle / size.sqrt()).min(angle / least);
+        let mut sides;
+        (s, sides) = Self::as_even(&course, &stiffness, (s, size));
+        for _ in 0..PLACES {
+            let nearer = Self::nearer(&course, &stiffness, (s, &here, &sides));
+            if !nearer.less(s).any() {
+                break;
+            }
+            (s, sides) = Self::as_even(&course, &stiffness, (nearer, size));
         }
         // Derivatives by differences over s, in units of s so that no power overflows.
         let [before, after] = &sides;

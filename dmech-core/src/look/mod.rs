@@ -33,6 +33,13 @@ impl<R: Real> Look<R> {
         twelfth_root(self.power) / self.s
     }
 
+    /// Whether ρ is below so many ω, of what does not pass: steps did not see it come.
+    #[inline(always)]
+    pub(crate) fn outruns(&self, least: f64, density: R) -> R::Mask {
+        let ratio = (density * self.s).max(R::ZERO).powi(12);
+        ratio.less(R::from_f64(least.powi(12)) * (self.power - self.passing))
+    }
+
     /// ρ, or the end of the range `band` of ρ/ω where it lies outside; what passes now is not taken to be gone soon.
     #[inline(always)]
     pub fn within(&self, [least, most]: [f64; 2], density: R) -> R {

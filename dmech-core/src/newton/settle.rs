@@ -128,7 +128,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
 /// The smallest number above 0, by which the smallest differ.
 #[inline(always)]
 fn grain<R: Real>() -> R {
-    let [least, of_half_the_digits] = [f64::from_bits(1), f32::from_bits(1).into()].map(R::from_f64);
+    let (least, of_half_the_digits) = (R::from_f64(f64::from_bits(1)), R::from_f64(f32::from_bits(1).into()));
     R::either(least.equal(R::ZERO), of_half_the_digits, least)
 }
 

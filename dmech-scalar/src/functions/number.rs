@@ -161,13 +161,18 @@ pub(crate) fn two_product<R: Real>(a: R, b: R) -> (R, R) {
 
 /// a b less the rounded product, by splitting both factors in halves with 2ᵏ + 1 (or 2ᵏ, where that has too many digits).
 #[inline(always)]
-pub(crate) fn split_error<R: Real>(product: R, factors: [R; 2], splitter: f64) -> R {
-    let [(a1, a2), (b1, b2)] = factors.map(|x| {
-        let wide = x * R::from_f64(splitter);
-        let upper = wide - (wide - x);
-        (upper, x - upper)
-    });
+pub(crate) fn split_error<R: Real>(product: R, [a, b]: [R; 2], splitter: f64) -> R {
+    // No `map`: it is not inlined where a crate is compiled in parts, and takes half of the time of an energy-exact step there.
+    let ((a1, a2), (b1, b2)) = (halves(a, splitter), halves(b, splitter));
     ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2
+}
+
+/// The upper half of the digits of a number, and the lower.
+#[inline(always)]
+fn halves<R: Real>(x: R, splitter: f64) -> (R, R) {
+    let wide = x * R::from_f64(splitter);
+    let upper = wide - (wide - x);
+    (upper, x - upper)
 }
 
 /// (p + p′)/(q + q′), where the primed are below the last places: the rounded quotient and what its remainder adds.

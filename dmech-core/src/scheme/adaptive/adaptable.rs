@@ -12,7 +12,8 @@ use crate::scheme::{
 /// A scheme whose steps may differ: [`Simulation::adaptive`](crate::Simulation::adaptive) takes it.
 ///
 /// Energy-exact schemes keep the energy whatever the steps. Splittings are no longer symplectic when the steps differ, but stay
-/// reversible: on regular motions their energy error goes to and fro and does not drift.
+/// reversible: on regular motions their energy error goes to and fro and does not drift, once the steps are as short as it takes to
+/// see the motion change.
 #[diagnostic::on_unimplemented(
     message = "`.adaptive(tolerance)` makes steps that differ, and `{Self}` cannot take such",
     label = "cannot follow the time scale of the motion",

@@ -48,7 +48,9 @@ use pacing::MIDDLE;
 ///
 /// An explicit reversible rule cannot pull ρ back to ω, or it would push it away on the way back. On smooth motions they
 /// stay together to O(ε²). Where they come apart by more than [2/3, 3/2], in a collision with a wall or in steps too long
-/// to see ω change, ρ is set to the end of that range: there the rule is not reversible.
+/// to see ω change, ρ is set to the end of that range: there the rule is not reversible. If it is ω that has grown beyond ρ, and not what
+/// passes, ρ becomes ω and ε is halved for the rest of the run, to 0.3 at least: such steps see ω change on smooth motions, and what is
+/// put right once and again would let the energy drift.
 ///
 /// # Reference
 /// E. Hairer and G. Söderlind, SIAM J. Sci. Comput. 26 (2005) 1838–1851: the rule for ρ. E. Hairer, C. Lubich and
@@ -91,8 +93,8 @@ impl<M: Clone> Clone for AdaptiveMemory<M> {
 impl<M: crate::checkpoint::Carried> crate::checkpoint::Carried for AdaptiveMemory<M> {
     fn carried(&mut self) -> Vec<&mut [f64]> {
         let mut all = self.inner.carried();
-        let Pacing { density, last, dt, left, time: Compensated { hi, lo }, range, .. } = &mut self.pacing;
-        all.extend([density, last, dt, left].map(core::slice::from_mut));
+        let Pacing { density, angle, last, dt, left, time: Compensated { hi, lo }, range, .. } = &mut self.pacing;
+        all.extend([density, angle, last, dt, left].map(core::slice::from_mut));
         all.extend([core::slice::from_mut(hi), core::slice::from_mut(lo), range]);
         all
     }
@@ -207,8 +209,8 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         self.turn(system, first, workspace);
         let inner = self.scheme.begin(system, &workspace.stride, start, &mut workspace.inner)?;
         let (time, range) = (Compensated::new(start.t), [f64::MAX, 0.0]);
-        let (last, dt, left, landing) = (first, first, self.row, false);
-        let mut pacing = Pacing { density, last, dt, left, landing, time, range };
+        let (angle, last, dt, left, landing) = (self.angle, first, first, self.row, false);
+        let mut pacing = Pacing { density, angle, last, dt, left, landing, time, range };
         self.plan(longest, &mut pacing);
         Ok(AdaptiveMemory { inner, pacing })
     }
@@ -236,7 +238,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
             let end = pacing.time.value();
             let q = self.scheme.position(memory);
             let v = self.scheme.velocity(system, now, end, memory);
-            let look = system.look(room, end, q, &v, self.least(longest));
+            let look = system.look(room, end, q, &v, pacing.least(longest));
             effort.evaluations += EVALUATIONS;
             self.looked(&look, true, pacing);
         }

@@ -12,6 +12,8 @@ use crate::system::Look;
 pub(crate) struct Pacing<R: Real = f64> {
     /// ρ, the density of the steps: it is h = ε/ρ.
     pub(super) density: R,
+    /// ε, that of the tolerance or what was left of it.
+    pub(super) angle: R,
     /// The last step, at the start the next.
     pub(super) last: R,
     /// The next step.
@@ -28,10 +30,18 @@ pub(crate) struct Pacing<R: Real = f64> {
 /// ρ/ω stays between these, at the ends of steps.
 const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
 
+/// Steps that turn the motion by so little see how ω changes, on smooth motions.
+const SEES: f64 = 0.3;
+
 /// The same in the middle of steps, where ω of their end differs: no step is negative.
 pub(super) const MIDDLE: [f64; 2] = [0.25, 4.0];
 
 impl<R: Real> Pacing<R> {
+    /// The smallest ω that counts, where a step is this long at most.
+    pub(crate) fn least(&self, longest: R) -> R {
+        self.angle / longest
+    }
+
     /// How many times as long as the last the next step is.
     pub(crate) fn ratio(&self) -> R {
         self.dt / self.last
@@ -48,7 +58,7 @@ impl<S: Adaptable> Adaptive<S> {
     /// Chooses the next step.
     #[inline(always)]
     pub(crate) fn plan<R: Real>(&self, longest: R, pacing: &mut Pacing<R>) {
-        let dt = (R::from_f64(self.angle) / pacing.density).min(longest);
+        let dt = (pacing.angle / pacing.density).min(longest);
         let left = (R::from_f64(self.end) - pacing.time.hi) - pacing.time.lo;
         // A little longer rather than another step that is nothing but rounding.
         pacing.landing = dt.finite().and(left.less_or_equal(dt * R::from_f64(1.0 + 1e-9)));
@@ -81,20 +91,25 @@ impl<S: Adaptable> Adaptive<S> {
     pub(crate) fn looked<R: Real>(&self, look: &Look<R>, due: R::Mask, pacing: &mut Pacing<R>) {
         let fast = pacing.density.less(look.within(BAND, pacing.density));
         let ends = due.and(pacing.left.less(R::ONE).or(fast));
-        pacing.density = R::either(ends, self.follow(pacing.density, look), pacing.density);
-        pacing.left = R::either(ends, R::from_f64(self.row), pacing.left);
+        let (density, angle) = self.follow((pacing.density, pacing.angle), look);
+        let either = |yes, no| R::either(ends, yes, no);
+        (pacing.density, pacing.angle) = (either(density, pacing.density), either(angle, pacing.angle));
+        pacing.left = either(R::from_f64(self.row), pacing.left);
     }
 
-    /// ρ in the next step from that in the last.
+    /// ρ and ε of the next step from those of the last.
     #[inline(always)]
-    pub(super) fn follow<R: Real>(&self, density: R, look: &Look<R>) -> R {
-        let half = R::from_f64(0.5 * self.row * self.angle) * look.growth;
-        look.within(MIDDLE, look.within(BAND, density + half) + half)
-    }
-
-    /// The smallest ω that counts, where a step is this long at most.
-    pub(crate) fn least<R: Real>(&self, longest: R) -> R {
-        R::from_f64(self.angle) / longest
+    pub(super) fn follow<R: Real>(&self, (density, angle): (R, R), look: &Look<R>) -> (R, R) {
+        let half = |angle: R| R::from_f64(0.5 * self.row) * angle * look.growth;
+        let amid = density + half(angle);
+        let astray = look.outruns(BAND[0], amid);
+        let (amid, angle) = if astray.any() {
+            let shorter = angle.min((R::from_f64(0.5) * angle).max(R::from_f64(SEES)));
+            (R::either(astray, look.rate(), amid), R::either(astray, shorter, angle))
+        } else {
+            (amid, angle)
+        };
+        (look.within(MIDDLE, look.within(BAND, amid) + half(angle)), angle)
     }
 
     /// Where as many steps as of equal steps may be would come to the end, were all as long as the longest so far. Near t = 0 the
@@ -114,16 +129,17 @@ impl<S: Adaptable> Adaptive<S> {
 
 impl<const W: usize> ByLane<Pacing, W> for Pacing<Rows<W>> {
     fn alike(one: &Pacing) -> Self {
-        let Pacing { density, last, dt, left, landing, time: Compensated { hi, lo }, range } = *one;
-        let [density, last, dt, left, hi, lo] = [density, last, dt, left, hi, lo].map(Rows::from_f64);
+        let Pacing { density, angle, last, dt, left, landing, time: Compensated { hi, lo }, range } = *one;
+        let [density, angle, last, dt, left, hi, lo] = [density, angle, last, dt, left, hi, lo].map(Rows::from_f64);
         let (landing, range) = (Rows::from_f64(f64::from(landing)).equal(Rows::ONE), range.map(Rows::from_f64));
-        Pacing { density, last, dt, left, landing, time: Compensated { hi, lo }, range }
+        Pacing { density, angle, last, dt, left, landing, time: Compensated { hi, lo }, range }
     }
 
     fn lane(&self, lane: usize) -> Pacing {
-        let Pacing { density, last, dt, left, landing, time: Compensated { hi, lo }, range } = *self;
+        let Pacing { density, angle, last, dt, left, landing, time: Compensated { hi, lo }, range } = *self;
         Pacing {
             density: density[lane],
+            angle: angle[lane],
             last: last[lane],
             dt: dt[lane],
             left: left[lane],
@@ -137,6 +153,7 @@ impl<const W: usize> ByLane<Pacing, W> for Pacing<Rows<W>> {
         landing[lane] = f64::from(one.landing);
         self.landing = landing.equal(Rows::ONE);
         self.density[lane] = one.density;
+        self.angle[lane] = one.angle;
         self.last[lane] = one.last;
         self.dt[lane] = one.dt;
         self.left[lane] = one.left;

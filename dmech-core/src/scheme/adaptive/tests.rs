@@ -65,7 +65,8 @@ fn comes_back<S: Adaptable + Scheme<Sun>>(scheme: S, tolerance: f64, turn: impl 
     turn(&mut memory.inner);
     let (q, v) = (*adaptive.position(&memory), adaptive.velocity(&law, &unlimited, 0.0, &memory));
     // ρ of the step that would have come next is ρ of the step before, seen backward.
-    memory.pacing.density = adaptive.follow(memory.pacing.density, &law.look(&mut (), 0.0, &q, &v, 0.0));
+    memory.pacing.density =
+        adaptive.follow((memory.pacing.density, memory.pacing.angle), &law.look(&mut (), 0.0, &q, &v, 0.0)).0;
     adaptive.plan(f64::INFINITY, &mut memory.pacing);
     for _ in 0..steps {
         back.push(memory.pacing.dt);
@@ -126,5 +127,82 @@ fn the_frequency_has_no_scale_of_its_own() {
         for i in 0..2 {
             assert!((there[i] / here[i] - 1.0).abs() < 1e-9, "{length:e}, {time:e}: {there:?} for {here:?}");
         }
+    }
+}
+
+/// q⁻¹² − q⁻⁶ along q, of which the force does not fall on one side as on the other.
+struct Well;
+
+impl Conservative for Well {}
+
+impl Potential<1> for Well {
+    fn potential(&self, [q]: [f64; 1]) -> f64 {
+        q.powi(-12) - q.powi(-6)
+    }
+    fn gradient(&self, [q]: [f64; 1]) -> [f64; 1] {
+        [6.0 * q.powi(-7) - 12.0 * q.powi(-13)]
+    }
+    fn hessian(&self, [q]: [f64; 1]) -> [[f64; 1]; 1] {
+        [[156.0 * q.powi(-14) - 42.0 * q.powi(-8)]]
+    }
+    fn discrete_gradient(&self, _: [f64; 1], _: [f64; 1]) -> [f64; 1] {
+        unreachable!("steps between two points are not made here")
+    }
+    fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] {
+        unreachable!("steps between two points are not made here")
+    }
+}
+
+/// exp(−2q) − 2 exp(−q): beside K = 0 it grows without bound on one side.
+struct Bond;
+
+impl Conservative for Bond {}
+
+impl Potential<1> for Bond {
+    fn potential(&self, [q]: [f64; 1]) -> f64 {
+        (-2.0 * q).exp() - 2.0 * (-q).exp()
+    }
+    fn gradient(&self, [q]: [f64; 1]) -> [f64; 1] {
+        [2.0 * (-q).exp() - 2.0 * (-2.0 * q).exp()]
+    }
+    fn hessian(&self, [q]: [f64; 1]) -> [[f64; 1]; 1] {
+        [[4.0 * (-2.0 * q).exp() - 2.0 * (-q).exp()]]
+    }
+    fn discrete_gradient(&self, _: [f64; 1], _: [f64; 1]) -> [f64; 1] {
+        unreachable!("steps between two points are not made here")
+    }
+    fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] {
+        unreachable!("steps between two points are not made here")
+    }
+}
+
+/// Where K passes through zero, the places that so small a K would have the law looked at are far away: it is looked at nearer, and ω is
+/// there what it is beside.
+#[test]
+fn the_frequency_is_continuous_where_the_stiffness_vanishes() {
+    fn check<L: crate::Law<1>>(law: L, zero: f64, v: f64)
+    where
+        Particle<L, 1>: TimeScale<Room = (), Vector = [f64; 1], Scalar = f64>,
+    {
+        let law = Particle::new(law, 1.0);
+        let mut at = |q: f64| law.look(&mut (), 0.0, &[q], &[v], 0.0);
+        let [before, after] = [-0.01, 0.01].map(|d| at(zero + d));
+        let [least, most] = [f64::min, f64::max].map(|of| of(before.rate(), after.rate()));
+        let [slow, fast] = [f64::min, f64::max].map(|of| of(before.growth, after.growth));
+        // At distances from 0.01 down to 10⁻¹³: K itself has no more digits.
+        for k in 0..260 {
+            let d = 0.01 * 0.91_f64.powi(k);
+            for q in [zero - d, zero + d] {
+                let look = at(q);
+                let (rate, growth) = (look.rate(), look.growth);
+                assert!(rate > 0.9 * least && rate < 1.1 * most, "{d:e}: {rate} between {least} and {most}");
+                let room = 0.25 * most;
+                assert!(growth > slow - room && growth < fast + room, "{d:e}: {growth} between {slow} and {fast}");
+            }
+        }
+    }
+    for v in [-0.9, 0.75] {
+        check(Well, (156.0_f64 / 42.0).powf(1.0 / 6.0), v);
+        check(Bond, 2.0_f64.ln(), v);
     }
 }

@@ -9,14 +9,12 @@ use super::{Eight, Row, STAGES, Staging, times};
 /// Coordinates that are computed at a time: one [singly](Singly), or eight [side by side](ByEight).
 pub trait Abreast<R: Staging> {
     /// A number of each.
-    type Number: Real;
+    type Number: Staging;
     /// How many there are.
     const WIDTH: usize;
 
     /// The same number for each.
     fn alike(x: R) -> Self::Number;
-    /// max(x, |y|) of numbers.
-    fn larger(x: Self::Number, y: Self::Number) -> Self::Number;
     /// Those from `at` on.
     fn gather(numbers: &[R], at: usize) -> Self::Number;
     /// Puts them back.
@@ -69,7 +67,7 @@ pub(super) fn largest_number<R: Staging>(numbers: &[R]) -> R {
     let [together, rest] = divided::<R>(numbers.len());
     let mut of_each = R::Coordinates::alike(R::ZERO);
     for at in together.step_by(R::Coordinates::WIDTH) {
-        of_each = R::Coordinates::larger(of_each, R::Coordinates::gather(numbers, at));
+        of_each = of_each.larger_number(R::Coordinates::gather(numbers, at));
     }
     rest.fold(R::Coordinates::largest_number(of_each), |largest, at| largest.larger_number(numbers[at]))
 }
@@ -81,10 +79,6 @@ impl<R: Staging> Abreast<R> for Singly {
     #[inline(always)]
     fn alike(x: R) -> R {
         x
-    }
-    #[inline(always)]
-    fn larger(x: R, y: R) -> R {
-        x.larger_number(y.abs())
     }
     #[inline(always)]
     fn gather(numbers: &[R], at: usize) -> R {
@@ -130,10 +124,6 @@ impl Abreast<f64> for ByEight {
     #[inline(always)]
     fn alike(x: f64) -> Lanes {
         Lanes::splat(x)
-    }
-    #[inline(always)]
-    fn larger(x: Lanes, y: Lanes) -> Lanes {
-        x.larger_number(y.abs())
     }
     #[inline(always)]
     fn gather(numbers: &[f64], at: usize) -> Lanes {

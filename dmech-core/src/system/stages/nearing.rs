@@ -32,8 +32,8 @@ fn moves_at<R: Staging, A: Abreast<R>>(
     let (drift, rest) = path(A::alike(dt), (A::gather(v, at), A::gather(v_low, at)));
     let drift = drift + rest;
     A::scatter(drift, drifts, at);
-    A::scatter(A::larger(A::largest(pushes, at), A::alike(R::from_f64(PATH)) * drift), counts, at);
-    A::scatter(A::larger(A::gather(q, at).abs(), drift), reach, at);
+    A::scatter(A::largest(pushes, at).larger_number((A::alike(R::from_f64(PATH)) * drift).abs()), counts, at);
+    A::scatter(A::gather(q, at).abs().larger_number(drift.abs()), reach, at);
 }
 
 /// How near the sweeps of a step are: changes of pushes in units of what counts for their coordinate or body.
@@ -53,7 +53,7 @@ pub struct Nearing<R: Staging> {
 #[inline(always)]
 fn measure_at<R: Staging, A: Abreast<R>>(at: usize, floor: R, counts: &mut [R], reach: &mut [R]) {
     let number = |x: f64| A::alike(R::from_f64(x) * R::EPSILON);
-    let per_unit = (number(COUNTS) * A::larger(A::alike(floor), A::gather(counts, at))).recip();
+    let per_unit = (number(COUNTS) * A::alike(floor).larger_number(A::gather(counts, at))).recip();
     A::scatter(per_unit, counts, at);
     A::scatter(number(BY_PLACE) * A::gather(reach, at) * per_unit, reach, at);
 }

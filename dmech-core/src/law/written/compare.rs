@@ -69,7 +69,7 @@ pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Probe<D>, clos
 /// has, as of (1 + q) − 1; it shows as noise of the method between places that are side by side, and is looked for only where the first
 /// bound does not do.
 pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agreement {
-    let (own, derived) = (own(law, place), All::new(law.derived(place), law.derived_invariants(place)));
+    let (own, derived) = (own(law, place), All::of(law.derived(place)));
     let names = law.names();
     let mut tracked = None;
     let (mut worst, mut one_sided, mut compared) = (None::<(f64, usize)>, None, false);
@@ -87,7 +87,7 @@ pub fn agreement<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> Agre
         if difference <= MARGIN * ROUNDING * written.abs().min(value.abs()) {
             continue;
         }
-        let tracked = tracked.get_or_insert_with(|| All::new(law.tracked(place), law.tracked_invariants(place)));
+        let tracked = tracked.get_or_insert_with(|| All::of(law.tracked(place)));
         let error = tracked.get(i).error();
         let mut bound = MARGIN * ROUNDING * error;
         if difference > bound {
@@ -140,7 +140,7 @@ struct All<const D: usize, R = f64> {
 }
 
 impl<const D: usize, R: Copy> All<D, R> {
-    fn new(acting: Values<D, R>, kept: Kept<R>) -> Self {
+    fn of((acting, kept): (Values<D, R>, Kept<R>)) -> Self {
         All { acting, kept, panics: [false; 2] }
     }
 

@@ -59,10 +59,6 @@ pub trait Author<const D: usize>: Fields<D> + Law<D, Tracked> {
 pub trait Written<const D: usize> {
     /// What the author's methods give.
     fn own(&self, place: &Probe<D>) -> Values<D>;
-    /// What was derived from their text.
-    fn derived(&self, place: &Probe<D>) -> Values<D>;
-    /// The same with what rounding may do to it.
-    fn tracked(&self, place: &Probe<D>) -> Values<D, Tracked>;
     /// The names of the law's own invariants.
     fn names(&self) -> &'static [&'static str] {
         &[]
@@ -71,14 +67,10 @@ pub trait Written<const D: usize> {
     fn own_invariants(&self, _place: &Probe<D>) -> Kept {
         [0.0; MAX_OWN]
     }
-    /// What was derived from their text.
-    fn derived_invariants(&self, _place: &Probe<D>) -> Kept {
-        [0.0; MAX_OWN]
-    }
+    /// What was derived from the text of all these methods.
+    fn derived(&self, place: &Probe<D>) -> (Values<D>, Kept);
     /// The same with what rounding may do to it.
-    fn tracked_invariants(&self, _place: &Probe<D>) -> Kept<Tracked> {
-        [Tracked::ZERO; MAX_OWN]
-    }
+    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, Kept<Tracked>);
     /// Every number that they read of the law, by its name.
     fn fields(&self, _see: &mut dyn FnMut(&'static str, f64)) {}
 }
@@ -86,14 +78,6 @@ pub trait Written<const D: usize> {
 impl<L: Author<D>, const D: usize> Written<D> for L {
     fn own(&self, place: &Probe<D>) -> Values<D> {
         Author::own(self, place)
-    }
-
-    fn derived(&self, place: &Probe<D>) -> Values<D> {
-        acting::<L, D, f64>(self, place)
-    }
-
-    fn tracked(&self, place: &Probe<D>) -> Values<D, Tracked> {
-        acting::<L, D, Tracked>(self, place)
     }
 
     fn names(&self) -> &'static [&'static str] {
@@ -104,12 +88,12 @@ impl<L: Author<D>, const D: usize> Written<D> for L {
         Author::invariants(self, place)
     }
 
-    fn derived_invariants(&self, place: &Probe<D>) -> Kept {
-        kept::<L, D, f64>(self, place)
+    fn derived(&self, place: &Probe<D>) -> (Values<D>, Kept) {
+        derived::<L, D, f64>(self, place)
     }
 
-    fn tracked_invariants(&self, place: &Probe<D>) -> Kept<Tracked> {
-        kept::<L, D, Tracked>(self, place)
+    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, Kept<Tracked>) {
+        derived::<L, D, Tracked>(self, place)
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
@@ -130,15 +114,11 @@ pub(crate) fn named(
     });
 }
 
-fn acting<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> Values<D, R> {
+fn derived<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> (Values<D, R>, Kept<R>) {
     let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
     let field = law.field(R::from_f64(place.m[0]), t);
-    Values { potential: field.potential(q), force: field.force(q, v, t) }
-}
-
-fn kept<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> Kept<R> {
-    let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
-    core::array::from_fn(|k| if k < L::INVARIANTS.len() { law.invariant(k, q, v, t) } else { R::ZERO })
+    let kept = |k| if k < L::INVARIANTS.len() { law.invariant(k, q, v, t) } else { R::ZERO };
+    (Values { potential: field.potential(q), force: field.force(q, v, t) }, core::array::from_fn(kept))
 }
 
 /// A position in the form in which the author's method takes it.

@@ -3,8 +3,10 @@
 use dmech_scalar::Real;
 
 #[cfg(feature = "scene")]
-use super::Written;
+use super::{Kept, Written};
 use super::{Probe, Tracked, Values, named};
+#[cfg(feature = "scene")]
+use crate::invariant::MAX_OWN;
 use crate::law::Potential;
 use crate::law::{Between as Acting, Numbers, PairFields, PairLaw};
 
@@ -69,11 +71,11 @@ impl<const D: usize, P> Written<D> for Between<'_, D, P> {
         self.law.own(place, self.a, self.b)
     }
 
-    fn derived(&self, place: &Probe<D>) -> Values<D> {
-        self.law.derived(place, self.a, self.b)
+    fn derived(&self, place: &Probe<D>) -> (Values<D>, Kept) {
+        (self.law.derived(place, self.a, self.b), [0.0; MAX_OWN])
     }
 
-    fn tracked(&self, place: &Probe<D>) -> Values<D, Tracked> {
-        self.law.tracked(place, self.a, self.b)
+    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, Kept<Tracked>) {
+        (self.law.tracked(place, self.a, self.b), [Tracked::ZERO; MAX_OWN])
     }
 }

@@ -3,7 +3,7 @@
 use dmech_scalar::{Count, Mask, Real};
 
 use super::ended::Ended;
-use super::sweeps::{Astray, Sweeps, With, apart, in_parts, whole, whole_in_registers};
+use super::sweeps::{Stalled, Sweeps, With, apart, in_parts, whole, whole_in_registers};
 use super::tableau::Tableau;
 use super::{Gauss, LineIntegral};
 use crate::invariant::{Invariant, Kept};
@@ -77,13 +77,13 @@ impl<Y: Staged> GaussMemory<Y> {
                     *rough += Y::Scalar::either(bent, one, zero);
                 }
             }
-            Err(Astray(residual)) if Ended::<Y>::MANY => {
+            Err(Stalled(residual)) if Ended::<Y>::MANY => {
                 return Err(sweeps.gave_up(residual));
             }
             Err(_) => {
                 (*ratio, *rough) = (zero, *rough + one);
                 let made = in_parts(with, stride, t, [q, v], pushes, sweeps, 1);
-                *parts = Some(made.map_err(|Astray(residual)| sweeps.gave_up(residual))?);
+                *parts = Some(made.map_err(|Stalled(residual)| sweeps.gave_up(residual))?);
             }
         }
         let evaluations = if Ended::<Y>::MANY { sweeps.of_each } else { Count::of(8 * sweeps.made) };
@@ -101,7 +101,7 @@ impl<Y: Staged> GaussMemory<Y> {
         let made = apart(with, &stride, (t, ratio), [&mut q, &mut v], &mut pushes, &mut sweeps);
         if made.is_err() {
             let made = in_parts(with, &stride, t, [&mut q, &mut v], &mut pushes, &mut sweeps, 1);
-            made.map_err(|Astray(residual)| sweeps.gave_up(residual))?;
+            made.map_err(|Stalled(residual)| sweeps.gave_up(residual))?;
         }
         let effort = Effort { evaluations: Count::of(8 * sweeps.made), iterations: Count::of(0) };
         Ok(([Y::value(&q).clone(), Y::value(&v).clone()], effort))

@@ -19,7 +19,7 @@ const HALVINGS: u32 = 6;
 pub(super) type With<'a, Y> = (&'a Y, &'a Tableau);
 
 /// Sweeps that came no nearer: the last change of a push.
-pub(super) struct Astray(pub(super) f64);
+pub(super) struct Stalled(pub(super) f64);
 
 /// Where steps are made, and what they have cost.
 pub struct Sweeps<Y: Staged> {
@@ -69,7 +69,7 @@ pub(super) fn whole<Y: Staged>(
     [q, v]: [&mut Y::Sum; 2],
     pushes: &mut Y::Pushes,
     sweeps: &mut Sweeps<Y>,
-) -> Result<Which<Y>, Astray> {
+) -> Result<Which<Y>, Stalled> {
     stages::go_on(Y::eights_mut(pushes), tableau, ratio);
     let guessed = ratio.equal(Y::Scalar::ZERO);
     sweeps.of_each = Count::of(0);
@@ -92,7 +92,7 @@ pub(super) fn whole_in_registers<Y: Staged>(
     [q, v]: [&mut Y::Sum; 2],
     pushes: &mut Y::Pushes,
     sweeps: &mut Sweeps<Y>,
-) -> Result<Which<Y>, Astray> {
+) -> Result<Which<Y>, Stalled> {
     let (mut place, mut speed, mut near) = (q.clone(), v.clone(), pushes.clone());
     let mut here = Sweeps { watched: sweeps.watched, ..Sweeps::new(with.0) };
     let bent = whole(with, stride, at, [&mut place, &mut speed], &mut near, &mut here);
@@ -139,7 +139,7 @@ fn until_rounding<Y: Staged>(
     stride: &Y::Stride,
     pushes: &mut Y::Pushes,
     Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
-) -> Result<(), Astray> {
+) -> Result<(), Stalled> {
     let (mut ended, mut stalls) = (Ended::<Y>::none(), Y::Scalar::ZERO);
     for sweep in 1..=SWEEPS {
         *made += 1;
@@ -149,7 +149,7 @@ fn until_rounding<Y: Staged>(
         }
         let finite = finite::<Y>(pushes);
         if !goes_on.or(finite).all() {
-            return Err(Astray(f64::NAN));
+            return Err(Stalled(f64::NAN));
         }
         let near = goes_on.or(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
         if ended.add(near.and(goes_on.not()), pushes, sweep) {
@@ -158,12 +158,12 @@ fn until_rounding<Y: Staged>(
         }
         stalls += Y::Scalar::either(near, Y::Scalar::ZERO, Y::Scalar::ONE);
         if stalls.equal(Y::Scalar::from_f64(STALLS)).any() {
-            return Err(Astray(Y::nearing(aim).change().to_f64()));
+            return Err(Stalled(Y::nearing(aim).change().to_f64()));
         }
     }
     // Where nothing tells what counts, rounding itself may go to and fro.
     let near = finite::<Y>(pushes).and(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
-    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Astray(Y::nearing(aim).change().to_f64())) }
+    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Stalled(Y::nearing(aim).change().to_f64())) }
 }
 
 /// A step that is made now and then: one copy of it for all that make such.
@@ -176,7 +176,7 @@ pub(super) fn apart<Y: Staged>(
     place: [&mut Y::Sum; 2],
     pushes: &mut Y::Pushes,
     sweeps: &mut Sweeps<Y>,
-) -> Result<Which<Y>, Astray> {
+) -> Result<Which<Y>, Stalled> {
     whole(with, stride, at, place, pushes, sweeps)
 }
 
@@ -191,21 +191,21 @@ pub(super) fn in_parts<Y: Staged>(
     pushes: &mut Y::Pushes,
     sweeps: &mut Sweeps<Y>,
     halvings: u32,
-) -> Result<Y::Scalar, Astray> {
+) -> Result<Y::Scalar, Stalled> {
     let half = system.stage(stride, Y::Scalar::from_f64(0.5), 0.0);
     let (mut slope, mut work) = (system.zero(), Y::Scalar::ZERO);
     for t in [t, t + Y::dt(&half)] {
         system.slope(t, Y::value(q), Y::value(v), &mut slope);
         *pushes = system.pushes(&half, &slope);
         let before = Y::value(v).clone();
-        if let Err(astray) = apart(with, &half, (t, Y::Scalar::ZERO), [&mut *q, &mut *v], pushes, sweeps) {
+        if let Err(stalled) = apart(with, &half, (t, Y::Scalar::ZERO), [&mut *q, &mut *v], pushes, sweeps) {
             if halvings < HALVINGS {
                 work += in_parts(with, &half, t, [&mut *q, &mut *v], pushes, sweeps, halvings + 1)?;
                 continue;
             }
             // Where a force jumps between two sides there may be no solution: the last guess is as good as any.
             if !(Y::PIECEWISE && finite::<Y>(pushes).all()) {
-                return Err(astray);
+                return Err(stalled);
             }
             Y::settle_pushes(tableau, &half, pushes, [&mut *q, &mut *v]);
         }

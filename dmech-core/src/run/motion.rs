@@ -43,7 +43,7 @@ pub(crate) trait Motion<X, R: Real> {
     fn between(&self, from: &X, t: f64) -> Result<(X, [u64; 2]), Error>;
 
     /// What there is of the invariants in the state now, and how far momenta are from those of another.
-    fn look(&self, state: &X, first: &X) -> Look<R>;
+    fn invariants(&self, state: &X, first: &X) -> Invariants<R>;
 
     /// How well they are kept.
     fn kept(&self) -> [Kept; Invariant::ALL.len()];
@@ -59,7 +59,7 @@ pub(crate) trait Motion<X, R: Real> {
 }
 
 /// The invariants in one state.
-pub(crate) struct Look<R> {
+pub(crate) struct Invariants<R> {
     pub(crate) energy: Option<R>,
     pub(crate) discrete_energy: Option<R>,
     /// The scheme's own kinetic energy, from which the work is still to be taken.
@@ -113,11 +113,11 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
         Ok((state, [effort.evaluations.to_u64(), effort.iterations.to_u64()]))
     }
 
-    fn look(&self, state: &Y::State, first: &Y::State) -> Look<Y::Scalar> {
+    fn invariants(&self, state: &Y::State, first: &Y::State) -> Invariants<Y::Scalar> {
         let Stepper { system, scheme, memory, .. } = self;
         let t = Y::Scalar::from_f64(Y::time(state));
         let (own, works) = (system.conserves(Invariant::DiscreteEnergy), system.conserves(Invariant::WorkEnergy));
-        Look {
+        Invariants {
             discrete_energy: if own { scheme.discrete_energy(system, t, memory) } else { None },
             kinetic: works.then(|| scheme.kinetic_energy(system, memory)),
             ..of_the_system(system, state, first)
@@ -144,12 +144,12 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
 }
 
 /// What no scheme has a part in.
-fn of_the_system<Y: System>(system: &Y, state: &Y::State, first: &Y::State) -> Look<Y::Scalar> {
+fn of_the_system<Y: System>(system: &Y, state: &Y::State, first: &Y::State) -> Invariants<Y::Scalar> {
     let momentum = |of| {
         let (now, deviation) = system.conserves(of).then(|| system.momentum(of, state, first))?;
         Some([now.to_f64(), deviation.to_f64()])
     };
-    Look {
+    Invariants {
         energy: system.conserves(Invariant::Energy).then(|| system.energy(state)),
         discrete_energy: None,
         kinetic: None,

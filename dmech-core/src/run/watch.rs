@@ -4,7 +4,7 @@ use dmech_scalar::{Compensated, Real};
 
 #[cfg(feature = "plot")]
 use super::course::Courses;
-use super::motion::{Look, Motion};
+use super::motion::{Invariants, Motion};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
 use crate::scheme::Scheme;
@@ -62,15 +62,15 @@ impl<X: Clone, R: Real> Watch<X, R> {
             courses: None,
         };
         let state = &watch.first;
-        let (t, look) = (motion.clock()(state), motion.look(state, state));
+        let (t, here) = (motion.clock()(state), motion.invariants(state, state));
         for (k, name) in motion.own_names().iter().enumerate().take(MAX_OWN) {
             watch.own_start[k] = motion.own(k, state);
             watch.own.add(name, Drift::new(t, watch.own_start[k].to_f64()));
         }
         for invariant in Invariant::ALL {
-            let energy = watch.energy(invariant, &look);
+            let energy = watch.energy(invariant, &here);
             watch.energies[invariant as usize] = energy.unwrap_or(R::ZERO);
-            let value = energy.map(R::to_f64).or(look.momentum(invariant).map(|[momentum, _]| momentum));
+            let value = energy.map(R::to_f64).or(here.momentum(invariant).map(|[momentum, _]| momentum));
             watch.drifts[invariant as usize] = value.map(|value| Drift::new(t, value));
         }
         watch
@@ -93,12 +93,12 @@ impl<X: Clone, R: Real> Watch<X, R> {
     }
 
     pub(super) fn see(&mut self, motion: &dyn Motion<X, R>, state: &X) {
-        let (t, look) = (motion.clock()(state), motion.look(state, &self.first));
+        let (t, here) = (motion.clock()(state), motion.invariants(state, &self.first));
         for invariant in Invariant::ALL {
             // Before it is rounded to `f64`, which may have fewer digits.
-            let energy = self.energy(invariant, &look);
+            let energy = self.energy(invariant, &here);
             let seen = energy.map(|energy| [energy, energy - self.energies[invariant as usize]].map(R::to_f64));
-            let seen = seen.or(look.momentum(invariant));
+            let seen = seen.or(here.momentum(invariant));
             if let (Some([value, deviation]), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
                 drift.observe(t, value, deviation);
                 #[cfg(feature = "plot")]
@@ -170,17 +170,17 @@ impl<X: Clone, R: Real> Watch<X, R> {
         self.own.clone()
     }
 
-    fn energy(&self, invariant: Invariant, look: &Look<R>) -> Option<R> {
+    fn energy(&self, invariant: Invariant, here: &Invariants<R>) -> Option<R> {
         match invariant {
-            Invariant::Energy => look.energy,
-            Invariant::DiscreteEnergy => look.discrete_energy,
-            Invariant::WorkEnergy => look.kinetic.map(|kinetic| (kinetic - self.work.hi) - self.work.lo),
+            Invariant::Energy => here.energy,
+            Invariant::DiscreteEnergy => here.discrete_energy,
+            Invariant::WorkEnergy => here.kinetic.map(|kinetic| (kinetic - self.work.hi) - self.work.lo),
             Invariant::LinearMomentum | Invariant::AngularMomentum => None,
         }
     }
 }
 
-impl<R> Look<R> {
+impl<R> Invariants<R> {
     fn momentum(&self, invariant: Invariant) -> Option<[f64; 2]> {
         match invariant {
             Invariant::LinearMomentum => self.momenta[0],

@@ -1,6 +1,6 @@
 //! Checkpoints.
 
-use crate::checkpoint::{Carried, Checkpoint, FORMAT, Fields, Fingerprint, Numbers, Saved, load, save};
+use crate::checkpoint::{Carried, Checkpoint, FORMAT, Fingerprint, Fingerprints, Numbers, Saved, load, save};
 use crate::error::{Difference, Error};
 use crate::run::Simulation;
 use crate::scheme::Scheme;
@@ -80,8 +80,8 @@ where
     }
 
     /// What the laws read of themselves and of the bodies, and whom they link.
-    fn fields(&self) -> Fields<&'static str> {
-        let mut fields = Fields::new();
+    fn fields(&self) -> Fingerprints<&'static str> {
+        let mut fields = Fingerprints::new();
         self.system.fields(&mut |name, x| fields.see(name, x));
         fields
     }

@@ -7,11 +7,11 @@ use crate::error::Difference;
 
 /// A fingerprint of every field that the laws read, by name, and of what they read of the bodies.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Fields<N = String>(Vec<(N, Fingerprint)>);
+pub(crate) struct Fingerprints<N = String>(Vec<(N, Fingerprint)>);
 
-impl Fields<&'static str> {
+impl Fingerprints<&'static str> {
     pub(crate) fn new() -> Self {
-        Fields(Vec::new())
+        Fingerprints(Vec::new())
     }
 
     /// Takes in one more number; those of one name in a row have one fingerprint.
@@ -27,12 +27,12 @@ impl Fields<&'static str> {
     }
 
     /// As they are saved.
-    pub(crate) fn saved(&self) -> Fields {
-        Fields(self.0.iter().map(|&(name, fingerprint)| (name.to_owned(), fingerprint)).collect())
+    pub(crate) fn saved(&self) -> Fingerprints {
+        Fingerprints(self.0.iter().map(|&(name, fingerprint)| (name.to_owned(), fingerprint)).collect())
     }
 
     /// The first that differs from what was saved.
-    pub(crate) fn compare(&self, saved: &Fields) -> Result<(), Difference> {
+    pub(crate) fn compare(&self, saved: &Fingerprints) -> Result<(), Difference> {
         if saved.0.iter().map(|(name, _)| name.as_str()).ne(self.0.iter().map(|&(name, _)| name)) {
             return Err(Difference::Laws);
         }
@@ -41,7 +41,7 @@ impl Fields<&'static str> {
     }
 }
 
-impl Fields {
+impl Fingerprints {
     /// Takes all in.
     pub(super) fn add_to(&self, fingerprint: &mut Fingerprint) {
         for (name, field) in &self.0 {

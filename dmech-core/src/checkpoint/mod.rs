@@ -8,7 +8,7 @@ mod seal;
 
 pub use carried::{Carried, Saved};
 pub(crate) use carried::{load, save};
-pub(crate) use fields::Fields;
+pub(crate) use fields::Fingerprints;
 pub(crate) use fingerprint::Fingerprint;
 pub(crate) use numbers::Numbers;
 
@@ -69,7 +69,7 @@ pub struct Checkpoint {
     pub(crate) masses: Numbers,
     pub(crate) pins: Vec<usize>,
     pub(crate) laws: Fingerprint,
-    pub(crate) fields: Fields,
+    pub(crate) fields: Fingerprints,
     pub(crate) steps: u64,
     /// Those before the last change.
     pub(crate) steps_before: u64,

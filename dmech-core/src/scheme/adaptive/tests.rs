@@ -185,7 +185,7 @@ fn the_frequency_is_continuous_where_the_stiffness_vanishes() {
         Particle<L, 1>: TimeScale<Room = (), Vector = [f64; 1], Scalar = f64>,
     {
         let law = Particle::new(law, 1.0);
-        let mut at = |q: f64| law.look(&mut (), 0.0, &[q], &[v], 0.0);
+        let at = |q: f64| law.look(&mut (), 0.0, &[q], &[v], 0.0);
         let [before, after] = [-0.01, 0.01].map(|d| at(zero + d));
         let [least, most] = [f64::min, f64::max].map(|of| of(before.rate(), after.rate()));
         let [slow, fast] = [f64::min, f64::max].map(|of| of(before.growth, after.growth));

@@ -31,11 +31,24 @@ impl Graph {
             Node::Unary(Unary::Sqrt, u) => self.order(*u) / 2.0,
             Node::Unary(Unary::Cbrt, u) => self.order(*u) / 3.0,
             Node::Unary(f, u) if f.exact_value(0.0) == Some(0.0) => self.order(*u),
+            Node::Unary(Unary::Ln, u) => self.order_beside_one(*u),
             Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => 0.0,
             Node::Binary(Binary::Powf, u, w) => self.as_number(*w).map_or(0.0, |w| w * self.order(*u)),
+            // max(x, 0) vanishes as x does: a branch that is 0 is so to every order.
             Node::Binary(Binary::Min | Binary::Max, one, two) | Node::Select(_, one, two) => {
-                self.order(*one).min(self.order(*two))
+                let of = |branch: Expr| if self.is_zero(branch) { f64::INFINITY } else { self.order(branch) };
+                of(*one).min(of(*two))
             }
+        }
+    }
+
+    /// The order to which u vanishes in 1 + u, and the logarithm of that; 0 of anything else.
+    fn order_beside_one(&self, e: Expr) -> f64 {
+        match self.node(e) {
+            Node::Sum { constant, terms } if *constant == Number::ONE => {
+                terms.iter().fold(f64::INFINITY, |least, &(_, term)| least.min(self.order(term))).max(0.0)
+            }
+            _ => 0.0,
         }
     }
 

@@ -2,6 +2,7 @@
 //! that the user wrote, called directly.
 
 mod constructs;
+mod corners;
 mod edges;
 mod functions;
 mod moments;

@@ -132,7 +132,7 @@
 //! | [`Relaxed`] | 6, 8 | energy exactly; no momentum | 15, 20 forces |
 //! | [`RungeKuttaNystrom`] | 12 | nothing but linear momentum: for members of ensembles whose position is wanted to many digits | 17 forces |
 //! | [`ForceGradient`] | 4, 6, 8 | angular momentum; energy bounded | 5, 5, 14 forces, and the change of 2, 3, 14 along themselves |
-//! | [`Gauss`] | 16 | angular momentum; energy bounded, mostly to rounding | 2 to 15 sweeps of 8 forces side by side |
+//! | [`Gauss`] | 16 | angular momentum; energy bounded, mostly to rounding | 4 to 15 sweeps of 8 forces side by side |
 //! | [`LineIntegral`] | 4, 6, 8, 10 | energy exactly where the potential is a polynomial | the same |
 //!
 //! # Steps that follow the motion

@@ -162,6 +162,8 @@ fn adaptive() {
     follow::<Bottle, _, 2>(Adaptive::new(DiscreteGradient, 1e-2), "workless");
     follow::<Orbit, _, 2>(Adaptive::new(Implicit, 1e-4), "implicit");
     follow::<Orbit, _, 2>(Adaptive::new(Gauss::order16(), 1e-10), "Gauss");
+    // Steps that are shortened, each member's by itself.
+    follow::<Plummer, _, 3>(Adaptive::new(Gauss::order16(), 1e-7), "Gauss, shortened");
     follow::<Damped, _, 1>(Adaptive::new(LineIntegral::order10(), 1e-7), "line integral");
     let driven = |settings| Settings { dt: Some(0.1), end: 3.0, ..settings };
     as_alone::<Driven, _, 1>(Adaptive::new(Nystrom::order6(), 1e-6), "driven", driven);

@@ -52,6 +52,20 @@ impl Drag {
     }
 }
 
+/// −1/√(q² + b²): steps that are too long to see its middle are shortened.
+#[derive(Clone, Copy, Debug)]
+struct Core {
+    b: f64,
+}
+
+#[dmech::law]
+impl Core {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        -1.0 / (q[0] * q[0] + q[1] * q[1] + self.b * self.b).sqrt()
+    }
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Gyration {
     b: f64,
@@ -202,6 +216,7 @@ fn single_laws_go_on_bit_for_bit() {
     goes_on(|| orbit().scheme(DiscreteGradient).adaptive(1e-2));
     goes_on(|| orbit().scheme(Composed::order4(DiscreteGradient)).adaptive(1e-4));
     goes_on(|| orbit().scheme(Composed::order6(Implicit)).adaptive(1e-4));
+    goes_on(|| Simulation::new(Core { b: 0.3 }, START).mass(1.3).scheme(Gauss::order16()).adaptive(1e-8));
 }
 
 /// Before the first step the state is the start itself, also where the scheme holds it to rounding only.

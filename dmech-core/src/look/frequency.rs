@@ -167,9 +167,8 @@ impl<R: Real> Frequency<R> {
         // t − 0 is t to the bit, also where that is −0.
         let here = stiffness(R::from_f64(-0.0), course.q, course.v);
         let size = per_mass * here.norm();
-        let mut s = (angle / size.sqrt()).min(angle / least);
-        let mut sides;
-        (s, sides) = Self::as_even(&course, &stiffness, (s, size));
+        let longest = (angle / size.sqrt()).min(angle / least);
+        let (mut s, mut sides) = Self::as_even(&course, &stiffness, (longest, size));
         for _ in 0..PLACES {
             let nearer = Self::nearer(&course, &stiffness, (s, &here, &sides));
             if !nearer.less(s).any() {

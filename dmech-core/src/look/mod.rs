@@ -36,8 +36,13 @@ impl<R: Real> Look<R> {
     /// Whether ρ is below so many ω, of what does not pass: steps did not see it come.
     #[inline(always)]
     pub(crate) fn outruns(&self, least: f64, density: R) -> R::Mask {
-        let ratio = (density * self.s).max(R::ZERO).powi(12);
-        ratio.less(R::from_f64(least.powi(12)) * (self.power - self.passing))
+        self.power_of(density).less(R::from_f64(least.powi(12)) * (self.power - self.passing))
+    }
+
+    /// (ρ s)¹², as [`power`](Look::power) is that of ω. No density is negative.
+    #[inline(always)]
+    fn power_of(&self, density: R) -> R {
+        (density * self.s).max(R::ZERO).powi(12)
     }
 
     /// ρ, or the end of the range `band` of ρ/ω where it lies outside; what passes now is not taken to be gone soon.
@@ -45,8 +50,7 @@ impl<R: Real> Look<R> {
     pub fn within(&self, [least, most]: [f64; 2], density: R) -> R {
         let bound = |end: f64, power: R| R::from_f64(end.powi(12)) * power;
         let (least, most) = (bound(least, self.power).max(bound(STAYS, self.passing)), bound(most, self.power));
-        // No density is negative.
-        let ratio = (density * self.s).max(R::ZERO).powi(12);
+        let ratio = self.power_of(density);
         let (below, above) = (ratio.less(least), most.less(ratio));
         if !below.or(above).any() {
             return density;

@@ -174,8 +174,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     ///
     /// The scheme comes first. `DiscreteGradient` and its compositions keep the energy exactly for any sequence of steps;
     /// `Gauss` is the fastest where many digits are wanted; `Nystrom`, `ForceGradient` and compositions of `Leapfrog` are explicit
-    /// and fast where few are. As the rule for the steps is reversible where they see the motion change, their energy error goes to and fro
-    /// and does not drift: at e = 0.9 it is the same in 300 revolutions as in 3. Steps that are too long for that are shortened. `Implicit` and its compositions take it too. The rule is found with [`Adaptive`].
+    /// and fast where few are. As the rule for the steps is reversible where they see the motion change, their energy error goes to and
+    /// fro and does not drift: at e = 0.9 it is the same in 300 revolutions as in 3. Steps that are too long for that are shortened.
+    /// `Implicit` and its compositions take it too. The rule is found with [`Adaptive`].
     ///
     /// **The tolerance** is the error of the position that one revolution of a Kepler orbit of eccentricity 0.9 adds, over
     /// its half-axis; at every order, a tenth of it means a tenth of the error. Measured per revolution, in tolerances:

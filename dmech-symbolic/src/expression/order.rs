@@ -21,7 +21,7 @@ impl Graph {
             },
             Node::Sum { constant, terms } => {
                 let start = if *constant == Number::ZERO { f64::INFINITY } else { 0.0 };
-                let least = terms.iter().fold(start, |least, &(_, term)| least.min(self.order(term)));
+                let least = self.least_order(terms).min(start);
                 let mut moving = terms.iter().filter(|&&(_, term)| self.order(term) != 0.0).peekable();
                 // x − c vanishes elsewhere, but |x| − c and x² + c not where |x| and x² do.
                 let shifted = least == 0.0 && moving.peek().is_some() && moving.all(|&(_, term)| self.is_linear(term));
@@ -45,11 +45,13 @@ impl Graph {
     /// The order to which u vanishes in 1 + u, and the logarithm of that; 0 of anything else.
     fn order_beside_one(&self, e: Expr) -> f64 {
         match self.node(e) {
-            Node::Sum { constant, terms } if *constant == Number::ONE => {
-                terms.iter().fold(f64::INFINITY, |least, &(_, term)| least.min(self.order(term))).max(0.0)
-            }
+            Node::Sum { constant, terms } if *constant == Number::ONE => self.least_order(terms).max(0.0),
             _ => 0.0,
         }
+    }
+
+    fn least_order(&self, terms: &[(Number, Expr)]) -> f64 {
+        terms.iter().fold(f64::INFINITY, |least, &(_, term)| least.min(self.order(term)))
     }
 
     /// Whether e, times something outside, is above the first order where it vanishes: a root in it has a slope of 0 there.

@@ -30,11 +30,11 @@ pub(crate) struct Pacing<R: Real = f64> {
 /// ρ/ω stays between these, at the ends of steps.
 const BAND: [f64; 2] = [2.0 / 3.0, 1.5];
 
-/// Steps that turn the motion by so little see how ω changes, on smooth motions.
-const SEES: f64 = 0.3;
-
 /// The same in the middle of steps, where ω of their end differs: no step is negative.
 pub(super) const MIDDLE: [f64; 2] = [0.25, 4.0];
+
+/// Steps that turn the motion by so little see how ω changes, on smooth motions.
+const SEES: f64 = 0.3;
 
 impl<R: Real> Pacing<R> {
     /// The smallest ω that counts, where a step is this long at most.

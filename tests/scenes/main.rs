@@ -4,6 +4,7 @@ mod closed;
 mod degree;
 mod driven;
 mod few;
+mod magnetic;
 mod optional;
 mod pair_models;
 mod restricted;

@@ -94,7 +94,7 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Re
     for Whole<A, D, N, K, R, S>
 {
     const FORCED: bool = A::FORCED;
-    const CONSERVES_ENERGY: bool = !A::FORCED;
+    const CONSERVES_ENERGY: bool = A::CONSERVES_ENERGY;
 
     #[inline(always)]
     fn slope(&self, q: [R; K], v: [R; K]) -> [R; K] {
@@ -102,6 +102,9 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Re
     }
     #[inline(always)]
     fn half_force(&self, q: [R; K], v: [R; K]) -> [R; K] {
+        if A::CONSERVES_ENERGY {
+            return [R::ZERO; K];
+        }
         scaled(R::from_f64(0.5), self.force(q, v, self.t))
     }
     #[inline(always)]

@@ -71,15 +71,17 @@ pub(in crate::scene) trait Unknown<const D: usize> {
     const PIECEWISE: bool;
     /// No others than consecutive bodies are linked.
     const CHAIN: bool;
-    /// G depends on the velocity at the end of the step.
+    /// G has a force that depends on the velocity.
     const FORCED: bool;
+    /// It is taken at the mean position and the mean velocity Δ/h of the step; at their ends if not.
+    const MIDDLE: bool = false;
     /// The step conserves the energy: what rounding keeps from G, always of one sign where corrections are, is asked for.
     const EXACT: bool;
 
-    /// out ← G(b, v), for a part θ of the step.
-    fn gradient(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>);
+    /// out ← G(b, x, v), for a part θ of the step; x and v are those of the force.
+    fn gradient(&self, theta: f64, b: &Vectors<D>, force_at: [&Vectors<D>; 2], out: &mut Vectors<D>);
     /// out += ∂G/∂b + rate ∂G/∂v.
-    fn jacobian(&self, theta: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>);
+    fn jacobian(&self, theta: f64, b: &Vectors<D>, force_at: [&Vectors<D>; 2], rate: f64, out: &mut Matrix<D>);
     /// Both for the bodies of a chain from `first` on, for the whole step and a G that does not depend on the velocity.
     fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>);
 }

@@ -14,11 +14,11 @@ impl<const D: usize> Solver<D> {
         astray: NotConverged,
         longest: f64,
     ) -> Result<Effort, NotConverged> {
-        let Part { equation, unknown, .. } = step;
+        let Part { equation, .. } = step;
         let mut evaluations = astray.iterations as u32 + 1;
         self.delta.clear();
-        self.place::<U>(equation);
-        unknown.gradient(0.0, &self.place, &self.velocity, &mut self.first);
+        self.take_gradient(step.of(0.0));
+        self.first.clone_from(&self.gradient);
         self.slope.clear();
         let (mut path, mut ending) = (Path::by(longest), astray);
         while let Some(stretch) = path.next().filter(|_| evaluations < equation.newton.limit()) {

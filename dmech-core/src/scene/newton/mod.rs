@@ -86,7 +86,9 @@ pub(super) struct Solver<const D: usize> {
     /// The position at the end of the step, and then the residual and the correction, which do not need it any more: a
     /// long chain is as fast as little memory is touched.
     place: Vectors<D>,
+    /// The velocity with which a force is taken, and the mean position where it is taken there.
     velocity: Vectors<D>,
+    pub(super) middle: Vectors<D>,
     first: Vectors<D>,
     slope: Vectors<D>,
     /// θ² g.
@@ -104,6 +106,7 @@ impl<const D: usize> Solver<D> {
             rest: zeros.clone(),
             place: zeros.clone(),
             velocity: zeros.clone(),
+            middle: Vectors::zeros(0),
             first: zeros.clone(),
             slope: zeros.clone(),
             scaled: zeros,
@@ -154,8 +157,7 @@ impl<const D: usize> Solver<D> {
         let mut since_factors = 0;
         let limit = trial.limit(part.equation.newton);
         for iteration in 1..=limit {
-            self.place::<U>(part.equation);
-            part.unknown.gradient(part.theta, &self.place, &self.velocity, &mut self.gradient);
+            self.take_gradient(part);
             if iteration == 1 || since_factors == trial.chord {
                 if !self.take_jacobian(part) {
                     return Err(unfit::<U, D>(iteration));
@@ -177,11 +179,19 @@ impl<const D: usize> Solver<D> {
         Err(progress.exhausted(limit))
     }
 
+    /// b = q + Δ, and G there.
+    fn take_gradient<U: Unknown<D>>(&mut self, Part { equation, unknown, theta }: Part<'_, U, D>) {
+        self.place::<U>(equation);
+        let force_at = if U::MIDDLE { [&self.middle, &self.velocity] } else { [&self.place, &self.velocity] };
+        unknown.gradient(theta, &self.place, force_at, &mut self.gradient);
+    }
+
     /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is not as it must be.
     fn take_jacobian<U: Unknown<D>>(&mut self, part: Part<'_, U, D>) -> bool {
         let Part { equation, unknown, theta } = part;
         self.matrix.clear();
-        unknown.jacobian(theta, &self.place, &self.velocity, equation.rate, &mut self.matrix);
+        let force_at = if U::MIDDLE { [&self.middle, &self.velocity] } else { [&self.place, &self.velocity] };
+        unknown.jacobian(theta, &self.place, force_at, equation.rate, &mut self.matrix);
         if theta == 1.0 {
             return self.matrix.factorise(equation.g, kind::<U, D>());
         }
@@ -198,14 +208,21 @@ impl<const D: usize> Solver<D> {
         }
     }
 
-    /// b = q + Δ and, where it is needed, v at the end of the step.
+    /// b = q + Δ and, where they are needed, the velocity and the place of the force. By way of the velocity at the end the rounding
+    /// of 2/h would make the mean one that works.
     fn place<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>) {
         let Equations { q, q_low, v, rate, .. } = *equation;
         let (delta, place) = (self.delta.flat(), self.place.flat_mut());
         for (((place, q), low), delta) in place.iter_mut().zip(q.flat()).zip(q_low.flat()).zip(delta) {
             *place = q + (low + delta);
         }
-        if U::FORCED {
+        if U::MIDDLE {
+            let ends = q.flat().iter().zip(&*place).zip(delta);
+            let means = self.middle.flat_mut().iter_mut().zip(self.velocity.flat_mut());
+            for ((middle, mean), ((q, b), delta)) in means.zip(ends) {
+                (*middle, *mean) = (0.5 * (q + b), 0.5 * rate * delta);
+            }
+        } else if U::FORCED {
             let known = v.flat().iter().zip(delta).enumerate();
             for (end, (i, (v, delta))) in self.velocity.flat_mut().iter_mut().zip(known) {
                 *end = rate * (delta - equation.drift(i)) + v;

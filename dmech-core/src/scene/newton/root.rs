@@ -17,13 +17,12 @@ impl<const D: usize> Solver<D> {
         part: Part<'_, U, D>,
         astray: NotConverged,
     ) -> Result<u32, NotConverged> {
-        let Part { equation, unknown, theta } = part;
+        let Part { equation, .. } = part;
         let near = astray.residual <= NEAR * (equation.q.largest() + self.delta.largest());
         if !near {
             return Err(astray);
         }
-        self.place::<U>(equation);
-        unknown.gradient(theta, &self.place, &self.velocity, &mut self.gradient);
+        self.take_gradient(part);
         if !self.take_jacobian(part) {
             return Err(astray);
         }

@@ -20,11 +20,11 @@ impl Unknown<1> for Spring {
     const FORCED: bool = false;
     const EXACT: bool = true;
 
-    fn gradient(&self, _: f64, b: &Vectors<1>, _: &Vectors<1>, out: &mut Vectors<1>) {
+    fn gradient(&self, _: f64, b: &Vectors<1>, _: [&Vectors<1>; 2], out: &mut Vectors<1>) {
         out.flat_mut().iter_mut().zip(b.flat()).for_each(|(out, b)| *out = b - 0.0625);
     }
 
-    fn jacobian(&self, _: f64, b: &Vectors<1>, _: &Vectors<1>, _: f64, out: &mut Matrix<1>) {
+    fn jacobian(&self, _: f64, b: &Vectors<1>, _: [&Vectors<1>; 2], _: f64, out: &mut Matrix<1>) {
         (0..b.bodies()).for_each(|i| out.add_block(i, i, [[1.0]]));
     }
 

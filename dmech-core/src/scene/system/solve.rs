@@ -32,14 +32,14 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     const FORCED: bool = A::FORCED;
     const EXACT: bool = false;
 
-    fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
+    fn gradient(&self, _: f64, b: &Vectors<D>, [x, v]: [&Vectors<D>; 2], out: &mut Vectors<D>) {
         self.acts.set_gradient(b, self.t, out);
-        self.acts.subtract_force(1.0, b, v, self.t, out);
+        self.acts.subtract_force(1.0, x, v, self.t, out);
     }
 
-    fn jacobian(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>) {
+    fn jacobian(&self, _: f64, b: &Vectors<D>, [x, v]: [&Vectors<D>; 2], rate: f64, out: &mut Matrix<D>) {
         self.acts.add_hessian(1.0, b, self.t, out);
-        self.acts.subtract_force_jacobian(1.0, b, v, self.t, rate, out);
+        self.acts.subtract_force_jacobian(1.0, x, v, self.t, rate, out);
     }
 
     #[inline(always)]
@@ -48,7 +48,12 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     }
 }
 
-/// ∇̄Φ(a, b) − F(b, v)/2.
+/// All forces beside the potential do no work: they are taken in the middle of the step.
+const fn workless<const D: usize, A: Acts<D>>() -> bool {
+    A::FORCED && A::CONSERVES_ENERGY
+}
+
+/// ∇̄Φ(a, b) − F(b, v)/2; of a force that does no work − F((a + b)/2, v̄).
 struct Exact<'a, const D: usize, A> {
     acts: &'a A,
     a: &'a Vectors<D>,
@@ -61,16 +66,20 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
     const PIECEWISE: bool = A::PIECEWISE;
     const CHAIN: bool = A::CHAIN;
     const FORCED: bool = A::FORCED;
+    const MIDDLE: bool = workless::<D, A>();
     const EXACT: bool = true;
 
-    fn gradient(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, out: &mut Vectors<D>) {
+    fn gradient(&self, _: f64, b: &Vectors<D>, [x, v]: [&Vectors<D>; 2], out: &mut Vectors<D>) {
+        let (share, t) = if Self::MIDDLE { (1.0, self.middle) } else { (0.5, self.end) };
         self.acts.set_discrete_gradient(self.a, b, self.middle, out);
-        self.acts.subtract_force(0.5, b, v, self.end, out);
+        self.acts.subtract_force(share, x, v, t, out);
     }
 
-    fn jacobian(&self, _: f64, b: &Vectors<D>, v: &Vectors<D>, rate: f64, out: &mut Matrix<D>) {
+    /// Half of each mean is the end.
+    fn jacobian(&self, _: f64, b: &Vectors<D>, [x, v]: [&Vectors<D>; 2], rate: f64, out: &mut Matrix<D>) {
+        let t = if Self::MIDDLE { self.middle } else { self.end };
         self.acts.add_discrete_jacobian(self.a, b, self.middle, out);
-        self.acts.subtract_force_jacobian(0.5, b, v, self.end, rate, out);
+        self.acts.subtract_force_jacobian(0.5, x, v, t, rate, out);
     }
 
     #[inline(always)]
@@ -105,7 +114,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Across<'_, D, A> {
     const FORCED: bool = false;
     const EXACT: bool = true;
 
-    fn gradient(&self, theta: f64, b: &Vectors<D>, _: &Vectors<D>, out: &mut Vectors<D>) {
+    fn gradient(&self, theta: f64, b: &Vectors<D>, _: [&Vectors<D>; 2], out: &mut Vectors<D>) {
         if theta == 1.0 {
             self.acts.set_discrete_gradient(self.before, b, self.t, out);
         } else {
@@ -113,7 +122,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Across<'_, D, A> {
         }
     }
 
-    fn jacobian(&self, theta: f64, b: &Vectors<D>, _: &Vectors<D>, _: f64, out: &mut Matrix<D>) {
+    fn jacobian(&self, theta: f64, b: &Vectors<D>, _: [&Vectors<D>; 2], _: f64, out: &mut Matrix<D>) {
         if theta == 1.0 {
             self.acts.add_discrete_jacobian(self.before, b, self.t, out);
         } else {
@@ -160,7 +169,11 @@ impl<const D: usize, A: Acts<D>> ImplicitSteps for SceneSystem<D, A> {
     fn solver(&self) -> SceneSolver<D> {
         let bodies = self.masses.len();
         let known = Vectors::zeros(if A::FORCED { bodies } else { 0 });
-        SceneSolver { newton: Solver::for_links(bodies, &self.acts.links(bodies)), known }
+        let mut newton = Solver::for_links(bodies, &self.acts.links(bodies));
+        if workless::<D, A>() {
+            newton.middle = Vectors::zeros(bodies);
+        }
+        SceneSolver { newton, known }
     }
 
     fn solve_mean(
@@ -175,9 +188,12 @@ impl<const D: usize, A: Acts<D>> ImplicitSteps for SceneSystem<D, A> {
 
     fn solve_exact(&self, solver: &mut SceneSolver<D>, step: &Step<'_, Self>) -> Result<Effort, NotConverged> {
         let (acts, t, h) = (&self.acts, step.t, step.stride.dt);
+        let unknown = Exact { acts, a: &step.q.hi, middle: t + 0.5 * h, end: t + h };
+        if workless::<D, A>() {
+            return solver.newton.solve(&equation(step, None), &unknown);
+        }
         // The share of the force at the start of the step is known.
         let known = known_force(acts, 0.5, step, &mut solver.known);
-        let unknown = Exact { acts, a: &step.q.hi, middle: t + 0.5 * h, end: t + h };
         let effort = solver.newton.solve(&equation(step, known), &unknown)?;
         solver.add_known::<A>();
         Ok(effort)

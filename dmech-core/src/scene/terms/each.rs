@@ -71,7 +71,7 @@ impl<X> EachReady<X> {
 
 impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     const FORCED: bool = X::Field::<'_>::FORCED;
-    const CONSERVES_ENERGY: bool = !X::Field::<'_>::FORCED && X::AUTONOMOUS;
+    const CONSERVES_ENERGY: bool = X::Field::<'_>::CONSERVES_ENERGY;
     const AUTONOMOUS: bool = X::AUTONOMOUS;
     const LINEAR_MOMENTUM: bool = false;
     const ANGULAR_MOMENTUM: bool = X::Field::<'_>::CENTRAL;

@@ -108,7 +108,7 @@ impl<X: Reads<P>, T: Links, P, B: Copy> LinkedReady<X, T, P, B> {
 
 impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for LinkedReady<X, T, P, B> {
     const FORCED: bool = OnLink::<D, P, X>::FORCED;
-    const CONSERVES_ENERGY: bool = !Self::FORCED && Self::AUTONOMOUS;
+    const CONSERVES_ENERGY: bool = !Self::FORCED;
     const AUTONOMOUS: bool = <X as PairLaw<D, P>>::AUTONOMOUS;
     const LINEAR_MOMENTUM: bool = OnLink::<D, P, X>::RECIPROCAL;
     const ANGULAR_MOMENTUM: bool = !B::PERIODIC && OnLink::<D, P, X>::CENTRAL && !Self::FORCED;

@@ -68,7 +68,7 @@ pub trait Term<const D: usize, P, B = Open> {
 pub trait Acts<const D: usize> {
     /// A force acts beside the potentials.
     const FORCED: bool;
-    /// The energy Σ m v²/2 + Φ is kept.
+    /// The energy Σ m v²/2 + Φ is kept while no potential names the time: no force acts, or those that do, do no work at any velocity.
     const CONSERVES_ENERGY: bool;
     /// No term names the time.
     const AUTONOMOUS: bool;

@@ -26,8 +26,8 @@ pub trait InLanes<L: Fields<D>, const D: usize, const W: usize>: Scheme<Particle
     /// Takes the lengths of the steps of those who have been seated.
     fn set_strides(&self, system: &Together<L, D, W>, all: &mut Self::All);
 
-    /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together. Who sums the
-    /// work asks for one step at a time.
+    /// So many steps, or fewer if a member arrives: how many. `None`, and no step, where they cannot be made together, or one has to be
+    /// made again. Who sums the work asks for one step at a time.
     fn advance(
         &self,
         system: &Together<L, D, W>,
@@ -243,6 +243,9 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
                 let v = scheme.velocity(system, stride, end, &memory);
                 let look = system.look_along(end, *q, v, pacing.least(*longest));
                 spent.evaluations += Rows::either(due, Rows::from_f64(EVALUATIONS.into()), Rows::ZERO);
+                if self.is_too_long(&look, &pacing).and(due).any() {
+                    return None;
+                }
                 self.looked(&look, due, &mut pacing);
             }
             self.plan(*longest, &mut pacing);

@@ -39,6 +39,12 @@ impl<R: Real> Look<R> {
         self.power_of(density).less(R::from_f64(least.powi(12)) * (self.power - self.passing))
     }
 
+    /// Whether ρ is above so many ω: steps did not see it go.
+    #[inline(always)]
+    pub(crate) fn outlasts(&self, most: f64, density: R) -> R::Mask {
+        (R::from_f64(most.powi(12)) * self.power).less(self.power_of(density))
+    }
+
     /// (ρ s)¹², as [`power`](Look::power) is that of ω. No density is negative.
     #[inline(always)]
     fn power_of(&self, density: R) -> R {

@@ -172,7 +172,8 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
         Scene { bodies: self.bodies, laws: self.laws, space: Periodic::new(lengths) }
     }
 
-    /// A law that acts on each body by itself.
+    /// A law that acts on each body by itself. Its `#[invariant]`s are those of one body, and a scene does not watch them: what is to be
+    /// followed of all bodies is a [`watch`](crate::Simulation::watch).
     pub fn field<X: FieldLaw<D>>(self, law: X) -> Scene<D, P, (L, Each<X>), B> {
         self.with(Each { law })
     }

@@ -114,6 +114,12 @@ pub trait Scheme<Y: System>: Method {
         workspace: &mut Self::Workspace,
     ) -> Result<Effort<Y::Scalar>, NotConverged>;
 
+    /// Whether there is a shorter step from here than the one that has failed. The memory, which is that before it, then has it as the
+    /// next, and that is made.
+    fn shorten(&self, _stride: &Y::Stride, _memory: &mut Self::Memory) -> bool {
+        false
+    }
+
     /// Position and velocity after a single step of length dt from a state, and what it costs: what lies between two steps, at the
     /// order of the scheme.
     ///

@@ -141,19 +141,28 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         self.scheme.ready(self.steps() + 1, &self.memory)?;
         let t = Y::Scalar::from_f64(self.t());
         let mut next = self.copy();
-        match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
-            Ok(effort) if self.scheme.finite(&next) && self.is_placed(self.steps + 1, &next) => {
-                self.steps += 1;
-                self.evaluations += effort.evaluations.to_u64();
-                self.iterations += effort.iterations.to_u64();
-                see(self, &self.memory, &next);
-                self.go_on_from(next);
-                Ok(())
-            }
-            other => {
-                let error = self.failure(other.err(), &next);
-                self.lay_aside(next);
-                Err(error)
+        loop {
+            match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
+                Ok(effort) if self.scheme.finite(&next) && self.is_placed(self.steps + 1, &next) => {
+                    self.steps += 1;
+                    self.evaluations += effort.evaluations.to_u64();
+                    self.iterations += effort.iterations.to_u64();
+                    see(self, &self.memory, &next);
+                    self.go_on_from(next);
+                    return Ok(());
+                }
+                other if self.scheme.shorten(&self.stride, &mut self.memory) => {
+                    self.evaluations += match other {
+                        Ok(effort) => effort.evaluations.to_u64(),
+                        Err(lost) => lost.iterations,
+                    };
+                    next.clone_from(&self.memory);
+                }
+                other => {
+                    let error = self.failure(other.err(), &next);
+                    self.lay_aside(next);
+                    return Err(error);
+                }
             }
         }
     }

@@ -48,9 +48,10 @@ use pacing::MIDDLE;
 ///
 /// An explicit reversible rule cannot pull ρ back to ω, or it would push it away on the way back. On smooth motions they
 /// stay together to O(ε²). Where they come apart by more than [2/3, 3/2], in a collision with a wall or in steps too long
-/// to see ω change, ρ is set to the end of that range: there the rule is not reversible. If it is ω that has grown beyond ρ, and not what
-/// passes, ρ becomes ω and ε is halved for the rest of the run, to 0.3 at least: such steps see ω change on smooth motions, and what is
-/// put right once and again would let the energy drift.
+/// to see ω change, ρ is set to the end of that range: there the rule is not reversible, and what is put right again and again would let
+/// the energy drift. So if ω itself, not the term of what passes, has outgrown ρ, the step is made again with half the ε, which holds for
+/// the rest of the run, and is 0.3 at least: such steps see ω change on smooth motions. Where ε is that already, ρ becomes ω. A step is
+/// also made again if ω has fallen to a quarter of ρ, as of one that was thrown to where nothing acts, and if it failed.
 ///
 /// # Reference
 /// E. Hairer and G. Söderlind, SIAM J. Sci. Comput. 26 (2005) 1838–1851: the rule for ρ. E. Hairer, C. Lubich and
@@ -240,10 +241,23 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
             let v = self.scheme.velocity(system, now, end, memory);
             let look = system.look(room, end, q, &v, pacing.least(longest));
             effort.evaluations += EVALUATIONS;
+            if self.is_too_long(&look, pacing) {
+                return Err(NotConverged::too_long(effort.evaluations));
+            }
             self.looked(&look, true, pacing);
         }
         self.plan(longest, pacing);
         Ok(effort)
+    }
+
+    fn shorten(&self, stride: &Y::Stride, memory: &mut Self::Memory) -> bool {
+        let AdaptiveMemory { pacing, .. } = memory;
+        let may = pacing.may_shorten();
+        if may {
+            pacing.shorten();
+            self.plan(Y::dt(stride), pacing);
+        }
+        may
     }
 
     fn within(&self, system: &Y, dt: f64, from: &Beginning<'_, Y>) -> Result<Reached<Y>, NotConverged> {

@@ -47,6 +47,17 @@ impl<R: Real> Pacing<R> {
         self.dt / self.last
     }
 
+    /// Where a step that did not see ω grow is made again, shorter.
+    #[inline(always)]
+    pub(crate) fn may_shorten(&self) -> R::Mask {
+        R::from_f64(SEES).less(self.angle)
+    }
+
+    /// Steps are half as long from here on.
+    pub(super) fn shorten(&mut self) {
+        self.angle = (R::from_f64(0.5) * self.angle).max(R::from_f64(SEES));
+    }
+
     /// Where the next step is one: longer than the rounding of the time, and a number.
     pub(crate) fn moves_on(&self) -> R::Mask {
         let (time, dt) = (self.time.value(), self.dt);
@@ -91,25 +102,32 @@ impl<S: Adaptable> Adaptive<S> {
     pub(crate) fn looked<R: Real>(&self, look: &Look<R>, due: R::Mask, pacing: &mut Pacing<R>) {
         let fast = pacing.density.less(look.within(BAND, pacing.density));
         let ends = due.and(pacing.left.less(R::ONE).or(fast));
-        let (density, angle) = self.follow((pacing.density, pacing.angle), look);
-        let either = |yes, no| R::either(ends, yes, no);
-        (pacing.density, pacing.angle) = (either(density, pacing.density), either(angle, pacing.angle));
-        pacing.left = either(R::from_f64(self.row), pacing.left);
+        let (density, left) = (self.follow(pacing, look), R::from_f64(self.row));
+        pacing.density = R::either(ends, density, pacing.density);
+        pacing.left = R::either(ends, left, pacing.left);
     }
 
-    /// ρ and ε of the next step from those of the last.
+    /// By how much ρ grows in half a row.
     #[inline(always)]
-    pub(super) fn follow<R: Real>(&self, (density, angle): (R, R), look: &Look<R>) -> (R, R) {
-        let half = |angle: R| R::from_f64(0.5 * self.row) * angle * look.growth;
-        let amid = density + half(angle);
+    fn half_growth<R: Real>(&self, pacing: &Pacing<R>, look: &Look<R>) -> R {
+        R::from_f64(0.5 * self.row) * pacing.angle * look.growth
+    }
+
+    /// Where a step has not seen ω change as it did, and may be shorter. One that is far too long may have left for where nothing acts.
+    #[inline(always)]
+    pub(crate) fn is_too_long<R: Real>(&self, look: &Look<R>, pacing: &Pacing<R>) -> R::Mask {
+        let amid = pacing.density + self.half_growth(pacing, look);
+        pacing.may_shorten().and(look.outruns(BAND[0], amid).or(look.outlasts(MIDDLE[1], amid)))
+    }
+
+    /// ρ of the next step from that of the last.
+    #[inline(always)]
+    pub(super) fn follow<R: Real>(&self, pacing: &Pacing<R>, look: &Look<R>) -> R {
+        let half = self.half_growth(pacing, look);
+        let amid = pacing.density + half;
         let astray = look.outruns(BAND[0], amid);
-        let (amid, angle) = if astray.any() {
-            let shorter = angle.min((R::from_f64(0.5) * angle).max(R::from_f64(SEES)));
-            (R::either(astray, look.rate(), amid), R::either(astray, shorter, angle))
-        } else {
-            (amid, angle)
-        };
-        (look.within(MIDDLE, look.within(BAND, amid) + half(angle)), angle)
+        let amid = if astray.any() { R::either(astray, look.rate(), amid) } else { amid };
+        look.within(MIDDLE, look.within(BAND, amid) + half)
     }
 
     /// Where as many steps as of equal steps may be would come to the end, were all as long as the longest so far. Near t = 0 the

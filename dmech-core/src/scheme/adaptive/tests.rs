@@ -65,8 +65,7 @@ fn comes_back<S: Adaptable + Scheme<Sun>>(scheme: S, tolerance: f64, turn: impl 
     turn(&mut memory.inner);
     let (q, v) = (*adaptive.position(&memory), adaptive.velocity(&law, &unlimited, 0.0, &memory));
     // ρ of the step that would have come next is ρ of the step before, seen backward.
-    memory.pacing.density =
-        adaptive.follow((memory.pacing.density, memory.pacing.angle), &law.look(&mut (), 0.0, &q, &v, 0.0)).0;
+    memory.pacing.density = adaptive.follow(&memory.pacing, &law.look(&mut (), 0.0, &q, &v, 0.0));
     adaptive.plan(f64::INFINITY, &mut memory.pacing);
     for _ in 0..steps {
         back.push(memory.pacing.dt);

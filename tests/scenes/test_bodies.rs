@@ -138,3 +138,59 @@ fn every_link_is_one_sided() {
     agree!(row().pairs(atoms).cutoff(1.8).periodic([4.0, 4.0]));
     agree!(row().pairs(atoms).periodic([4.0, 4.0]));
 }
+
+/// Walls along a magnetic field.
+#[derive(Clone, Copy, Debug)]
+struct Trough {
+    wall: f64,
+    b: f64,
+}
+
+#[dmech::law]
+impl Trough {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        self.wall * (q[0].abs() - 0.2).max(0.0).powi(2)
+    }
+
+    #[force]
+    fn magnetic(&self, v: [f64; 2]) -> [f64; 2] {
+        [self.b * v[1], -self.b * v[0]]
+    }
+}
+
+/// A test body in a magnetic field and among walls: cut-off far beyond all, where equations are solved by products, all pairs, where they
+/// are eliminated, a chain and bonds are the same motion.
+#[test]
+fn one_sided_links_are_the_same_motion_however_they_are_solved() {
+    fn end<L, S>(scene: Scene<2, (), L>, scheme: S, dt: f64) -> Vec<[f64; 2]>
+    where
+        L: dmech::scene::Term<2, ()>,
+        S: Scheme<dmech::scene::SceneSystem<2, L::Ready>>,
+    {
+        Simulation::scene(scene).scheme(scheme).dt(dt).run(150).unwrap().last().q.clone()
+    }
+
+    let tie = Spring { k: 2.0, length: 0.0 };
+    for mass in [1.0, 0.2, 0.03] {
+        for (wall, b) in [(0.0, 0.8), (1.0, 0.8), (0.0, 3.0), (2.0, 0.1)] {
+            let two = || Scene::new().body(1.0, [0.5, 0.1], [0.1, 0.4]).test_body(mass, [0.2, -0.9], [0.4, 0.1]);
+            let two = || two().field(Trough { wall, b });
+            macro_rules! alike {
+                ($($scheme:expr),*) => {$({
+                    let pairs = end(two().pairs(tie), $scheme, 0.05);
+                    let others = [
+                        end(two().pairs(tie).cutoff(1e3), $scheme, 0.05),
+                        end(two().chain(tie), $scheme, 0.05),
+                        end(two().bonds(tie, [(0, 1)]), $scheme, 0.05),
+                    ];
+                    for other in others {
+                        let apart = apart(&pairs, &other);
+                        assert!(apart < 1e-9, "{}, m = {mass}, {wall}, {b}: {apart:e}", stringify!($scheme));
+                    }
+                })*};
+            }
+            alike!(DiscreteGradient, Implicit, Composed::order4(DiscreteGradient));
+        }
+    }
+}

@@ -10,7 +10,8 @@ use crate::vector::largest;
 /// J as a list of blocks, and what solves with 1 + g J by products with it: O(links) numbers, and as much time for a product.
 ///
 /// A small g J is solved by its power series, any other by BiCGSTAB (H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13
-/// (1992) 631), both to rounding. Where that does not converge Newton's corrections do not either, and the step says so.
+/// (1992) 631), both to rounding. Where that breaks down, as it may where test bodies feel others and these nothing of them, it begins
+/// anew from where it is, and at last the blocks are eliminated.
 #[derive(Clone, Debug)]
 pub struct NearMatrix<const D: usize> {
     bodies: usize,
@@ -22,14 +23,20 @@ pub struct NearMatrix<const D: usize> {
     others: Vec<(usize, usize, Block<D>)>,
     /// J_aa, for the sums over rows.
     diagonal: Vec<Block<D>>,
-    g: Vec<f64>,
+    g: Vectors<D>,
     small: bool,
     series: Series,
     room: [Vec<f64>; 7],
 }
 
-/// Products with J in a solution at most, twice this: what takes more does not converge.
+/// Products with J from one start at most, twice this.
 const MOST: usize = 200;
+/// How often it begins, and how small a part of the right side may be left where it breaks down or takes too long: Newton's next
+/// correction has the rest.
+const STARTS: usize = 2;
+const CLOSE: f64 = 1e-8;
+/// Unknowns of which a dense matrix is made at last, at most: of more it would take longer than anybody waits.
+const MOST_DENSE: usize = 2000;
 
 impl<const D: usize> NearMatrix<D> {
     pub(super) fn new(bodies: usize) -> Self {
@@ -40,7 +47,7 @@ impl<const D: usize> NearMatrix<D> {
             links: Vec::new(),
             others: Vec::new(),
             diagonal: none,
-            g: zeros.clone(),
+            g: Vectors::zeros(bodies),
             small: false,
             series: Series::new(D * bodies),
             room: core::array::from_fn(|_| zeros.clone()),
@@ -106,7 +113,7 @@ impl<const D: usize> NearMatrix<D> {
     }
 
     pub(super) fn factorise(&mut self, g: &Vectors<D>, must_be: Kind) -> bool {
-        self.g.copy_from_slice(g.flat());
+        self.g.clone_from(g);
         let mut series = core::mem::replace(&mut self.series, Series::new(0));
         self.small = series.ends(g, SMALL, |sums| self.add_row_sums(sums));
         self.series = series;
@@ -131,7 +138,7 @@ impl<const D: usize> NearMatrix<D> {
         sums.fill(0.0);
         self.add_row_sums(&mut sums);
         let diagonal = (0..D).flat_map(|k| self.diagonal.iter().map(move |block| block[k][k]));
-        let leads = leads(diagonal, &sums, &self.g);
+        let leads = leads(diagonal, &sums, self.g.flat());
         self.room[0] = sums;
         leads
     }
@@ -148,7 +155,7 @@ impl<const D: usize> NearMatrix<D> {
             lost[*a] += least;
             lost[*b] += least;
         }
-        (0..D).all(|k| lost.iter().zip(&self.g[k * self.bodies..]).all(|(lost, g)| 1.0 + g * lost > 0.0))
+        (0..D).all(|k| lost.iter().zip(&self.g.flat()[k * self.bodies..]).all(|(lost, g)| 1.0 + g * lost > 0.0))
     }
 
     /// The matrix with factors, and whether it is as it must be: of many bodies sparse ones, where there are such.
@@ -181,11 +188,14 @@ impl<const D: usize> NearMatrix<D> {
             // The series asks for a product with −g J in place of zeros.
             series.solve(x, |x, y| {
                 self.multiply_add(x, y);
-                y.iter_mut().zip(&self.g).for_each(|(y, g)| *y *= -g);
+                y.iter_mut().zip(self.g.flat()).for_each(|(y, g)| *y *= -g);
             });
             self.series = series;
-        } else {
-            self.iterate(x);
+        } else if !self.iterate(x) {
+            let mut all = Vectors::zeros(self.bodies);
+            all.flat_mut().copy_from_slice(x);
+            self.eliminated(&self.g, Kind::Regular).0.solve(&self.g, &mut all);
+            x.copy_from_slice(all.flat());
         }
     }
 
@@ -193,28 +203,56 @@ impl<const D: usize> NearMatrix<D> {
     fn multiply(&self, x: &[f64], y: &mut [f64]) {
         y.fill(0.0);
         self.multiply_add(x, y);
-        y.iter_mut().zip(&self.g).zip(x).for_each(|((y, g), x)| *y = g * *y + x);
+        y.iter_mut().zip(self.g.flat()).zip(x).for_each(|((y, g), x)| *y = g * *y + x);
     }
 
-    /// BiCGSTAB from 0, in the letters of its author.
-    fn iterate(&mut self, x: &mut [f64]) {
+    /// x ← (1 + g J)⁻¹ x by BiCGSTAB, if that comes close.
+    fn iterate(&mut self, x: &mut [f64]) -> bool {
         let mut room = core::mem::take(&mut self.room);
-        let [shadow, r, p, v, s, t, sum] = &mut room;
-        shadow.copy_from_slice(x);
-        r.copy_from_slice(x);
-        [&mut *p, &mut *v, &mut *sum].into_iter().for_each(|x| x.fill(0.0));
-        let enough = 0.25 * f64::EPSILON * largest(x);
+        let [residual, sum, ..] = &mut room;
+        residual.copy_from_slice(x);
+        sum.fill(0.0);
+        let size = largest(x);
+        let found = (0..STARTS).any(|_| {
+            self.go_on(0.25 * f64::EPSILON * size, &mut room) || {
+                let [residual, sum, ..] = &mut room;
+                self.multiply(sum, residual);
+                residual.iter_mut().zip(&*x).for_each(|(r, x)| *r = x - *r);
+                largest(residual) <= CLOSE * size
+            }
+        });
+        let found = found || D * self.bodies > MOST_DENSE && !cfg!(feature = "sparse");
+        if found {
+            // Pinned bodies, of which g is 0, stay to the bit.
+            for ((x, found), g) in x.iter_mut().zip(&room[1]).zip(self.g.flat()) {
+                if *g != 0.0 {
+                    *x = *found;
+                }
+            }
+        }
+        self.room = room;
+        found
+    }
+
+    /// BiCGSTAB from what has been summed and the residual there, in the letters of its author; `false` where it breaks down, or takes
+    /// too long.
+    fn go_on(&self, enough: f64, [r, sum, shadow, p, v, s, t]: &mut [Vec<f64>; 7]) -> bool {
+        shadow.copy_from_slice(r);
+        [&mut *p, &mut *v].into_iter().for_each(|x| x.fill(0.0));
         let [mut rho, mut alpha, mut omega] = [1.0; 3];
         for _ in 0..MOST {
             // What is not finite does not get smaller.
             if largest(r) <= enough || !largest(r).is_finite() {
-                break;
+                return true;
             }
             let last = core::mem::replace(&mut rho, product(shadow, r));
             let beta = rho / last * (alpha / omega);
             p.iter_mut().zip(&*v).zip(&*r).for_each(|((p, v), r)| *p = r + beta * (*p - omega * v));
             self.multiply(p, v);
             alpha = rho / product(shadow, v);
+            if !beta.is_finite() || !alpha.is_finite() || alpha == 0.0 {
+                return false;
+            }
             s.iter_mut().zip(&*r).zip(&*v).for_each(|((s, r), v)| *s = r - alpha * v);
             self.multiply(s, t);
             let square = product(t, t);
@@ -222,13 +260,7 @@ impl<const D: usize> NearMatrix<D> {
             sum.iter_mut().zip(&*p).zip(&*s).for_each(|((x, p), s)| *x += alpha * p + omega * s);
             r.iter_mut().zip(&*s).zip(&*t).for_each(|((r, s), t)| *r = s - omega * t);
         }
-        // Pinned bodies, of which g is 0, stay to the bit.
-        for ((x, found), g) in x.iter_mut().zip(&*sum).zip(&self.g) {
-            if *g != 0.0 {
-                *x = *found;
-            }
-        }
-        self.room = room;
+        false
     }
 }
 

@@ -61,6 +61,45 @@ fn all_matrices_solve_the_same_system() {
     }
 }
 
+/// Bodies that feel others which feel nothing of them: residuals have parts that products of the transposed matrix never reach, so
+/// that BiCGSTAB breaks down. Stiff and turning as well, and from right sides with all, some and one of the parts.
+#[test]
+fn what_is_one_sided_is_solved() {
+    let mut harder = 0;
+    for n in [2, 3, 6] {
+        for (stiffness, turn) in [(0.4, 0.9), (3.0, 0.2), (2.0, 10.0), (1e3, 1.0), (0.0, 40.0)] {
+            let mut near = Matrix::<2>::new(n, &Topology::Near);
+            let mut g = Vectors::<2>::zeros(n);
+            for a in 0..n {
+                g.set(a, [0.4 + 0.3 * a as f64; 2]);
+                near.add_block(a, a, [[0.0, -turn], [turn, 0.0]]);
+                // The even feel nothing of the odd.
+                for b in (0..n).filter(|b| *b != a && (a % 2 == 1 || b % 2 == 0)) {
+                    near.add_block(a, a, [[stiffness, 0.0], [0.0, stiffness]]);
+                    near.add_block(a, b, [[-stiffness, 0.0], [0.0, -stiffness]]);
+                }
+            }
+            assert!(near.factorise(&g, Kind::Regular));
+            for only in [None, Some(0), Some(1), Some(n - 1)] {
+                let mut b = Vectors::<2>::zeros(n);
+                (0..n)
+                    .filter(|i| only.is_none_or(|only| only == *i))
+                    .for_each(|i| b.set(i, [1e-18, -3e-19 * i as f64]));
+                let mut x = b.clone();
+                near.solve(&g, &mut x);
+                let mut image = Vectors::zeros(n);
+                near.multiply_add(&x, &mut image);
+                let rows = x.flat().iter().zip(g.flat()).zip(image.flat()).zip(b.flat());
+                let left = rows.map(|(((x, g), image), b)| (x + g * image - b).abs()).fold(0.0, f64::max);
+                let size = x.largest() * (1.0 + stiffness + turn);
+                assert!(left <= 1e-7 * size, "{n}, {stiffness}, {turn}, {only:?}: {left:e} of {size:e}");
+                harder += usize::from(x.largest() > 0.0 && !near.is_positive());
+            }
+        }
+    }
+    assert!(harder > 40, "{harder}");
+}
+
 /// Elimination needs the exchange of rows here: the first pivot is 1 − 1 + 10⁻¹⁷, which rounds to nothing.
 #[test]
 fn rows_are_exchanged_by_size() {

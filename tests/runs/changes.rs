@@ -390,6 +390,65 @@ fn what_is_watched_starts_with_the_first_state_watched() {
     assert!((momentum.max_abs() - 1.3 * 0.13_f64.sqrt()).abs() < 1e-15, "{momentum:?}");
 }
 
+/// A law that is stepped as it is written only while its ends are in order.
+#[derive(Clone, Copy, Debug)]
+struct Clamped {
+    low: f64,
+    high: f64,
+}
+
+#[dmech::law]
+impl Clamped {
+    #[potential]
+    fn energy(&self, q: [f64; 1]) -> f64 {
+        q[0].clamp(self.low, self.high).powi(2)
+    }
+}
+
+mod consts {
+    pub(super) const PI: f64 = 3.0;
+}
+
+/// One that is so only to the left of 1: the macro takes `consts::PI` for π.
+#[derive(Clone, Copy, Debug)]
+struct Beyond;
+
+#[dmech::law]
+impl Beyond {
+    #[potential]
+    fn energy(&self, q: [f64; 1]) -> f64 {
+        if q[0] > 1.0 { (consts::PI * q[0]).sin() } else { q[0] * q[0] }
+    }
+}
+
+/// After a change a law is compared with what was written, as at a start, alone and on each body of a scene, as a law too.
+#[test]
+fn a_changed_motion_is_that_of_the_method() {
+    let told = |refused: Result<(), Error>, by: &str| {
+        assert!(matches!(refused, Err(Error::NotAsWritten(_))), "{by}: {refused:?}");
+    };
+    let clamped = Clamped { low: -1.0, high: 1.0 };
+    let two = || Scene::new().body(1.0, [-3.0], [0.0]).body(1.3, [0.3], [0.1]);
+    let mut alone = Simulation::new(clamped, State::new([0.3], [0.1])).scheme(Leapfrog).dt(0.1).stepper().unwrap();
+    let mut scene = Simulation::scene(two().field(clamped)).scheme(Leapfrog).dt(0.1).stepper().unwrap();
+    alone.law_mut().low = 2.0;
+    scene.law_mut::<Clamped>().unwrap().low = 2.0;
+    told(alone.step(), "alone");
+    told(scene.step(), "scene");
+    scene.law_mut::<Clamped>().unwrap().low = -2.0;
+    scene.step().unwrap();
+
+    let mut scene = Simulation::scene(two().field(Beyond)).scheme(Leapfrog).dt(0.1).stepper().unwrap();
+    told(scene.set_body(1, [1.3], [0.0]), "set_body");
+    let state = SceneState { q: vec![[0.2], [1.4]], ..scene.state() };
+    told(scene.set_state(state), "set_state");
+    // Where it stayed it goes on.
+    scene.step().unwrap();
+    assert_eq!(scene.steps(), 1);
+    let law = two().field(Clamped { low: 2.0, high: 1.0 }).as_law::<2, 2>();
+    told(Simulation::new(law, law.start()).scheme(Leapfrog).dt(0.1).stepper().map(drop), "as a law");
+}
+
 /// A law that pins a body which moves is refused, whenever it comes: it would neither rest nor be pushed.
 #[test]
 fn a_body_that_moves_is_not_pinned_on_the_way() {

@@ -152,7 +152,10 @@ fn times_that_cannot_be_are_refused() {
         assert!(matches!(cause(simulation().record_dt(dt)), Error::RecordDt { .. }));
     }
     let message = cause(simulation().record_at([0.3])).to_string();
-    assert_eq!(message, "no state can be recorded at t = 0.3: the run starts at t = 0.7");
+    assert_eq!(
+        message,
+        "no state can be recorded at t = 0.3: times are finite, and none is before the start at t = 0.7"
+    );
 }
 
 /// What no memory holds is refused before the first step, and written by a stream.

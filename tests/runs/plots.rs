@@ -288,6 +288,11 @@ fn what_is_not_there_is_an_error_and_no_picture() {
     ] {
         assert_eq!(error.kind(), std::io::ErrorKind::Unsupported);
     }
+    // A name that is spelt otherwise is told beside those there are.
+    let watched =
+        planet().scheme(Leapfrog).dt(0.01).watch("my_speed", |s| s.v[0]).watch("x", |s| s.q[0]).run(10).unwrap();
+    let error = watched.plot_drift_of("my_sped", place("never.svg")).unwrap_err().to_string();
+    assert_eq!(error, r#"this run follows no "my_sped": there is "my_speed", "x""#);
     assert!(!place("never.svg").exists());
     assert!(run.plot(place("no folder").join("x.svg")).is_err());
     // A stream keeps no states; it keeps the course of the energy.

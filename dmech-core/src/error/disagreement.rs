@@ -76,7 +76,15 @@ impl fmt::Display for Disagreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Disagreement { quantity, written, derived, time, .. } = self;
         let place = if matches!(self.culprit, Culprit::Alone) || self.is_on_one() { "q" } else { "d" };
-        write!(f, "the law is not stepped as it is written: at {place} = ")?;
+        write!(f, "the law is not stepped as it is written: ")?;
+        match self.culprit {
+            Culprit::Alone => {}
+            #[cfg(feature = "scene")]
+            Culprit::Body(body) => write!(f, "on body {body} ")?,
+            #[cfg(feature = "scene")]
+            Culprit::Link(a, b) => write!(f, "between bodies {a} and {b} ")?,
+        }
+        write!(f, "at {place} = ")?;
         let more = if self.place().len() < self.dimension as usize { ", …" } else { "" };
         match self.place() {
             [x] => write!(f, "{x:?}")?,
@@ -85,13 +93,6 @@ impl fmt::Display for Disagreement {
             [] => {}
         }
         write!(f, ", t = {time:?}")?;
-        match self.culprit {
-            Culprit::Alone => {}
-            #[cfg(feature = "scene")]
-            Culprit::Body(body) => write!(f, ", body {body}")?,
-            #[cfg(feature = "scene")]
-            Culprit::Link(a, b) => write!(f, ", bodies {a} and {b}")?,
-        }
         if self.panics {
             return write!(
                 f,

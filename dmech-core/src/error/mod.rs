@@ -107,7 +107,7 @@ pub enum Error {
         dt: f64,
     },
     /// A time of `record_at` is not finite, or lies before the start.
-    #[error("no state can be recorded at t = {}: the run starts at t = {}", Number(*time), Number(*start))]
+    #[error("no state can be recorded at t = {}: times are finite, and none is before the start at t = {}", Number(*time), Number(*start))]
     RecordAt {
         /// The refused time.
         time: f64,

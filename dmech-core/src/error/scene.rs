@@ -145,7 +145,7 @@ pub enum SceneError {
     },
     /// A cut-off of a law whose potential depends on the direction.
     #[error(
-        "a law can be cut off where it depends on the distance alone: this one has no single value there by which it could be shifted"
+        "a law can be cut off where it depends on the distance alone, so that it has one value there by which it is shifted: write it with `r: f64` in place of `d`"
     )]
     CutoffNotCentral,
 }

@@ -14,16 +14,15 @@ const PEAKS: f64 = 100.0;
 pub(super) fn svg<X>(
     run: &Run<X>,
     name: &str,
-    drift: Option<Drift>,
+    drift: Result<Drift, String>,
     course: Option<&Course>,
     kept: &str,
 ) -> io::Result<String> {
     let none = |words: String| io::Error::new(io::ErrorKind::Unsupported, words);
-    if run.steps() == 0 && run.states().is_empty() && drift.is_none() {
+    if run.steps() == 0 && run.states().is_empty() && drift.is_err() {
         return Err(none(format!("this run has ended before its first state: there is no \"{name}\" to draw")));
     }
-    let drift =
-        drift.ok_or_else(|| none(format!("this law and {} have no invariant \"{name}\"; a quantity of your own is followed by `.watch` and drawn by `plot_drift_of`", run.report.scheme())))?;
+    let drift = drift.map_err(none)?;
     let course = course.ok_or_else(|| none(format!("this run did not keep the course of \"{name}\"")))?;
     let start = drift.start();
     let relative = start != 0.0 && start.is_finite();

@@ -86,6 +86,7 @@ impl<X> Run<X> {
         let name = invariant.to_string();
         let (drift, course) = (self.drift(invariant), self.courses.of(invariant));
         let kept = format!("; must be: {}", self.kept(invariant));
+        let drift = drift.ok_or_else(|| format!("this law and {} have no invariant \"{name}\"", self.report.scheme()));
         save(path, &drift::svg(self, &name, drift, course, &kept)?)
     }
 
@@ -96,8 +97,17 @@ impl<X> Run<X> {
     /// Likewise.
     pub fn plot_drift_of(&self, name: &str, path: impl AsRef<Path>) -> io::Result<()> {
         let own = self.report.own_drifts().enumerate().find(|(_, (own, _))| *own == name);
+        let none = || {
+            let others: Vec<_> = self.report.own_drifts().map(|(own, _)| format!("\"{own}\"")).collect();
+            match &*others.join(", ") {
+                "" => format!(
+                    "this run follows no \"{name}\": `.watch` follows a quantity of your own, `#[invariant]` one of a law alone"
+                ),
+                others => format!("this run follows no \"{name}\": there is {others}"),
+            }
+        };
         let course = own.and_then(|(k, _)| self.courses.of_own(k));
-        let drift = own.map(|(_, (_, drift))| drift);
+        let drift = own.map(|(_, (_, drift))| drift).ok_or_else(none);
         save(path, &drift::svg(self, &name.replace('_', " "), drift, course, "")?)
     }
 

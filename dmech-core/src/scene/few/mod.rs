@@ -63,6 +63,7 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, S: Si
         bodies.check()?;
         space.check()?;
         let acts = laws.prepare(&bodies, space)?;
+        acts.as_written(&|i| [bodies.q[i], bodies.v[i]], bodies.t)?;
         let (t, given) = (bodies.t, bodies.masses.len());
         let masses = <[f64; N]>::try_from(bodies.masses);
         let masses = masses.map_err(|_| SceneError::NotSoMany { bodies: given, declared: N })?;

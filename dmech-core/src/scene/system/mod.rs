@@ -355,8 +355,10 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     fn prepare(&self, start: &SceneState<D>, slope: &mut Vectors<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
         System::slope(self, start.t, &q, &v, slope);
-        let stands = slope.is_finite() && self.is_placed(start.t);
-        if stands { Ok(()) } else { self.refuse([&q, &v], start.t) }
+        if !(slope.is_finite() && self.is_placed(start.t)) {
+            return self.refuse([&q, &v], start.t);
+        }
+        self.acts.as_written(&|i| [q.get(i), v.get(i)], start.t)
     }
 
     fn check_potential(&self, start: &SceneState<D>) -> Result<(), Error> {

@@ -5,6 +5,7 @@ use core::any::{Any, TypeId};
 use super::stencil::Stencil;
 use super::sweep::Kicked;
 use super::{Acts, Fault, Laws, Moving};
+use crate::error::Error;
 use crate::scene::drives::Drives;
 use crate::scene::matrix::Matrix;
 use crate::scene::topology::Topology;
@@ -168,6 +169,10 @@ impl<const D: usize, A: Acts<D>> Acts<D> for Driven<D, A> {
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
         self.acts.fields(see);
         self.drives.bodies().for_each(|i| see("driven bodies", i as f64));
+    }
+
+    fn as_written(&self, bodies: &dyn Fn(usize) -> [[f64; D]; 2], t: f64) -> Result<(), Error> {
+        self.acts.as_written(bodies, t)
     }
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {

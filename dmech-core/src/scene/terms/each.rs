@@ -5,7 +5,7 @@ use core::any::{Any, TypeId};
 use super::stencil::{Stencil, block};
 use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error, Place};
-use crate::law::written::{self, agree};
+use crate::law::written::{Probe, agree};
 use crate::law::{Field, Law, LinearInVelocity, Potential, VelocityIndependent};
 use crate::scene::acting::Acting;
 use crate::scene::bodies::Bodies;
@@ -36,20 +36,7 @@ impl<X: LinearInVelocity> LinearVelocities for EachReady<X> {}
 impl<const D: usize, P, X: Law<D>, B> Term<D, P, B> for Each<X> {
     type Ready = EachReady<X>;
 
-    /// Compares the law with its author's methods on every body, and around the first.
     fn prepare(self, bodies: &Bodies<D, P>, _: B) -> Result<EachReady<X>, Error> {
-        if let Some(written) = self.law.written() {
-            let place = |i: usize| written::Probe {
-                q: bodies.q[i],
-                v: [bodies.v[i]; 2],
-                m: [bodies.masses[i]; 2],
-                t: bodies.t,
-            };
-            for body in 0..bodies.q.len() {
-                let agreed = agree(written, &place(body), body == 0);
-                agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Body(body))))?;
-            }
-        }
         Ok(EachReady { law: self.law, masses: bodies.masses.clone(), acting: bodies.acting() })
     }
 }
@@ -183,6 +170,15 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
         self.law.tell(see);
+    }
+
+    fn as_written(&self, bodies: &dyn Fn(usize) -> [[f64; D]; 2], t: f64) -> Result<(), Error> {
+        let Some(law) = self.law.written() else { return Ok(()) };
+        self.masses.iter().enumerate().try_for_each(|(body, &mass)| {
+            let [q, v] = bodies(body);
+            let place = Probe { q, v: [v; 2], m: [mass; 2], t };
+            agree(law, &place, body == 0).map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Body(body))))
+        })
     }
 
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {

@@ -149,6 +149,15 @@ pub trait Acts<const D: usize> {
     /// Every number that makes this what it is, by name: the fields of the laws, what they read of the bodies, listed links.
     #[doc(hidden)]
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64));
+    /// Compares laws of one body with their authors' methods on every body, where it is and how fast, and around the first. Laws between
+    /// bodies are compared when they are [prepared](Term::prepare): what bodies carry is not kept.
+    ///
+    /// # Errors
+    /// [`Error::NotAsWritten`]
+    #[doc(hidden)]
+    fn as_written(&self, _bodies: &dyn Fn(usize) -> [[f64; D]; 2], _t: f64) -> Result<(), Error> {
+        Ok(())
+    }
     /// The first link or body on which what acts is not finite at q, or ∇̄Φ from another position to q.
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault>;
 }

@@ -154,6 +154,11 @@ impl<const D: usize, A: Acts<D>, B: Acts<D>> Acts<D> for (A, B) {
     fn links(&self, bodies: usize) -> Topology {
         self.0.links(bodies).and(self.1.links(bodies))
     }
+    fn as_written(&self, bodies: &dyn Fn(usize) -> [[f64; D]; 2], t: f64) -> Result<(), Error> {
+        self.0.as_written(bodies, t)?;
+        self.1.as_written(bodies, t)
+    }
+
     fn fault(&self, from: Option<&Vectors<D>>, q: &Vectors<D>, v: &Vectors<D>, t: f64) -> Option<Fault> {
         self.0.fault(from, q, v, t).or_else(|| self.1.fault(from, q, v, t))
     }

@@ -31,11 +31,13 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 
 /// A scheme that moves the members of an ensemble.
 ///
-/// A scheme of one's own moves each alone: `impl<L: Fields<D>, const D: usize> Rides<L, D> for MyScheme {}`.
+/// A scheme of one's own moves each alone: `impl<L: Fields<D>, const D: usize> Rides<L, D> for MyScheme {}`, with
+/// `L: Fields<D> + VelocityIndependent` where it is for `WithoutVelocities`, and `+ LinearInVelocity` for `LinearVelocities`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not move the members of an ensemble under `{L}`",
     note = "`NoScheme` means that none was given: call `.scheme(…)`",
-    note = "a scheme of your own says that it moves each alone: `impl<L: Fields<D>, const D: usize> Rides<L, D> for {Self} {{}}`"
+    note = "a scheme of your own says that it moves each alone: `impl<L: Fields<D>, const D: usize> Rides<L, D> for {Self} {{}}`; \
+            with `L: Fields<D> + VelocityIndependent` where it is one for `WithoutVelocities`"
 )]
 pub trait Rides<L: Fields<D>, const D: usize>: Scheme<Particle<L, D>> {
     /// Moves the members of a block.

@@ -54,7 +54,7 @@ impl<Y: System> RelaxedRoom<Y> {
             // Along the way the energy rises by h² ∇Φ M⁻¹ ∇Φ + v M v.
             share = excess / (Y::Scalar::from_f64(-2.0) * (system.kinetic_energy(fall) + kinetic));
             if !share.abs().less_or_equal(Y::Scalar::from_f64(LARGEST)).all() {
-                return if Y::is_finite(q) && Y::is_finite(v) { Err(astray(made, share)) } else { Ok(made) };
+                return if Y::is_finite(q) && Y::is_finite(v) { Err(astray(made + 1, share)) } else { Ok(made) };
             }
             Y::add_scaled(q, -share * Y::dt(stride), fall);
             Y::add_scaled(v, share, speed);

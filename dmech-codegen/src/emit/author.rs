@@ -39,7 +39,7 @@ pub(super) fn items(model: &Model, dimension: &TokenStream, data: Option<&TokenS
         let absent = (model.invariants.len()..MAX_INVARIANTS).map(|_| quote!(0.0));
         let values = values.chain(absent);
         quote! {
-            fn invariants(&#receiver, #place: &#runtime::written::Probe<#dimension>) -> #runtime::written::Kept {
+            fn invariants(&#receiver, #place: &#runtime::written::Probe<#dimension>) -> #runtime::written::OwnValues {
                 [#(#values),*]
             }
         }

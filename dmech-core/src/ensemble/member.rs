@@ -128,7 +128,7 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 }
 
 /// What is written down of a member, and whether it has begun: whatever moves it.
-type Begun<O, const D: usize> = (LogOf<O, D>, Result<Option<State<D>>, Error>);
+type Started<O, const D: usize> = (LogOf<O, D>, Result<Option<State<D>>, Error>);
 
 type LogOf<O, const D: usize> = Log<State<D>, f64, (O, Forget)>;
 
@@ -138,7 +138,7 @@ fn begin_log<O: Attend<State<D>>, const D: usize>(
     due: Due,
     attend: O,
     (expected, work): (u64, bool),
-) -> Result<Begun<O, D>, Interrupted<State<D>>> {
+) -> Result<Started<O, D>, Interrupted<State<D>>> {
     let states = matches!(due, Due::Every(_));
     let mut log = Log::new(motion, run, due, (attend, Forget { states }));
     if !states && !O::STREAMS {

@@ -2,9 +2,9 @@
 
 use core::ops::ControlFlow;
 
-#[cfg(feature = "plot")]
-use super::course::Course;
 use super::event::Event;
+#[cfg(feature = "plot")]
+use super::history::History;
 use super::zero::zero;
 use crate::error::Error;
 use crate::invariant::Drift;
@@ -54,9 +54,9 @@ pub trait Attend<X> {
     /// How the watched quantities moved.
     fn drifts(&self, _see: &mut dyn FnMut(&'static str, Drift)) {}
 
-    /// The course of each, in the same order.
+    /// The history of each, in the same order.
     #[cfg(feature = "plot")]
-    fn courses(&self, _see: &mut dyn FnMut(&Course)) {}
+    fn histories(&self, _see: &mut dyn FnMut(&History)) {}
 
     /// Takes a recorded state, which the run then does not keep.
     ///
@@ -121,9 +121,9 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     }
 
     #[cfg(feature = "plot")]
-    fn courses(&self, see: &mut dyn FnMut(&Course)) {
-        self.0.courses(see);
-        self.1.courses(see);
+    fn histories(&self, see: &mut dyn FnMut(&History)) {
+        self.0.histories(see);
+        self.1.histories(see);
     }
 
     fn take(&mut self, state: &X) -> Result<bool, Error> {

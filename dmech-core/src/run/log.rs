@@ -24,7 +24,7 @@ pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
 ) -> Result<Run<X>, Interrupted<X>> {
     let mut log = Log::new(motion, run, due, attend);
     #[cfg(feature = "plot")]
-    log.watch.keep_courses(log.start);
+    log.watch.keep_histories(log.start);
     // A stream keeps none.
     if !O::STREAMS {
         log = log.with_room(motion, states)?;
@@ -125,12 +125,12 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         }
         #[cfg(feature = "plot")]
         {
-            let (mut courses, mut k) = (self.watch.take_courses(), self.watch.own_drifts().iter().count());
-            self.attend.courses(&mut |course| {
-                courses.add(k, course.clone());
+            let (mut histories, mut k) = (self.watch.take_histories(), self.watch.own_drifts().iter().count());
+            self.attend.histories(&mut |history| {
+                histories.add(k, history.clone());
                 k += 1;
             });
-            self.run.courses = courses;
+            self.run.histories = histories;
         }
         let Log { mut run, watch, attend, between: Spent([evaluations, iterations]), .. } = self;
         let work = motion.work();

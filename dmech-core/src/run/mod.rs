@@ -2,11 +2,11 @@
 
 mod attend;
 mod between;
-#[cfg(feature = "plot")]
-mod course;
 mod csv;
 mod due;
 mod event;
+#[cfg(feature = "plot")]
+mod history;
 mod interrupted;
 mod log;
 mod motion;
@@ -68,7 +68,7 @@ use report::Work;
 /// It does not name the law or the scheme in its type, so runs of different schemes fit into one array.
 ///
 /// With the feature `serde` it can be written and read. JSON gives back every bit through `serde_json` with its feature
-/// `float_roundtrip`; it has no NaN and no infinity, which become `null` and are then refused. The course of its invariants, for
+/// `float_roundtrip`; it has no NaN and no infinity, which become `null` and are then refused. The history of its invariants, for
 /// pictures, is not written.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -81,7 +81,7 @@ pub struct Run<X> {
     // Not written: what a file holds does not depend on a feature for pictures.
     #[cfg(feature = "plot")]
     #[cfg_attr(feature = "serde", serde(skip))]
-    courses: course::Courses,
+    histories: history::Histories,
 }
 
 /// States to make room for in advance, whatever the machine.
@@ -98,7 +98,7 @@ impl<X> Run<X> {
             stopped: false,
             report,
             #[cfg(feature = "plot")]
-            courses: course::Courses::default(),
+            histories: history::Histories::default(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::attend::Attend;
 #[cfg(feature = "plot")]
-use super::course::Course;
+use super::history::History;
 use super::simulation::{Attended, Simulation};
 use crate::invariant::Drift;
 use crate::setup::Setup;
@@ -45,7 +45,7 @@ pub struct Quantity<F> {
     function: F,
     drift: Option<Drift>,
     #[cfg(feature = "plot")]
-    course: Course,
+    history: History,
 }
 
 impl<F> Quantity<F> {
@@ -55,7 +55,7 @@ impl<F> Quantity<F> {
             function,
             drift: None,
             #[cfg(feature = "plot")]
-            course: Course::new(),
+            history: History::new(),
         }
     }
 }
@@ -72,7 +72,7 @@ impl<X, F: FnMut(&X) -> f64> Attend<X> for Quantity<F> {
     fn look(&mut self, t: f64, state: &X) {
         let value = (self.function)(state);
         #[cfg(feature = "plot")]
-        self.course.see(t, self.drift.map_or(0.0, |drift| value - drift.start()));
+        self.history.see(t, self.drift.map_or(0.0, |drift| value - drift.start()));
         match &mut self.drift {
             Some(drift) => drift.observe(t, value, value - drift.start()),
             None => self.drift = Some(Drift::new(t, value)),
@@ -86,9 +86,9 @@ impl<X, F: FnMut(&X) -> f64> Attend<X> for Quantity<F> {
     }
 
     #[cfg(feature = "plot")]
-    fn courses(&self, see: &mut dyn FnMut(&Course)) {
+    fn histories(&self, see: &mut dyn FnMut(&History)) {
         if self.drift.is_some() {
-            see(&self.course);
+            see(&self.history);
         }
     }
 }

@@ -3,7 +3,7 @@
 use dmech_scalar::{Compensated, Real};
 
 #[cfg(feature = "plot")]
-use super::course::Courses;
+use super::history::Histories;
 use super::motion::{Invariants, Motion};
 use crate::error::Error;
 use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
@@ -39,9 +39,9 @@ pub struct Watch<X, R: Real = f64> {
     /// The law's own invariants at the start.
     own_start: [R; MAX_OWN],
     own: OwnDrifts,
-    /// Their course, where it is kept.
+    /// Their history, where it is kept.
     #[cfg(feature = "plot")]
-    courses: Option<Courses>,
+    histories: Option<Histories>,
 }
 
 impl<X: Clone, R: Real> Watch<X, R> {
@@ -59,7 +59,7 @@ impl<X: Clone, R: Real> Watch<X, R> {
             own_start: [R::ZERO; MAX_OWN],
             own: OwnDrifts::default(),
             #[cfg(feature = "plot")]
-            courses: None,
+            histories: None,
         };
         let state = &watch.first;
         let (t, here) = (motion.clock()(state), motion.invariants(state, state));
@@ -102,8 +102,8 @@ impl<X: Clone, R: Real> Watch<X, R> {
             if let (Some([value, deviation]), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
                 drift.observe(t, value, deviation);
                 #[cfg(feature = "plot")]
-                if let Some(courses) = &mut self.courses {
-                    courses.see(invariant, t, deviation);
+                if let Some(histories) = &mut self.histories {
+                    histories.see(invariant, t, deviation);
                 }
             }
         }
@@ -137,27 +137,27 @@ impl<X: Clone, R: Real> Watch<X, R> {
             let (t, deviation) = (motion.clock()(state), (value - self.own_start[k]).to_f64());
             drift.observe(t, value.to_f64(), deviation);
             #[cfg(feature = "plot")]
-            if let Some(courses) = &mut self.courses {
-                courses.see_own(k, t, deviation);
+            if let Some(histories) = &mut self.histories {
+                histories.see_own(k, t, deviation);
             }
         }
     }
 
-    /// Keeps their course from here on, which is the start.
+    /// Keeps their history from here on, which is the start.
     #[cfg(feature = "plot")]
-    pub(super) fn keep_courses(&mut self, t: f64) {
-        let mut courses = Courses::default();
+    pub(super) fn keep_histories(&mut self, t: f64) {
+        let mut histories = Histories::default();
         Invariant::ALL
             .into_iter()
             .filter(|&invariant| self.drifts[invariant as usize].is_some())
-            .for_each(|invariant| courses.see(invariant, t, 0.0));
-        (0..self.own.iter().count()).for_each(|k| courses.see_own(k, t, 0.0));
-        self.courses = Some(courses);
+            .for_each(|invariant| histories.see(invariant, t, 0.0));
+        (0..self.own.iter().count()).for_each(|k| histories.see_own(k, t, 0.0));
+        self.histories = Some(histories);
     }
 
     #[cfg(feature = "plot")]
-    pub(super) fn take_courses(&mut self) -> Courses {
-        self.courses.take().unwrap_or_default()
+    pub(super) fn take_histories(&mut self) -> Histories {
+        self.histories.take().unwrap_or_default()
     }
 
     /// How they moved.

@@ -32,7 +32,6 @@ pub use composed::{
 pub use discrete_gradient::DiscreteGradient;
 pub use explicit::{Explicit, ExplicitMemory};
 pub use force_gradient::ForceGradient;
-pub(crate) use gauss::tableau;
 pub use gauss::{Gauss, GaussMemory, LineIntegral};
 pub use implicit::Implicit;
 pub use kanatani::{Kanatani, KanataniMemory, Start};
@@ -41,7 +40,7 @@ pub use missing::{NeverBegun, NoScheme, WithScheme};
 pub use nystrom::Nystrom;
 pub use one_solve::{Begun, OneSolveMemory, Stage};
 pub use relaxed::{Relaxed, RelaxedMemory, RelaxedRoom};
-pub use runge_kutta_nystrom::{NystromStages, RungeKuttaNystrom, RungeKuttaNystromMemory};
+pub use runge_kutta_nystrom::{RungeKuttaNystrom, RungeKuttaNystromMemory, RungeKuttaNystromStages};
 pub use splitting::{First, SplittingMemory};
 
 use crate::error::Error;

@@ -12,12 +12,13 @@ mod step;
 use core::fmt::Debug;
 
 pub use crate::look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
-pub use crate::scheme::tableau::{Columns, Row, STAGES, Tableau};
 pub use implicit::ImplicitSteps;
 pub use newton::{Guess, Newton};
 pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, fall, not_converged};
+pub(crate) use stages::tableau;
+pub use stages::tableau::{Columns, Row, STAGES, Tableau};
 pub use stages::{Eight, Nearing, Staged, Staging};
 pub use step::{Ahead, Beginning, Effort, Kick, Step};
 

@@ -4,7 +4,7 @@ use core::panic::AssertUnwindSafe;
 use std::panic::catch_unwind;
 
 use super::tracked::{MARGIN, ROUNDING};
-use super::{Kept, Values, Written};
+use super::{OwnValues, Values, Written};
 use crate::error::{Culprit, Disagreement};
 use crate::invariant::MAX_OWN;
 
@@ -134,13 +134,13 @@ fn own<const D: usize>(law: &dyn Written<D>, place: &Probe<D>) -> All<D> {
 /// What a law gives, and what it says it keeps.
 struct All<const D: usize, R = f64> {
     acting: Values<D, R>,
-    kept: Kept<R>,
+    kept: OwnValues<R>,
     /// Whether a method panics of those that act, and of the invariants.
     panics: [bool; 2],
 }
 
 impl<const D: usize, R: Copy> All<D, R> {
-    fn of((acting, kept): (Values<D, R>, Kept<R>)) -> Self {
+    fn of((acting, kept): (Values<D, R>, OwnValues<R>)) -> Self {
         All { acting, kept, panics: [false; 2] }
     }
 

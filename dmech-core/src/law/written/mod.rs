@@ -42,7 +42,7 @@ impl<const D: usize, R: Real> Values<D, R> {
 }
 
 /// The invariants that a law declares itself, 0 beyond.
-pub type Kept<R = f64> = [R; MAX_OWN];
+pub type OwnValues<R = f64> = [R; MAX_OWN];
 
 /// What the macro says of the author's own methods.
 pub trait Author<const D: usize>: Fields<D> + Law<D, Tracked> {
@@ -50,7 +50,7 @@ pub trait Author<const D: usize>: Fields<D> + Law<D, Tracked> {
     fn own(&self, place: &Probe<D>) -> Values<D>;
 
     /// What the methods give that are marked `#[invariant]`.
-    fn invariants(&self, _place: &Probe<D>) -> Kept {
+    fn invariants(&self, _place: &Probe<D>) -> OwnValues {
         [0.0; MAX_OWN]
     }
 }
@@ -64,13 +64,13 @@ pub trait Written<const D: usize> {
         &[]
     }
     /// What the author's methods give of them.
-    fn own_invariants(&self, _place: &Probe<D>) -> Kept {
+    fn own_invariants(&self, _place: &Probe<D>) -> OwnValues {
         [0.0; MAX_OWN]
     }
     /// What was derived from the text of all these methods.
-    fn derived(&self, place: &Probe<D>) -> (Values<D>, Kept);
+    fn derived(&self, place: &Probe<D>) -> (Values<D>, OwnValues);
     /// The same with what rounding may do to it.
-    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, Kept<Tracked>);
+    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, OwnValues<Tracked>);
     /// Every number that they read of the law, by its name.
     fn fields(&self, _see: &mut dyn FnMut(&'static str, f64)) {}
 }
@@ -84,15 +84,15 @@ impl<L: Author<D>, const D: usize> Written<D> for L {
         <L as Law<D>>::INVARIANTS
     }
 
-    fn own_invariants(&self, place: &Probe<D>) -> Kept {
+    fn own_invariants(&self, place: &Probe<D>) -> OwnValues {
         Author::invariants(self, place)
     }
 
-    fn derived(&self, place: &Probe<D>) -> (Values<D>, Kept) {
+    fn derived(&self, place: &Probe<D>) -> (Values<D>, OwnValues) {
         derived::<L, D, f64>(self, place)
     }
 
-    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, Kept<Tracked>) {
+    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, OwnValues<Tracked>) {
         derived::<L, D, Tracked>(self, place)
     }
 
@@ -114,7 +114,7 @@ pub(crate) fn named(
     });
 }
 
-fn derived<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> (Values<D, R>, Kept<R>) {
+fn derived<L: Law<D, R>, const D: usize, R: Real>(law: &L, place: &Probe<D>) -> (Values<D, R>, OwnValues<R>) {
     let (q, v, t) = (place.q.map(R::from_f64), place.v[0].map(R::from_f64), R::from_f64(place.t));
     let field = law.field(R::from_f64(place.m[0]), t);
     let kept = |k| if k < L::INVARIANTS.len() { law.invariant(k, q, v, t) } else { R::ZERO };

@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 #[cfg(feature = "scene")]
-use super::{Kept, Written};
+use super::{OwnValues, Written};
 use super::{Probe, Tracked, Values, named};
 #[cfg(feature = "scene")]
 use crate::invariant::MAX_OWN;
@@ -71,11 +71,11 @@ impl<const D: usize, P> Written<D> for Between<'_, D, P> {
         self.law.own(place, self.a, self.b)
     }
 
-    fn derived(&self, place: &Probe<D>) -> (Values<D>, Kept) {
+    fn derived(&self, place: &Probe<D>) -> (Values<D>, OwnValues) {
         (self.law.derived(place, self.a, self.b), [0.0; MAX_OWN])
     }
 
-    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, Kept<Tracked>) {
+    fn tracked(&self, place: &Probe<D>) -> (Values<D, Tracked>, OwnValues<Tracked>) {
         (self.law.tracked(place, self.a, self.b), [Tracked::ZERO; MAX_OWN])
     }
 }

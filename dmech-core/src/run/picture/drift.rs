@@ -4,7 +4,7 @@ use std::io;
 
 use dmech_plot::{Area, Axis, BLUE, Drawn, Fit, INK, chart, dots, draw, headed, label_beside, line, rough};
 
-use super::super::course::{Course, Part};
+use super::super::history::{History, Part};
 use super::Run;
 use crate::invariant::Drift;
 
@@ -15,7 +15,7 @@ pub(super) fn svg<X>(
     run: &Run<X>,
     name: &str,
     drift: Result<Drift, String>,
-    course: Option<&Course>,
+    history: Option<&History>,
     kept: &str,
 ) -> io::Result<String> {
     let none = |words: String| io::Error::new(io::ErrorKind::Unsupported, words);
@@ -23,13 +23,13 @@ pub(super) fn svg<X>(
         return Err(none(format!("this run has ended before its first state: there is no \"{name}\" to draw")));
     }
     let drift = drift.map_err(none)?;
-    let course = course.ok_or_else(|| none(format!("this run did not keep the course of \"{name}\"")))?;
+    let history = history.ok_or_else(|| none(format!("this run did not keep the history of \"{name}\"")))?;
     let start = drift.start();
     let relative = start != 0.0 && start.is_finite();
     let unit = if relative { start.abs() } else { 1.0 };
     let parts: Vec<_> =
-        course.parts().iter().map(|part| Part { least: part.least / unit, most: part.most / unit, ..*part }).collect();
-    let ends = course.ends().map(|(t, x)| (t, x / unit));
+        history.parts().iter().map(|part| Part { least: part.least / unit, most: part.most / unit, ..*part }).collect();
+    let ends = history.ends().map(|(t, x)| (t, x / unit));
     let times =
         [parts.first().map_or(f64::NAN, |part| part.times[0]), parts.last().map_or(f64::NAN, |part| part.times[1])];
     let grows = grows(&parts, parts.iter().map(size).fold(0.0, f64::max));
@@ -62,7 +62,7 @@ fn size(part: &Part) -> f64 {
     part.least.abs().max(part.most.abs())
 }
 
-/// Whether most of the course could not be seen beside its largest values.
+/// Whether most of the history could not be seen beside its largest values.
 fn grows(parts: &[Part], largest: f64) -> bool {
     let mut sizes: Vec<_> = parts.iter().map(size).filter(|&x| x > 0.0).collect();
     sizes.sort_by(f64::total_cmp);
@@ -70,7 +70,7 @@ fn grows(parts: &[Part], largest: f64) -> bool {
     sizes.len() > 16 && largest > PEAKS * sizes[sizes.len() / 2]
 }
 
-/// Time and deviation at both ends of a course.
+/// Time and deviation at both ends of a history.
 type Ends = [(f64, f64); 2];
 
 fn plain(area: &Area<'_>, parts: &[Part], ends: Ends, what: &str) -> Drawn {

@@ -81,13 +81,13 @@ impl<X> Run<X> {
     ///
     /// # Errors
     /// [`Unsupported`](io::ErrorKind::Unsupported) where the law, or the scheme, has no such invariant, or the run did not keep
-    /// its course; those of the file.
+    /// its history; those of the file.
     pub fn plot_drift(&self, invariant: Invariant, path: impl AsRef<Path>) -> io::Result<()> {
         let name = invariant.to_string();
-        let (drift, course) = (self.drift(invariant), self.courses.of(invariant));
+        let (drift, history) = (self.drift(invariant), self.histories.of(invariant));
         let kept = format!("; must be: {}", self.kept(invariant));
         let drift = drift.ok_or_else(|| format!("this law and {} have no invariant \"{name}\"", self.report.scheme()));
-        save(path, &drift::svg(self, &name, drift, course, &kept)?)
+        save(path, &drift::svg(self, &name, drift, history, &kept)?)
     }
 
     /// The same of an invariant that the law declares itself, or of a quantity that was
@@ -106,9 +106,9 @@ impl<X> Run<X> {
                 others => format!("this run follows no \"{name}\": there is {others}"),
             }
         };
-        let course = own.and_then(|(k, _)| self.courses.of_own(k));
+        let history = own.and_then(|(k, _)| self.histories.of_own(k));
         let drift = own.map(|(_, (_, drift))| drift).ok_or_else(none);
-        save(path, &drift::svg(self, &name.replace('_', " "), drift, course, "")?)
+        save(path, &drift::svg(self, &name.replace('_', " "), drift, history, "")?)
     }
 
     /// The scheme, its steps, and the times from and to.

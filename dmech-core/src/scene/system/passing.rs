@@ -6,7 +6,7 @@ use super::stages::{PLACED_IN_PASSING, SceneAim};
 use super::{SceneStride, SceneSystem};
 use crate::scene::eights::Eights;
 use crate::scene::terms::{ActsAtStages, BodyAtStages, Driven};
-use crate::scheme::tableau::Tableau;
+use crate::system::Tableau;
 use crate::system::stages::{Eight, weighed};
 
 impl<const D: usize, A: ActsAtStages<D>> SceneSystem<D, A> {

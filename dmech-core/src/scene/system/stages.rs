@@ -7,8 +7,8 @@ use crate::scene::compensated::CompensatedVectors;
 use crate::scene::eights::Eights;
 use crate::scene::terms::{Acts, ActsAtStages, Moments};
 use crate::scene::vectors::Vectors;
-use crate::scheme::tableau::{GAUSS, STAGES, Tableau};
 use crate::system::stages::{self, Eight, Nearing, Staged, weighed};
+use crate::system::tableau::{GAUSS, STAGES, Tableau};
 
 /// Places of a chain are computed as what acts is asked for. Where the coefficients leave no registers for that, they are stored before.
 pub(super) const PLACED_IN_PASSING: bool = cfg!(target_feature = "avx512f");

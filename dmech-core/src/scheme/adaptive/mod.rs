@@ -117,7 +117,7 @@ impl<S: Adaptable> Adaptive<S> {
     }
 
     /// Prepares the scheme for steps of another length.
-    fn turn<Y: TimeScale>(&self, system: &Y, dt: f64, workspace: &mut <Self as Scheme<Y>>::Workspace)
+    fn set_pace<Y: TimeScale>(&self, system: &Y, dt: f64, workspace: &mut <Self as Scheme<Y>>::Workspace)
     where
         S: Scheme<Y>,
     {
@@ -207,7 +207,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         // What the motion meets later no look at the start can tell.
         let density = if system.names_the_time() && longest.is_infinite() { 0.0 } else { density };
         let first = (self.angle / density).min(longest);
-        self.turn(system, first, workspace);
+        self.set_pace(system, first, workspace);
         let inner = self.scheme.begin(system, &workspace.stride, start, &mut workspace.inner)?;
         let (time, range) = (Compensated::new(start.t), [f64::MAX, 0.0]);
         let (angle, last, dt, left, landing) = (self.angle, first, first, self.row, false);
@@ -227,7 +227,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
     ) -> Result<Effort, NotConverged> {
         let AdaptiveMemory { inner: memory, pacing } = memory;
         if Y::dt(&workspace.stride) != pacing.dt {
-            self.turn(system, pacing.dt, workspace);
+            self.set_pace(system, pacing.dt, workspace);
         }
         let Pace { stride: now, room, inner } = workspace;
         let ratio = pacing.ratio();

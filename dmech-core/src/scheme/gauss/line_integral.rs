@@ -1,10 +1,10 @@
 //! Line integrals: energies exact at high order.
 
 use super::step::Stages;
-use super::tableau::{STAGES, Tableau};
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
 use crate::scheme::Method;
+use crate::system::tableau::{STAGES, Tableau};
 
 /// Line integrals over the discrete motion: the energy is exact for a potential that is a polynomial, at order 4 to 10.
 ///

@@ -1,11 +1,9 @@
 //! Gauss's method with eight stages, side by side.
 
-mod digits;
 mod ended;
 mod line_integral;
 mod step;
 mod sweeps;
-pub(crate) mod tableau;
 
 #[cfg(test)]
 mod tests;
@@ -13,8 +11,8 @@ mod tests;
 pub use line_integral::LineIntegral;
 pub use step::GaussMemory;
 
+use crate::system::tableau::{GAUSS, STAGES, Tableau};
 use step::Stages;
-use tableau::{GAUSS, STAGES, Tableau};
 
 use super::Method;
 use crate::invariant::{Invariant, Kept};

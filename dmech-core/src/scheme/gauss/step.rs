@@ -4,13 +4,13 @@ use dmech_scalar::{Count, Mask, Real};
 
 use super::ended::Ended;
 use super::sweeps::{Stalled, Sweeps, With, apart, in_parts, whole, whole_in_registers};
-use super::tableau::Tableau;
 use super::{Gauss, LineIntegral};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
 use crate::scheme::by_lane::by_lane;
 use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::{Effort, Method, Reached, Scheme};
+use crate::system::Tableau;
 use crate::system::{Beginning, Staged};
 
 memory! {

@@ -3,8 +3,8 @@
 use dmech_scalar::{Count, Mask, Real};
 
 use super::ended::{Ended, Which};
-use super::tableau::Tableau;
 use crate::newton::{Counts, NotConverged};
+use crate::system::Tableau;
 use crate::system::{Staged, stages};
 
 /// A change of the pushes that is this many times too large may be left by rounding.

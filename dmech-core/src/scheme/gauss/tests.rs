@@ -2,7 +2,7 @@
 
 use dmech_scalar::{DoubleDouble, Real};
 
-use super::tableau::{Columns, Row, STAGES, Tableau};
+use crate::system::tableau::{Columns, Row, STAGES, Tableau};
 
 fn all(row: &Row) -> [DoubleDouble; STAGES] {
     core::array::from_fn(|i| DoubleDouble::new(row.hi[i], row.lo[i]))

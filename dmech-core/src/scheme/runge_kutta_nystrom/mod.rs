@@ -73,7 +73,7 @@ by_lane! { RungeKuttaNystromMemory { q, v }; }
 
 /// Where steps are made.
 #[derive(Clone, Debug)]
-pub struct NystromRoom<R, V> {
+pub struct RungeKuttaNystromRoom<R, V> {
     room: R,
     /// No velocity.
     still: V,
@@ -86,7 +86,7 @@ pub struct NystromRoom<R, V> {
 }
 
 /// The same for a system.
-pub type NystromStages<Y> = NystromRoom<<Y as System>::Room, <Y as System>::Vector>;
+pub type RungeKuttaNystromStages<Y> = RungeKuttaNystromRoom<<Y as System>::Room, <Y as System>::Vector>;
 
 /// out ← Σ wⱼ xⱼ, with what rounding to `f64` leaves out of the weights where the scalar has more digits.
 #[inline(always)]
@@ -115,12 +115,12 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
     const STRETCHES: bool = false;
 
     type Memory = RungeKuttaNystromMemory<Y>;
-    type Workspace = NystromStages<Y>;
+    type Workspace = RungeKuttaNystromStages<Y>;
 
     fn workspace(&self, system: &Y, _: &Y::Stride) -> Self::Workspace {
         let zero = || system.zero();
         let gains = core::array::from_fn(|_| zero());
-        NystromRoom { room: system.room(), still: zero(), place: zero(), weighed: zero(), gains }
+        RungeKuttaNystromRoom { room: system.room(), still: zero(), place: zero(), weighed: zero(), gains }
     }
 
     fn begin(
@@ -140,7 +140,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for RungeKuttaNystrom {
         stride: &Y::Stride,
         t: Y::Scalar,
         memory: &mut Self::Memory,
-        NystromRoom { room, still, place, weighed, gains }: &mut Self::Workspace,
+        RungeKuttaNystromRoom { room, still, place, weighed, gains }: &mut Self::Workspace,
     ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let h = Y::dt(stride);
         let RungeKuttaNystromMemory { q, v } = memory;

@@ -28,7 +28,7 @@ memory! {
         /// Work of the kicks that belong wholly to the last step.
         work: Y::Work,
         /// Whether in it is by how much that of the shared kick has changed with the length of a step.
-        begun: Begun,
+        begun: SharedKick,
     }
 }
 
@@ -36,7 +36,7 @@ by_lane! { SplittingMemory { q, v_before, v_after } sums { work } all { begun };
 
 /// Work of the kick that two steps of different lengths share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::scheme) enum Begun {
+pub(in crate::scheme) enum SharedKick {
     /// There was none.
     No,
     /// Of the step to come.
@@ -69,7 +69,7 @@ type With<'a, Y> = (&'a Y, &'a mut <Y as System>::Room, &'a <Y as System>::Strid
 impl<Y: System> SplittingMemory<Y> {
     /// A step begins from a state, with half a kick to either side where two steps share one.
     fn begin<S: Splitting<N>, const N: usize>((system, room, stride): With<'_, Y>, start: &Beginning<'_, Y>) -> Self {
-        let (q, work, begun) = (start.q.clone(), system.no_work(), Begun::No);
+        let (q, work, begun) = (start.q.clone(), system.no_work(), SharedKick::No);
         if matches!(S::FIRST, First::Drift) {
             return SplittingMemory { q, v_before: start.v.clone(), v_after: start.v.clone(), work, begun };
         }
@@ -83,10 +83,10 @@ impl<Y: System> SplittingMemory<Y> {
     fn step<S: Splitting<N>, const N: usize>(&mut self, (system, room, stride): With<'_, Y>, t: Y::Scalar) {
         let h = Y::dt(stride);
         let (work, begun) = (&mut self.work, self.begun);
-        self.begun = if begun == Begun::ToCome && !Y::IN_REGISTERS { Begun::Made } else { Begun::No };
+        self.begun = if begun == SharedKick::ToCome && !Y::IN_REGISTERS { SharedKick::Made } else { SharedKick::No };
         // Leap-frog has no kick within a step: many bodies are spared the clearing of nothing.
         let any = N > 1 || matches!(S::FIRST, First::Drift) || Y::IN_REGISTERS;
-        if begun != Begun::ToCome && (any || begun == Begun::Made) {
+        if begun != SharedKick::ToCome && (any || begun == SharedKick::Made) {
             Y::clear(work);
         }
         Y::drift(&mut self.q, drift::<S, N, _>(0, h), &self.v_after);
@@ -117,7 +117,7 @@ impl<Y: System> SplittingMemory<Y> {
         system.add_work(work, v_after, v_before);
         system.kick(room, stride, half_kick::<S, N, _>(t), q, &v, v_after);
         system.add_work(work, v_before, v_after);
-        *begun = Begun::ToCome;
+        *begun = SharedKick::ToCome;
         1
     }
 

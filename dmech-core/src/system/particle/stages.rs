@@ -81,7 +81,7 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     const PIECEWISE: bool = L::Field::<'_>::PIECEWISE;
 
     fn pushes(&self, stride: &Stride<R>, slope: &[R; D]) -> [R::Eight; D] {
-        let weights = &crate::scheme::tableau::GAUSS.weights;
+        let weights = &crate::system::tableau::GAUSS.weights;
         from_fn(|k| times(weights, &R::Eight::splat(-stride.fall * slope[k])))
     }
 

@@ -1,9 +1,11 @@
 //! Stages side by side: the instructions of schemes that know the force at eight moments of a step together.
 
 mod abreast;
+mod digits;
 mod eight;
 mod nearing;
 mod settle;
+pub(crate) mod tableau;
 
 pub(crate) use eight::Part;
 pub(crate) use eight::weighed;
@@ -15,7 +17,7 @@ pub(crate) use settle::{drift, path, settle};
 use dmech_scalar::{Mask, Real};
 
 use super::System;
-pub(crate) use super::{Columns, Row, STAGES, Tableau};
+pub(crate) use tableau::{Columns, Row, STAGES, Tableau};
 
 /// A system whose force can be had at eight moments of a step together, in the lanes of a register.
 ///

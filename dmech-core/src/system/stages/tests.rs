@@ -3,8 +3,8 @@
 use dmech_scalar::{DoubleDouble, Lanes, Real, two_sum};
 
 use super::abreast::{Abreast, ByEight, Singly, divided, largest_number};
+use super::tableau::GAUSS;
 use super::{Nearing, STAGES, moves, settle};
-use crate::scheme::tableau::GAUSS;
 
 /// Numbers of many sizes and both signs, some of them 0.
 fn numbers(n: usize, seed: f64) -> Vec<f64> {

@@ -113,8 +113,8 @@ pub use crate::checkpoint::{Carried, Saved};
 #[cfg(feature = "store")]
 pub use crate::ensemble::InFile;
 pub use crate::ensemble::{
-    Block, Checksum, Companies, Company, Each, End, InLanes, Joined, Keeps, LANES, Laws, Members, NoCompany, NoLaw,
-    NoStart, Nowhere, Outcome, Rides, Starts, Together, With,
+    Block, Checksum, Companies, Company, EachAlone, End, InLanes, Joined, Keeps, LANES, LawOf, Members, NoCompany,
+    NoLaw, NoStart, Nowhere, Outcome, Rides, Starts, Together, With,
 };
 #[cfg(feature = "ranks")]
 pub use crate::ensemble::{Ranked, Ranks, Travels};

@@ -60,7 +60,7 @@ pub use law::{
     Potential, Reads, Symmetric, VelocityIndependent, radial,
 };
 #[cfg(feature = "scene")]
-pub use law::{LinkLaw, Within};
+pub use law::{CutOff, LinkLaw};
 #[doc(hidden)]
 pub use law::{rotation, written};
 pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run, Simulation};

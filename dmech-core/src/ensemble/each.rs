@@ -15,7 +15,7 @@ use crate::span::Span;
 /// Simulations of any kind, made by [`Ensemble::each`](crate::Ensemble::each).
 #[derive(Clone, Debug)]
 #[must_use = "an ensemble does nothing until it is run"]
-pub struct Each<F, K = Nowhere> {
+pub struct EachAlone<F, K = Nowhere> {
     pub(super) member: F,
     pub(super) members: usize,
     pub(super) hands: Hands,
@@ -24,10 +24,10 @@ pub struct Each<F, K = Nowhere> {
     pub(super) keep: K,
 }
 
-impl<F, K> Each<F, K> {
+impl<F, K> EachAlone<F, K> {
     /// On so many threads, 1024 at most; on all cores if nothing is said. The results are the same.
     pub fn threads(self, threads: usize) -> Self {
-        Each { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
+        EachAlone { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
     }
 
     /// Makes a number of steps with each member, or fewer where an event or an observer stops it.
@@ -48,7 +48,7 @@ impl<F, K> Each<F, K> {
     /// Moves each member until a time: [`Simulation::run_until`].
     ///
     /// # Errors
-    /// As [`run`](Each::run).
+    /// As [`run`](EachAlone::run).
     pub fn run_until<L, X, S, O>(self, end: f64) -> Result<EnsembleRun<X::State>, Error>
     where
         F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
@@ -92,7 +92,7 @@ impl<F, K> Each<F, K> {
     /// ```
     ///
     /// # Errors
-    /// As [`run`](Each::run).
+    /// As [`run`](EachAlone::run).
     pub fn for_each_until<L, X, S, O>(
         self,
         end: f64,
@@ -142,7 +142,7 @@ impl<L, X: Setup<L>, S: Scheme<X::System>, O: Attend<X::State>> Plan<X::State> f
     }
 }
 
-/// Where members of any kind are kept: nowhere, or in a [store](Each::store).
+/// Where members of any kind are kept: nowhere, or in a [store](EachAlone::store).
 #[diagnostic::on_unimplemented(
     message = "these simulations cannot be kept in a store",
     note = "states of laws and of scenes are kept: of laws those whose numbers are `f64`, `f32`, `DoubleDouble`, or others that are `Exact`"

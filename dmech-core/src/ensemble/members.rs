@@ -19,10 +19,10 @@ use crate::state::State;
     label = "call `.law(|k| …)` first",
     note = "where they are no laws with one start each, `Ensemble::each` takes simulations of any kind"
 )]
-pub trait Laws<L>: Fn(usize) -> L {}
+pub trait LawOf<L>: Fn(usize) -> L {}
 
 #[diagnostic::do_not_recommend]
-impl<L, F: Fn(usize) -> L> Laws<L> for F {}
+impl<L, F: Fn(usize) -> L> LawOf<L> for F {}
 
 /// The starts of members.
 #[diagnostic::on_unimplemented(
@@ -57,7 +57,7 @@ pub trait Members<L: Fields<D>, const D: usize>: Sync {
 
 impl<F, X, S, M, C, L, const D: usize> Members<L, D> for Ensemble<F, X, S, M, C>
 where
-    F: Laws<L> + Sync,
+    F: LawOf<L> + Sync,
     X: Starts<D> + Sync,
     M: Fn(usize) -> f64 + Sync,
     L: Fields<D>,

@@ -34,9 +34,9 @@ use std::sync::Arc;
 
 pub use block::{Block, Outcome};
 pub use company::{Companies, Company, Joined, NoCompany, With};
-pub use each::{Each, Keeps};
+pub use each::{EachAlone, Keeps};
 pub use export::End;
-pub use members::{Laws, Members, Starts};
+pub use members::{LawOf, Members, Starts};
 pub use plan::Nowhere;
 #[cfg(feature = "ranks")]
 pub use ranks::{Ranked, Ranks, Travels};
@@ -152,8 +152,8 @@ impl Ensemble {
     }
 
     /// So many simulations of any kind, each moved alone, over all cores: scenes among them. What they record is kept.
-    pub fn each<F>(members: usize, member: F) -> Each<F> {
-        Each { member, members, hands: Hands::ALL, shown: Shown::default(), keep: Nowhere }
+    pub fn each<F>(members: usize, member: F) -> EachAlone<F> {
+        EachAlone { member, members, hands: Hands::ALL, shown: Shown::default(), keep: Nowhere }
     }
 }
 

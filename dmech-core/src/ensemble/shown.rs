@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use indicatif::ProgressBar;
 
-use super::{Beside, Each, Ensemble};
+use super::{Beside, EachAlone, Ensemble};
 use crate::run::{Shown, bar};
 
 impl<L, X, S, M> Ensemble<L, X, S, M> {
@@ -22,7 +22,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     }
 }
 
-impl<F, K> Each<F, K> {
+impl<F, K> EachAlone<F, K> {
     /// Shows a bar on the standard error, as [`Ensemble::with_progress`].
     pub fn with_progress(self, title: impl Into<Cow<'static, str>>) -> Self {
         self.with_progress_bar(bar("members").with_message(title))
@@ -30,6 +30,6 @@ impl<F, K> Each<F, K> {
 
     /// The same with a bar of one's own.
     pub fn with_progress_bar(self, bar: ProgressBar) -> Self {
-        Each { shown: Shown { bar: Some(bar) }, ..self }
+        EachAlone { shown: Shown { bar: Some(bar) }, ..self }
     }
 }

@@ -1,5 +1,7 @@
 //! What a scheme needs to know of a law.
 
+#[cfg(feature = "scene")]
+mod cut_off;
 mod field;
 mod fields;
 mod masses;
@@ -10,11 +12,11 @@ mod perhaps;
 mod potential;
 #[doc(hidden)]
 pub mod rotation;
-#[cfg(feature = "scene")]
-mod within;
 #[doc(hidden)]
 pub mod written;
 
+#[cfg(feature = "scene")]
+pub use cut_off::CutOff;
 pub use field::Field;
 pub use fields::{Fields, Numbered, PairFields};
 pub use masses::Masses;
@@ -23,8 +25,6 @@ pub use numbers::Numbers;
 pub use pair::LinkLaw;
 pub use pair::{Between, PairLaw, Reads, Symmetric, radial};
 pub use potential::{Force, Potential};
-#[cfg(feature = "scene")]
-pub use within::Within;
 
 use dmech_scalar::Real;
 

@@ -7,7 +7,7 @@ use super::space::{Open, Periodic};
 use super::state::SceneState;
 use super::terms::{Bonds, Chain, Each, Linked, Near, Pairs};
 use crate::law::Law;
-use crate::law::{LinkLaw, Symmetric, Within};
+use crate::law::{CutOff, LinkLaw, Symmetric};
 
 /// Bodies in D dimensions that carry data `P`, and the laws `L` that act on them.
 ///
@@ -259,6 +259,6 @@ impl<const D: usize, P, L, X, B> Scene<D, P, (L, Linked<X, Pairs>), B> {
     /// [`SceneError::CutoffNotCentral`](crate::SceneError::CutoffNotCentral) for a potential of the direction.
     pub fn cutoff(self, r: f64) -> Scene<D, P, (L, OnNear<X>), B> {
         let Scene { bodies, laws: (laws, Linked { law, .. }), space } = self;
-        Scene { bodies, laws: (laws, Linked { law: Within::new(law, r), links: Near::new(r) }), space }
+        Scene { bodies, laws: (laws, Linked { law: CutOff::new(law, r), links: Near::new(r) }), space }
     }
 }

@@ -40,7 +40,7 @@ pub use terms::{Acts, Bonds, Chain, Driven, Each, Fault, Kicked, Laws, Linked, M
 pub use topology::Topology;
 pub use vectors::Vectors;
 
-use crate::law::Within;
+use crate::law::CutOff;
 use crate::run::Simulation;
 use crate::scheme::Scheme;
 use crate::setup::Setup;
@@ -51,7 +51,7 @@ pub type OnEach<X> = Each<X>;
 /// A law between any two bodies, as a type: [`Scene::pairs`] adds one.
 pub type OnPairs<X> = Linked<X, Pairs>;
 /// A law between bodies nearer than its cut-off, as a type: [`Scene::pairs`] and [`Scene::cutoff`] add one.
-pub type OnNear<X> = Linked<Within<X>, Near>;
+pub type OnNear<X> = Linked<CutOff<X>, Near>;
 /// A law along a chain, as a type: [`Scene::chain`] adds one.
 pub type OnChain<X> = Linked<X, Chain>;
 /// A law on listed bonds, as a type: [`Scene::bonds`] adds one.

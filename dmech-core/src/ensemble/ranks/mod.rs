@@ -17,7 +17,7 @@ use super::each::OneByOne;
 use super::in_order::Hands;
 use super::plan::{Opened, See, Tally, sweep};
 use super::told::Told;
-use super::{Each, Ensemble, EnsembleRun, Keeps, Members, Outcome};
+use super::{EachAlone, Ensemble, EnsembleRun, Keeps, Members, Outcome};
 use crate::checkpoint::Saved;
 use crate::error::Error;
 use crate::flat::Flat;
@@ -78,7 +78,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     }
 }
 
-impl<F, K> Each<F, K> {
+impl<F, K> EachAlone<F, K> {
     /// Moved by all ranks: [`Ensemble::ranks`], of simulations of any kind whose states can be written with serde (feature `ranks`). Each
     /// rank makes the members that it moves, and the first those that come home.
     pub fn ranks<R: Ranks + ?Sized>(self, ranks: &R) -> Ranked<'_, Self, R> {
@@ -153,7 +153,7 @@ where
 }
 
 #[diagnostic::do_not_recommend]
-impl<F, K, L, X, S, O> Travels<(L, X, S, O), X::State> for Each<F, K>
+impl<F, K, L, X, S, O> Travels<(L, X, S, O), X::State> for EachAlone<F, K>
 where
     F: Fn(usize) -> Simulation<L, X, S, O> + Sync,
     X: Setup<L, State: Flat + Serialize + DeserializeOwned, System: Saved>,

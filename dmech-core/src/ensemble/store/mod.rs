@@ -17,7 +17,7 @@ pub(super) use moving::Stored;
 
 use super::each::OneByOne;
 use super::plan::Opened;
-use super::{Beside, Each, Ensemble, Keeps, Nowhere};
+use super::{Beside, EachAlone, Ensemble, Keeps, Nowhere};
 use crate::checkpoint::Saved;
 use crate::flat::Flat;
 use crate::run::{Attend, Columns};
@@ -93,11 +93,11 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     }
 }
 
-/// In the type of simulations that are kept in a [store](Each::store).
+/// In the type of simulations that are kept in a [store](EachAlone::store).
 #[derive(Clone, Debug)]
 pub struct InFile(PathBuf);
 
-impl<F> Each<F, Nowhere> {
+impl<F> EachAlone<F, Nowhere> {
     /// Keeps the members in a file, as they come, and goes on from it: [`Ensemble::store`], of simulations of any kind (feature
     /// `store`).
     ///
@@ -147,9 +147,9 @@ impl<F> Each<F, Nowhere> {
     ///
     /// # Errors
     /// As [`Ensemble::store`].
-    pub fn store(self, path: impl AsRef<Path>) -> Each<F, InFile> {
-        let Each { member, members, hands, shown, .. } = self;
-        Each { member, members, hands, shown, keep: InFile(path.as_ref().to_owned()) }
+    pub fn store(self, path: impl AsRef<Path>) -> EachAlone<F, InFile> {
+        let EachAlone { member, members, hands, shown, .. } = self;
+        EachAlone { member, members, hands, shown, keep: InFile(path.as_ref().to_owned()) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Secants across a cut-off and across the edge of a box.
 
 use super::laws::Gravity;
-use crate::law::{PairLaw, Potential, Within};
+use crate::law::{CutOff, PairLaw, Potential};
 use crate::scene::space::{Open, Periodic, Space};
 use crate::scene::terms::way::Way;
 use crate::vector::{difference, dot};
@@ -31,7 +31,7 @@ fn holds<B: Space<2>>(name: &str, space: B, law: &impl Potential<2>, from: [f64;
 
 #[test]
 fn secants_are_exact_across_a_cut_off() {
-    let law = Within::new(Gravity { g: 1.3 }, 1.0);
+    let law = CutOff::new(Gravity { g: 1.3 }, 1.0);
     let between = PairLaw::<2, (), f64>::between(&law, [1.1], [0.7], 0.0);
     for (name, from, to) in [
         ("within", [0.3, 0.4], [-0.2, 0.7]),

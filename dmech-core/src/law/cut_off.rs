@@ -22,14 +22,14 @@ use crate::vector::{by_entry, dot, either, either_matrix, scaled, sum};
 /// the law's own secant up to the cut-off, times the part f of the way that lies within. The secant identity holds to
 /// rounding, it is along a + b, and it is continuous where an end comes to lie at r.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Within<X> {
+pub struct CutOff<X> {
     law: X,
     cutoff: f64,
 }
 
-impl<X> Within<X> {
+impl<X> CutOff<X> {
     pub(crate) fn new(law: X, cutoff: f64) -> Self {
-        Within { law, cutoff }
+        CutOff { law, cutoff }
     }
 
     /// The law itself.
@@ -43,11 +43,11 @@ impl<X> Within<X> {
     }
 }
 
-impl<X: LinearInVelocity> LinearInVelocity for Within<X> {}
+impl<X: LinearInVelocity> LinearInVelocity for CutOff<X> {}
 
-impl<X: VelocityIndependent> VelocityIndependent for Within<X> {}
+impl<X: VelocityIndependent> VelocityIndependent for CutOff<X> {}
 
-impl<P, X: Reads<P> + 'static> Reads<P> for Within<X> {
+impl<P, X: Reads<P> + 'static> Reads<P> for CutOff<X> {
     type Numbers = X::Numbers;
 
     fn numbers(mass: f64, data: &P) -> X::Numbers {
@@ -59,7 +59,7 @@ impl<P, X: Reads<P> + 'static> Reads<P> for Within<X> {
     }
 }
 
-impl<const D: usize, P, R: Real, X: PairLaw<D, P, R> + 'static> PairLaw<D, P, R> for Within<X> {
+impl<const D: usize, P, R: Real, X: PairLaw<D, P, R> + 'static> PairLaw<D, P, R> for CutOff<X> {
     type Between<'a>
         = Cut<X::Between<'a>, R>
     where
@@ -78,7 +78,7 @@ impl<const D: usize, P, R: Real, X: PairLaw<D, P, R> + 'static> PairLaw<D, P, R>
 }
 
 /// The numbers of the law, and r after them.
-impl<const D: usize, P, X: PairFields<D, P> + 'static> PairFields<D, P> for Within<X> {
+impl<const D: usize, P, X: PairFields<D, P> + 'static> PairFields<D, P> for CutOff<X> {
     type Fields = (X::Fields, [f64; 1]);
     type Moment<R: Real> = Cut<X::Moment<R>, R>;
 

@@ -12,7 +12,7 @@
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
-use crate::invariant::Drift;
+use crate::drift::Drift;
 #[cfg(feature = "scene")]
 use crate::scene::SceneState;
 use crate::state::State;

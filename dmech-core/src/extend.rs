@@ -110,6 +110,7 @@ pub use crate::algebra::OfVectors;
 pub use crate::changes::{Holds, LawMut};
 #[cfg(feature = "serde")]
 pub use crate::checkpoint::{Carried, Saved};
+pub use crate::drift::{Drifts, MAX_OWN, OwnDrifts};
 #[cfg(feature = "store")]
 pub use crate::ensemble::InFile;
 pub use crate::ensemble::{
@@ -125,7 +126,7 @@ pub use crate::error::{Disagreement, Place};
 pub use crate::error::{Reach, StoreError};
 #[cfg(any(feature = "ranks", feature = "store"))]
 pub use crate::flat::Flat;
-pub use crate::invariant::{Drifts, Kept, MAX_OWN, OwnDrifts};
+pub use crate::invariant::Kept;
 #[cfg(feature = "scene")]
 pub use crate::law::LinkLaw;
 pub use crate::law::{Between, Numbers, PairFields, PairLaw, Reads, Symmetric, radial};

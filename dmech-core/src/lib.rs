@@ -15,6 +15,7 @@ mod changes;
 mod checkpoint;
 #[cfg(feature = "serde")]
 mod components;
+mod drift;
 mod ensemble;
 mod error;
 #[cfg(any(feature = "ranks", feature = "store"))]
@@ -46,6 +47,7 @@ pub mod system;
 #[cfg(feature = "serde")]
 pub use checkpoint::{Carried, Checkpoint, Saved};
 pub use dmech_scalar::{DoubleDouble, Mask, Real};
+pub use drift::Drift;
 pub use ensemble::{Ensemble, EnsembleRun};
 #[cfg(feature = "serde")]
 pub use error::Difference;
@@ -54,7 +56,7 @@ pub use error::SceneError;
 #[cfg(feature = "store")]
 pub use error::StoreError;
 pub use error::{Disagreement, Error, Place};
-pub use invariant::{Drift, Invariant, Kept};
+pub use invariant::{Invariant, Kept};
 pub use law::{
     Between, Conservative, Derivation, Field, Force, Law, LinearInVelocity, MassIndependent, Masses, Numbers, PairLaw,
     Potential, Reads, Symmetric, VelocityIndependent, radial,

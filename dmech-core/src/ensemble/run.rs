@@ -5,8 +5,9 @@ use std::time::{Duration, Instant};
 
 use super::Outcome;
 use super::plan::{See, Tally};
+use crate::drift::Drift;
 use crate::error::Error;
-use crate::invariant::{Drift, Invariant};
+use crate::invariant::Invariant;
 use crate::run::{Columns, Interrupted, Run};
 
 /// The members of an ensemble after their motions, in their order.

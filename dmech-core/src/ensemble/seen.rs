@@ -3,7 +3,8 @@
 use dmech_scalar::{Compensated, Mask, Real, Rows, RowsMask};
 
 use super::together::Together;
-use crate::invariant::{Drift, Drifts, Invariant};
+use crate::drift::{Drift, Drifts};
+use crate::invariant::Invariant;
 use crate::law::Fields;
 use crate::run::Watch;
 use crate::scheme::ByLane;

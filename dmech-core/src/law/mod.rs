@@ -11,6 +11,7 @@ mod pair;
 mod perhaps;
 mod potential;
 #[doc(hidden)]
+pub mod radial;
 pub mod rotation;
 #[doc(hidden)]
 pub mod written;
@@ -23,7 +24,7 @@ pub use masses::Masses;
 pub use numbers::Numbers;
 #[cfg(feature = "scene")]
 pub use pair::LinkLaw;
-pub use pair::{Between, PairLaw, Reads, Symmetric, radial};
+pub use pair::{Between, PairLaw, Reads, Symmetric};
 pub use potential::{Force, Potential};
 
 use dmech_scalar::Real;

@@ -14,6 +14,7 @@ mod drive;
 pub(crate) mod elimination;
 mod equation;
 mod once;
+pub(crate) mod options;
 pub(crate) mod path;
 mod settle;
 mod settled;

@@ -6,8 +6,8 @@ use super::event::Event;
 #[cfg(feature = "plot")]
 use super::history::History;
 use super::zero::zero;
+use crate::drift::Drift;
 use crate::error::Error;
-use crate::invariant::Drift;
 
 /// What accompanies a run beside its record: events, observers, streams, watched quantities. They stand in a list in the type
 /// of the simulation, so that nothing is left of them in a run that has none.

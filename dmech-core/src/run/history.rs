@@ -1,6 +1,7 @@
 //! How invariants moved over a run, for its pictures.
 
-use crate::invariant::{Invariant, MAX_OWN};
+use crate::drift::MAX_OWN;
+use crate::invariant::Invariant;
 
 /// The most parts that a history is kept in.
 const PARTS: usize = 2048;

@@ -11,8 +11,8 @@ use super::progress::Follow;
 use super::report::Work;
 use super::simulation::{Plan, Settings};
 use super::{Interrupted, Run, Watch};
+use crate::drift::MAX_OWN;
 use crate::error::Error;
-use crate::invariant::MAX_OWN;
 use crate::stepper::in_parts;
 
 /// Makes the steps, and records the states that are due.

@@ -57,8 +57,9 @@ pub use simulation::{Attended, Simulation};
 pub use stream::{Sink, Stream};
 pub use watch::Watch;
 
+use crate::drift::{Drift, Drifts, OwnDrifts};
 use crate::error::Error;
-use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
+use crate::invariant::{Invariant, Kept};
 use crate::method::Method;
 #[cfg(not(any(feature = "ranks", feature = "store")))]
 use report::Work;

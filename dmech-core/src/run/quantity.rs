@@ -4,7 +4,7 @@ use super::attend::Attend;
 #[cfg(feature = "plot")]
 use super::history::History;
 use super::simulation::{Attended, Simulation};
-use crate::invariant::Drift;
+use crate::drift::Drift;
 use crate::setup::Setup;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {

@@ -3,7 +3,8 @@
 use core::fmt;
 use std::time::Duration;
 
-use crate::invariant::{Drift, Drifts, Invariant, Kept, OwnDrifts};
+use crate::drift::{Drift, Drifts, OwnDrifts};
+use crate::invariant::{Invariant, Kept};
 use crate::method::Method;
 use crate::text::Number;
 use crate::words::Word;

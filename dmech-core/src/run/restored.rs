@@ -2,8 +2,9 @@
 
 use super::report::Work;
 use super::{Event, Run, Simulation};
+use crate::drift::{Drifts, OwnDrifts};
 use crate::error::Error;
-use crate::invariant::{Drifts, Invariant, OwnDrifts};
+use crate::invariant::Invariant;
 use crate::method::Method;
 use crate::scheme::Scheme;
 use crate::setup::Setup;

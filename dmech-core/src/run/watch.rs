@@ -5,8 +5,9 @@ use dmech_scalar::{Compensated, Real};
 #[cfg(feature = "plot")]
 use super::history::Histories;
 use super::motion::{Invariants, Motion};
+use crate::drift::{Drift, Drifts, MAX_OWN, OwnDrifts};
 use crate::error::Error;
-use crate::invariant::{Drift, Drifts, Invariant, MAX_OWN, OwnDrifts};
+use crate::invariant::Invariant;
 use crate::scheme::Scheme;
 use crate::stepper::Stepper;
 use crate::system::System;

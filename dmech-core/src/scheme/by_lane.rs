@@ -2,7 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Lanes, Real, Rows, RowsMask};
 
-use crate::invariant::Drift;
+use crate::drift::Drift;
 
 /// Values of a kind, one in each lane of W rows.
 pub trait ByLane<T, const W: usize> {

@@ -4,7 +4,6 @@
 //! (`SceneSystem`), whose vectors are columns of numbers. A scheme cannot tell which it has.
 
 mod implicit;
-mod newton;
 mod particle;
 pub(crate) mod stages;
 mod step;
@@ -12,8 +11,8 @@ mod step;
 use core::fmt::Debug;
 
 pub use crate::look::{Course, EVALUATIONS, Frequency, Look, Stiffness};
+pub use crate::newton::options::{Guess, Newton};
 pub use implicit::ImplicitSteps;
-pub use newton::{Guess, Newton};
 pub use particle::{AtStages, Particle, ParticleFound, Stride};
 #[cfg(feature = "scene")]
 pub(crate) use particle::{PARTS, fall, not_converged};

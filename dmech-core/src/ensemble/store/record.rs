@@ -8,10 +8,11 @@ use rusqlite::Connection;
 use super::layout::Layout;
 use super::places::{Bodies, Head, Placed, rows};
 use super::table::{Reader, Writer};
+use crate::drift::{Drift, Drifts, OwnDrifts};
 use crate::ensemble::{Checksum, Outcome};
 use crate::error::StoreError;
 use crate::flat::Flat;
-use crate::invariant::{Drift, Drifts, Invariant, OwnDrifts};
+use crate::invariant::Invariant;
 use crate::run::{Crossing, Event, Interrupted, Restored, Work};
 use crate::words::{Word, word};
 

@@ -5,8 +5,8 @@ use std::panic::catch_unwind;
 
 use super::tracked::{MARGIN, ROUNDING};
 use super::{OwnValues, Values, Written};
+use crate::drift::MAX_OWN;
 use crate::error::{Culprit, Disagreement};
-use crate::invariant::MAX_OWN;
 
 /// Where a law is looked at; of a law between two bodies `q` is d = q_a − q_b, and there are two velocities and masses.
 #[derive(Clone, Copy, Debug)]

@@ -20,7 +20,7 @@ pub(crate) use pair::Between;
 
 use dmech_scalar::Real;
 
-use crate::invariant::MAX_OWN;
+use crate::drift::MAX_OWN;
 use crate::law::{Field, Fields, Law, Numbers, Potential};
 
 /// What generated code imports by the names of its variables: a pattern of one name is a new variable beside a function that is called

@@ -6,7 +6,7 @@ use dmech_scalar::Real;
 use super::{OwnValues, Written};
 use super::{Probe, Tracked, Values, named};
 #[cfg(feature = "scene")]
-use crate::invariant::MAX_OWN;
+use crate::drift::MAX_OWN;
 use crate::law::Potential;
 use crate::law::{Between as Acting, Numbers, PairFields, PairLaw};
 

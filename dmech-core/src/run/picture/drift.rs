@@ -6,7 +6,7 @@ use dmech_plot::{Area, Axis, BLUE, Drawn, Fit, INK, chart, dots, draw, headed, l
 
 use super::super::history::{History, Part};
 use super::Run;
-use crate::invariant::Drift;
+use crate::drift::Drift;
 
 /// By how much the largest deviation exceeds the usual one where the axis is logarithmic.
 const PEAKS: f64 = 100.0;

@@ -158,10 +158,10 @@ impl Ensemble {
 }
 
 impl<L, X, S, M> Ensemble<L, X, S, M> {
-    /// Has each member accompanied, by its number: by events, also such as end it, by quantities whose drift is looked at, by
+    /// Has each member accompanied, by its number: by events, also such as end it, by quantities whose drift is examined, by
     /// observers, by a stream of its own. To the bit what a [`Simulation`] alone would see.
     ///
-    /// Members ride in lanes as before; for events and observers each is looked at after every step, which takes some nanoseconds.
+    /// Members ride in lanes as before; for events and observers each is examined after every step, which takes some nanoseconds.
     ///
     /// ```
     /// use dmech_core::prelude::*;
@@ -326,7 +326,7 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Ensemble { beside: Beside { work: true, ..self.beside }, ..self }
     }
 
-    /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are looked at after the steps in
+    /// Keeps the states at these times of every member: [`Simulation::record_at`]. The invariants are examined after the steps in
     /// which they lie; times that a member does not reach are not recorded.
     pub fn record_at(self, times: impl IntoIterator<Item = f64>) -> Self {
         self.set(|common| common.record_at(times))
@@ -342,8 +342,8 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         Ensemble { hands: Hands { threads: Some(threads), ..self.hands }, ..self }
     }
 
-    /// With so many members side by side at most. If nothing is said, 8; of laws of five coordinates at most 16 with AVX2 and 32 with
-    /// AVX-512, but under `Gauss` and `LineIntegral`. The results are the same.
+    /// At most so many members side by side. By default 8, and for laws of at most five coordinates 16 with AVX2 and 32 with AVX-512,
+    /// except under `Gauss` and `LineIntegral`. The results are the same.
     pub fn lanes(self, lanes: usize) -> Self {
         Ensemble { hands: Hands { lanes: lanes.clamp(1, LANES), ..self.hands }, ..self }
     }

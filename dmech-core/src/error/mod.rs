@@ -346,7 +346,7 @@ fn not_positive(what: &str, name: &str, x: f64, advice: &str) -> String {
 /// A stream that has failed, with what its input may be that is no good.
 fn unwritten(kind: std::io::ErrorKind) -> String {
     let names = match kind {
-        std::io::ErrorKind::InvalidInput => ", as names of bodies are that are more than these, or not all different",
+        std::io::ErrorKind::InvalidInput => ", for example more names than bodies, or two bodies of the same name",
         _ => "",
     };
     format!("a recorded state could not be written: {kind}{names}")

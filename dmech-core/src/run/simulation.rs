@@ -201,8 +201,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// | `LineIntegral::order10()` | 0.56 | 1.7 | 2.6 |
     /// | `Gauss::order16()`, at 10⁻⁹ to 10⁻¹² | 0.01 | 0.9 | 3 |
     ///
-    /// A close encounter wants a finer tolerance of an explicit scheme: at e = 0.9999 they need 10⁻⁸ or less for what the
-    /// energy-exact ones give at any.
+    /// In close encounters explicit schemes need a finer tolerance: at e = 0.9999 they need 10⁻⁸ or less for what the energy-exact ones
+    /// give at any tolerance.
     ///
     /// Other sets of its stages are within 0.07 to 1.5 at e = 0.9, but for `SuzukiUmeno8` (3) and `Yoshida8` (10). Steps are made for
     /// a radian of the local motion at most, of `Gauss`, `LineIntegral` and `RungeKuttaNystrom` for 1.25 radians, so that very large
@@ -218,9 +218,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// [`Error::NoTimeScale`](crate::Error::NoTimeScale). Times are a compensated sum of the steps, and the last step of
     /// [`run_until`](Simulation::run_until) is shortened to land on the end exactly; [`run`](Simulation::run) and
     /// [`record_every`](Simulation::record_every) count steps. To find the next step the
-    /// rule looks at ∂a/∂q five times, which the report counts as five evaluations; steps that turn the motion by less than
-    /// 1/16 are equal in rows, and it looks once in a row, or before a longest step has gone by: a row ends where the motion has become
-    /// fast.
+    /// rule looks at ∂a/∂q five times, which the report counts as five evaluations. Steps that turn the motion by less than 1/16 radian
+    /// are made in rows of equal steps. The rule looks once per row, or before a longest step has passed, and ends a row early if the
+    /// motion has become fast.
     ///
     /// ```
     /// use dmech_core::prelude::*;

@@ -69,9 +69,9 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
     /// SELECT law_gm, max_relative FROM member JOIN drift USING (k) WHERE invariant = 'energy' ORDER BY max_relative DESC LIMIT 10;
     /// ```
     ///
-    /// **What is the same.** The set-ups of all members are written before the first is moved; a store is gone on from where they are
-    /// the same to the bit, and the same acts on every member where it starts and beside it. Another build, or another machine, may
-    /// round what acts otherwise, and is then refused. Threads, lanes and the progress bar may change.
+    /// **What must be the same.** The set-ups of all members are written before the first is moved. A sweep goes on from a store if the
+    /// set-ups are the same to the bit, and if what acts on each member is, at its start and at a place displaced from it. Another
+    /// build, or another machine, may round what acts differently, and is then refused. Threads, lanes and the progress bar may change.
     ///
     /// **What accompanies members** ([`with`](Ensemble::with)) is compared by how many events and watched quantities there are, not by
     /// what they do: a program that watches something else begins another store. It accompanies members that are moved; those that are

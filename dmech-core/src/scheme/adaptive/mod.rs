@@ -43,8 +43,8 @@ use pacing::MIDDLE;
 /// motion backward, and a reversible scheme stays reversible: what it keeps does not begin to drift because steps differ.
 ///
 /// Of two bodies of a scene at a separation d with a relative velocity v, 10¹² ‖K‖ w⁵ is added, with w = u³/(u² + 45² ‖K‖²)
-/// and u = v²/d²: one that passes another fast is seen before it is there. That is not among what grows, and ρ is at least
-/// ⅔ of it.
+/// and u = v²/d²: one that passes another fast is seen before it is there. This term does not enter the growth rate
+/// d ln ω/dt, and ρ is kept at ⅔ of its frequency or above.
 ///
 /// An explicit reversible rule cannot pull ρ back to ω, or it would push it away on the way back. On smooth motions they
 /// stay together to O(ε²). Where they come apart by more than [2/3, 3/2], in a collision with a wall or in steps too long

@@ -13,8 +13,8 @@ use crate::law::Potential;
 /// The slope is that of a difference over a thousandth of the coordinate, told from rounding, from extrema, kinks and
 /// points of inflection, where a gradient may be 0, by being the same on both sides and over half the distance.
 ///
-/// A slope is missed by nobody that on the whole way to the origin would change less of the kinetic energy than rounding does, as in
-/// the far tail of a well. Of a coordinate that is pinned the gradient is 0 for another reason.
+/// A slope does not count if over the whole way to the origin it would change the kinetic energy by less than rounding does, as in the
+/// far tail of a well. Pinned coordinates are left out: their gradient is 0 for another reason.
 pub(crate) fn lost_force<P: Potential<D, R>, const D: usize, R: Real>(
     law: &P,
     q: [R; D],

@@ -53,8 +53,8 @@
 //! An `#[invariant]`, a number of `q` and `v`, is watched in runs beside energy and momenta: [`Run::drift_of`].
 //! A `#[force]` may depend on the position `q`, the velocity `v`, `m` and `t`, alone or beside a potential; it brings
 //! [`Force`] with its analytic Jacobians. What a law can be stepped by follows from its expression: `Leapfrog`,
-//! `Nystrom`, `RungeKuttaNystrom`, `Relaxed`, `ForceGradient` and `Kanatani` refuse a force that depends on the velocity when the
-//! program is compiled, and `Boris` one that is not linear in it.
+//! `CompensatedLeapfrog`, `Nystrom`, `RungeKuttaNystrom`, `Relaxed`, `ForceGradient` and `Kanatani` refuse a force that depends on the
+//! velocity when the program is compiled, and `Boris` one that is not linear in it.
 //! [`Derivation::derivation`] shows everything that was derived in readable mathematics.
 //!
 //! # Bodies and the laws between them

@@ -269,7 +269,8 @@ pub enum Error {
         /// The time step.
         dt: f64,
     },
-    /// The equation of an implicit step has no solution that can be reached from a shorter step.
+    /// The equation of an implicit step has no solution that can be reached from a shorter step, or none that the sweeps of
+    /// [`Gauss`](crate::Gauss) and [`LineIntegral`](crate::LineIntegral) or the corrections of [`Relaxed`](crate::Relaxed) lead to.
     #[error(
         "step {step} from t = {} with dt = {} {}",
         Number(*time),
@@ -283,9 +284,11 @@ pub enum Error {
         time: f64,
         /// The time step.
         dt: f64,
-        /// Newton corrections made; 0 where no root was found that continues the motion.
+        /// Newton corrections made, from all starting points together, and 0 where no root was found that continues the motion; sweeps
+        /// made by `Gauss` and `LineIntegral`; corrections of λ made by `Relaxed`.
         iterations: u32,
-        /// Largest component of the last correction (a length); infinite where that was no number.
+        /// The last Newton correction, a length; of `Gauss` and `LineIntegral` the largest change of a push in the last sweep, in units
+        /// of rounding; of `Relaxed` the last |λ|. Infinite where that was no number.
         residual: f64,
     },
     /// A study that does not end after it starts, or at no finite time, or a run that is to end before.

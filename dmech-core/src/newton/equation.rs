@@ -263,13 +263,14 @@ impl<const D: usize, R: Real> Correction<D, R> {
     }
 }
 
-/// The iteration did not settle.
+/// The iteration did not settle: Newton's method, the sweeps of [`Gauss`](crate::Gauss) and [`LineIntegral`](crate::LineIntegral), or the
+/// corrections of [`Relaxed`](crate::Relaxed).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotConverged {
-    /// Corrections made. As wide as a number of the increment, whose place in a result it shares: narrower, it would have
-    /// every increment taken apart into halves (3 of the 38 ns of a step).
+    /// Newton corrections, sweeps, or corrections of λ that were made. As wide as a number of the increment, whose place in a result it
+    /// shares: narrower, it would have every increment taken apart into halves (3 of the 38 ns of a step).
     pub iterations: u64,
-    /// Largest component of the last correction (a length).
+    /// The last Newton correction, a length; or the largest change of a push in the last sweep, in units of rounding; or the last |λ|.
     pub residual: f64,
 }
 

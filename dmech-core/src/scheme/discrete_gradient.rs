@@ -30,7 +30,8 @@ use crate::system::{ImplicitSteps, Step};
 /// # Requires
 /// Φ finite on both ends of each step; for a law that names the time the discrete gradient is that of the mid-time.
 /// # Errors
-/// [`NotConverged`] with iterations and residual.
+/// A run ends with [`Error::NotConverged`](crate::Error::NotConverged), which has the corrections made and the last of them, or, where
+/// the law is not finite on the way, with [`Error::LawInStep`](crate::Error::LawInStep).
 /// # Reference
 /// R. LaBudde and D. Greenspan, J. Comput. Phys. 15 (1974) 134; K. Kanatani, J. Comput. Phys. (1983–84), §3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

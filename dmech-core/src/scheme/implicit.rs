@@ -26,7 +26,8 @@ use crate::system::{ImplicitSteps, Step};
 /// `Implicit` is a value and a type; `Implicit.with(...)` sets options.
 ///
 /// # Errors
-/// [`NotConverged`] with iterations and residual.
+/// A run ends with [`Error::NotConverged`](crate::Error::NotConverged), which has the corrections made and the last of them, or, where
+/// the law is not finite on the way, with [`Error::LawInStep`](crate::Error::LawInStep).
 /// # Reference
 /// D. Greenspan, Univ. of Wisconsin, Computer Sciences TR 122 (1971), §2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -35,7 +35,8 @@ use crate::system::{Ahead, ImplicitSteps, Kick, Step, System};
 /// # Requires
 /// Forces that do not depend on the velocity.
 /// # Errors
-/// [`NotConverged`] with iterations and residual.
+/// A run ends with [`Error::NotConverged`](crate::Error::NotConverged), which has the corrections made and the last of them, or, where
+/// the law is not finite on the way, with [`Error::LawInStep`](crate::Error::LawInStep).
 /// # Reference
 /// K. Kanatani, "The Accuracy and the Preservation Property of the Discrete Mechanics", J. Comput. Phys. (1983–84).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

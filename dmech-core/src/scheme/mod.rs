@@ -148,8 +148,8 @@ pub trait Scheme<Y: System>: Method {
         None
     }
 
-    /// Takes steps of another length from here on, `ratio` times those before; t is the time now. Returns the evaluations of
-    /// the force that this takes.
+    /// Takes steps of another length from here on, `ratio` times those before; t is the time now. `stride` is that of the steps to
+    /// come, for which [`pace`](Scheme::pace) was called before. Returns the evaluations of the force that this takes.
     #[inline(always)]
     fn stretch(
         &self,

@@ -127,7 +127,8 @@ pub trait System: Sized {
     }
     /// q += h (v + v′)/2.
     fn drift_by_mean(stride: &Self::Stride, q: &mut Self::Vector, v: &Self::Vector, next: &Self::Vector);
-    /// to ← v − b (h/m) ∇Φ + e (h³/m²) H ∇Φ, at one position: the force may not depend on the velocity where e is not 0.
+    /// to ← v − b (h/m) S + e (h³/m²) J S, at one position, with the whole slope S = ∇Φ − F and J = ∂S/∂q: the force may not depend on
+    /// the velocity where e is not 0.
     fn kick(
         &self,
         room: &mut Self::Room,
@@ -165,7 +166,7 @@ pub trait System: Sized {
         to: &mut Self::Vector,
         work: &mut Self::Work,
     );
-    /// From one position the velocities before and after a kick that has half its length on either side.
+    /// The velocities half a kick before and half a kick after a state: `kick` is that half already, and is made backward and forward.
     fn kick_both_ways(
         &self,
         room: &mut Self::Room,

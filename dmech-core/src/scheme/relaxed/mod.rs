@@ -48,8 +48,9 @@ use crate::system::System;
 /// # Requires
 /// Forces that do not depend on the velocity, as [`Nystrom`].
 /// # Errors
-/// [`NotConverged`](crate::extend::NotConverged), with the corrections made and the last λ, where a step is so long that
-/// a correction would change the velocity by more than a part in sixteen, or leads nowhere.
+/// Where a step is so long that a correction would change the velocity by more than a part in sixteen, or leads nowhere, a run ends with
+/// [`Error::NotConverged`](crate::Error::NotConverged), which has the corrections made and the last |λ|, or, where the law is not finite on
+/// the way, with [`Error::LawInStep`](crate::Error::LawInStep).
 /// # Reference
 /// E. Hairer, C. Lubich and G. Wanner, Geometric Numerical Integration (2nd ed., 2006), IV.4: projection; D. I. Ketcheson, SIAM J. Numer.
 /// Anal. 57 (2019) 2850–2870: relaxation.

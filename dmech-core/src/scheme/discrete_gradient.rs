@@ -25,6 +25,18 @@ use crate::system::{ImplicitSteps, Step};
 /// Multiplying the second equation by Δq = q′ − q gives K′ − K = −(Φ′ − Φ). Position and velocity are compensated
 /// sums: their rounding would otherwise be the largest error of the energy, and grow in proportion to the time.
 ///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("../examples/quartic.md")]
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// // However long the step is.
+/// for dt in [0.1, 1.0] {
+///     let run = quartic.clone().scheme(DiscreteGradient).dt(dt).run_until(1000.0)?;
+///     assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// `DiscreteGradient` is a value and a type; `DiscreteGradient.with(...)` sets options.
 ///
 /// # Requires

@@ -24,6 +24,17 @@ use crate::system::{Beginning, Kick, System};
 /// A bound orbit spirals outward. The work-energy balance Kₙ − K₀ = Σ F_k·Δq_k is exact all the same: it is the
 /// definition of work that makes it so.
 ///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("../examples/quartic.md")]
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// let run = quartic.scheme(Explicit).dt(0.01).run_until(10.0)?;
+/// assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-13);
+/// // The energy is gained, step by step.
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() > 0.1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Shapes and units
 /// q, v: `[R; D]` in any consistent units; dt in the unit of time.
 /// # Reference

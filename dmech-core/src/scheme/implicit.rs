@@ -23,6 +23,16 @@ use crate::system::{ImplicitSteps, Step};
 /// a′)/2: v′ = 2Δ/h − v would amplify the round-off by 1/h. The work-energy balance holds with the mean force, W = Σ (F + F′)/2·Δq
 /// (2.7)–(2.9).
 ///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("../examples/quartic.md")]
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// let run = quartic.scheme(Implicit).dt(0.1).run_until(1000.0)?;
+/// assert!(run.drift(Invariant::WorkEnergy).unwrap().max_relative() < 1e-13);
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 6e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// `Implicit` is a value and a type; `Implicit.with(...)` sets options.
 ///
 /// # Errors

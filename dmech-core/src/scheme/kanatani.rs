@@ -30,6 +30,16 @@ use crate::system::{Ahead, ImplicitSteps, Kick, Step, System};
 /// The start is q₋₁ = q₀ − h v₀ + (h²/2) a₀, that is z₀ = v₀ − (h/2) a₀ (the paper's text prints + where (3.1) gives −; with +
 /// the order falls to 1). From a pericentre with a large step that start is itself wrong: [`Start::BackwardStep`].
 ///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("../examples/quartic.md")]
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// let run = quartic.scheme(Kanatani).dt(0.1).run_until(1000.0)?;
+/// assert!(run.drift(Invariant::DiscreteEnergy).unwrap().max_relative() < 1e-13);
+/// assert!(run.drift(Invariant::Energy).unwrap().max_relative() < 0.02);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// `Kanatani` is a value and a type; `Kanatani.with(...)` and `Kanatani.start(...)` set options.
 ///
 /// # Requires

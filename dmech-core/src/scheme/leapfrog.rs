@@ -18,6 +18,19 @@ use crate::invariant::{Invariant, Kept};
 /// velocities themselves are in [`SplittingMemory`](crate::scheme::SplittingMemory). Work is F_k·(q_{k+1} − q_{k−1})/2, with the kinetic
 /// energy of the half steps, as Greenspan §3 suggests and Kanatani (3.3) carries out.
 ///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("../examples/quartic.md")]
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// // The energy goes to and fro: by as much in 100 000 steps as in a hundred.
+/// for end in [10.0, 10_000.0] {
+///     let run = quartic.clone().scheme(Leapfrog).dt(0.1).run_until(end)?;
+///     let moved = run.drift(Invariant::Energy).unwrap().max_relative();
+///     assert!(4e-3 < moved && moved < 5e-3);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Requires
 /// Forces that do not depend on the velocity (Greenspan §3, last sentence).
 /// # Reference

@@ -24,6 +24,18 @@ use crate::system::tableau::{STAGES, Tableau};
 /// found the degree in the expression. Sweeps, sums, long steps and laws with choices are as those of
 /// [`Gauss`](crate::Gauss), which is S = 8.
 ///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("../../examples/quartic.md")]
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// let quartic = quartic.dt(1.0);
+/// let moved = |run: Run<State<1>>| run.drift(Invariant::Energy).unwrap().max_relative();
+/// assert!(moved(quartic.clone().scheme(LineIntegral::order8()).run_until(1000.0)?) < 1e-13);
+/// // Of degree 4, with S = 5, it is bounded only.
+/// assert!(moved(quartic.scheme(LineIntegral::order10()).run_until(1000.0)?) > 1e-11);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Requires, Errors
 /// As [`Gauss`](crate::Gauss).
 /// # Reference

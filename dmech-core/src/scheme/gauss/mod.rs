@@ -37,6 +37,22 @@ use crate::invariant::{Invariant, Kept};
 /// these again in halves; such steps, and those in which the force of a law with choices bends or jumps (which costs
 /// order), are counted in [`Report::rough`](crate::Report::rough).
 ///
+/// **As it is computed.** The unknowns are the pushes Lᵢ = −(h²/m) bᵢ S(Qᵢ, Vᵢ, t + cᵢ h), with the slope S = ∇Φ − F. They are lengths,
+/// and positions and velocities follow from them as [`Staged`](crate::extend::Staged) says. The work of a step is Σ m Ṽᵢ·Lᵢ/h with the
+/// velocities Ṽᵢ = v + Σⱼ λᵢⱼ Lⱼ/h at which the force works. Here λ = μ, and Ṽᵢ is Vᵢ; in [`LineIntegral`] it is Vᵢ projected on the
+/// polynomials below degree S.
+///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("../../examples/quartic.md")]
+/// let quartic = Simulation::new(Quartic { k: 1.7 }, State::new([1.0], [0.3]));
+/// let long = quartic.clone().scheme(Gauss::order16()).dt(1.0).run_until(1000.0)?;
+/// assert!(long.drift(Invariant::Energy).unwrap().max_relative() < 1e-8);
+/// let short = quartic.scheme(Gauss::order16()).dt(0.25).run_until(1000.0)?;
+/// assert!(short.drift(Invariant::Energy).unwrap().max_relative() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Requires
 /// A law that can be asked for eight positions at once: every law that a macro writes, and a law by hand that is implemented for
 /// every scalar.

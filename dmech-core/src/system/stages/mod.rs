@@ -70,7 +70,7 @@ pub trait Staged: System<Scalar: Staging> {
     fn nearing(aim: &Self::Aim) -> &Nearing<Self::Scalar>;
     /// Moves position and velocity to the end of the step.
     fn settle_pushes(tableau: &Tableau, stride: &Self::Stride, pushes: &Self::Pushes, moves: [&mut Self::Sum; 2]);
-    /// Σ F·Ṽ bᵢ h over the stages, of a step of length dt that began with the velocity v.
+    /// Σ m Ṽᵢ·Lᵢ/h over the stages, with Ṽᵢ = v + Σⱼ λᵢⱼ Lⱼ/h, of a step of length dt that began with the velocity v.
     fn work_of_pushes(
         &self,
         tableau: &Tableau,

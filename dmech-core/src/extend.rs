@@ -94,7 +94,7 @@
 //! ```
 //!
 //! `dmech::verify_scheme(DriftKickDrift).assert()` in a test measures that it has the order, keeps the invariants and finds the
-//! way back that it claims, on laws and on a scene. Where the steps leave nothing but rounding, as from order 6 on, the order is
+//! way back that it claims, on laws and on a scene. Where the steps leave nothing but rounding, as beyond order 6, the order is
 //! *n/a*; `dmech::Study` measures it in steps of your choice, and compares the scheme with others.
 //!
 //! An implicit scheme asks for [`ImplicitSteps`] in place of [`System`], for one of its three equations, and settles what was

@@ -493,6 +493,49 @@ fn no_step_allocates() {
     assert_eq!((counted, stepper.steps()), (0, 1000));
 }
 
+/// e^{k(q − 1)} beside a spring: a wall that one step runs into.
+#[derive(Clone, Copy, Debug)]
+struct SteepWall {
+    k: f64,
+}
+
+#[dmech::law]
+impl SteepWall {
+    #[potential]
+    fn energy(&self, q: [f64; 1]) -> f64 {
+        0.5 * q[0] * q[0] + (self.k * (q[0] - 1.0)).exp()
+    }
+}
+
+/// A step that fails, however often it is made again, leaves the stepper where it was, its next step and its counts; a step that is made
+/// again is paid for as often as it is made.
+#[test]
+fn a_step_that_fails_changes_nothing() {
+    let start = State::new([0.0], [2.0]);
+    let motion = Simulation::new(SteepWall { k: 200.0 }, start).scheme(RungeKuttaNystrom::order12()).adaptive(1e-12);
+    let mut stepper = motion.stepper().unwrap();
+    let failed = (0..40).any(|_| {
+        let before = (stepper.next_dt(), stepper.evaluations(), stepper.iterations(), stepper.checkpoint());
+        let failed = stepper.step().is_err();
+        if failed {
+            let after = (stepper.next_dt(), stepper.evaluations(), stepper.iterations(), stepper.checkpoint());
+            assert_eq!(before, after);
+        }
+        failed
+    });
+    assert!(failed);
+
+    let motion = Simulation::new(SteepWall { k: 20.0 }, start).scheme(DiscreteGradient).adaptive(10.0);
+    let mut stepper = motion.clone().stepper().unwrap();
+    let wanted = stepper.next_dt();
+    stepper.step().unwrap();
+    assert!(stepper.t() < 0.6 * wanted, "{} of {wanted}", stepper.t());
+    // Both tries have corrections, and each has an evaluation for each beside the looks.
+    let made = motion.dt(1.001 * stepper.t()).stepper().and_then(|mut alone| alone.step().map(|()| alone)).unwrap();
+    assert!(stepper.iterations() > made.iterations(), "{} and {}", stepper.iterations(), made.iterations());
+    assert_eq!(stepper.evaluations() - stepper.iterations(), 2 * (made.evaluations() - made.iterations()));
+}
+
 /// A contact that is as long as the longest step is not passed by steps that are equal in rows: a smaller tolerance never
 /// gives more than the error of a larger one.
 #[test]

@@ -262,7 +262,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
     }
 
     fn lane(&self, all: &Paced<L, S, D, W>, lane: usize) -> <Self as Scheme<Particle<L, D>>>::Memory {
-        crate::scheme::AdaptiveMemory { inner: all.memory.lane(lane), pacing: all.pacing.lane(lane) }
+        crate::scheme::AdaptiveMemory { inner: all.memory.lane(lane), pacing: all.pacing.lane(lane), too_long: false }
     }
 
     fn state(&self, system: &Together<L, D, W>, all: &Paced<L, S, D, W>) -> (Rows<W>, [[Rows<W>; D]; 2]) {

@@ -277,9 +277,4 @@ pub struct NotConverged {
 impl NotConverged {
     /// What root there is does not continue that of a shorter step. Of a linear equation no iteration changes that.
     pub const NOT_CONTINUED: Self = NotConverged { iterations: 0, residual: f64::INFINITY };
-
-    /// A step that is to be made again, shorter, and what it has cost.
-    pub(crate) fn too_long(evaluations: u32) -> Self {
-        NotConverged { iterations: evaluations.into(), residual: f64::INFINITY }
-    }
 }

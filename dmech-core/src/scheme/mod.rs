@@ -113,8 +113,12 @@ pub trait Scheme<Y: System>: Method {
         workspace: &mut Self::Workspace,
     ) -> Result<Effort<Y::Scalar>, NotConverged>;
 
-    /// Whether there is a shorter step from here than the one that has failed. The memory, which is that before it, then has it as the
-    /// next, and that is made.
+    /// Whether the step that has led here was too long, and is to be made again by a [shorter](Scheme::shorten) one.
+    fn too_long(&self, _memory: &Self::Memory) -> bool {
+        false
+    }
+
+    /// Makes the next step a shorter one, if there is one: it is made in place of one that was too long, or had no solution.
     fn shorten(&self, _stride: &Y::Stride, _memory: &mut Self::Memory) -> bool {
         false
     }

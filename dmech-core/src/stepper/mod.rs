@@ -140,31 +140,40 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         }
         self.scheme.ready(self.steps() + 1, &self.memory)?;
         let t = Y::Scalar::from_f64(self.t());
-        let mut next = self.copy();
+        let (mut next, mut spent, mut shorter) = (self.copy(), Effort::default(), 0);
         loop {
-            match self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace) {
-                Ok(effort) if self.scheme.finite(&next) && self.is_placed(self.steps + 1, &next) => {
+            let made = self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace);
+            if let Ok(effort) = made {
+                spent += effort;
+                let stands = self.scheme.finite(&next) && self.is_placed(self.steps + 1, &next);
+                if stands && !self.scheme.too_long(&next) {
                     self.steps += 1;
-                    self.evaluations += effort.evaluations.to_u64();
-                    self.iterations += effort.iterations.to_u64();
+                    self.evaluations += spent.evaluations.to_u64();
+                    self.iterations += spent.iterations.to_u64();
                     see(self, &self.memory, &next);
                     self.go_on_from(next);
                     return Ok(());
                 }
-                other if self.scheme.shorten(&self.stride, &mut self.memory) => {
-                    self.evaluations += match other {
-                        Ok(effort) => effort.evaluations.to_u64(),
-                        Err(lost) => lost.iterations,
-                    };
-                    next.clone_from(&self.memory);
-                }
-                other => {
-                    let error = self.failure(other.err(), &next);
-                    self.lay_aside(next);
-                    return Err(error);
-                }
+            }
+            let cause = made.err();
+            if (cause.is_some() || self.scheme.too_long(&next))
+                && let Some(memory) = self.shorter(shorter + 1)
+            {
+                shorter += 1;
+                next.clone_from(&memory);
+            } else {
+                let error = self.failure(cause, &next, shorter);
+                self.lay_aside(next);
+                return Err(error);
             }
         }
+    }
+
+    /// The memory before a step that has been shortened so often, if it can be.
+    #[cold]
+    fn shorter(&self, times: u32) -> Option<S::Memory> {
+        let mut memory = self.memory.clone();
+        (0..times).all(|_| self.scheme.shorten(&self.stride, &mut memory)).then_some(memory)
     }
 
     /// Whether driven bodies are somewhere after so many steps from the start.
@@ -238,7 +247,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             let effort = self.scheme.step(&self.system, &self.stride, t, memory, &mut self.workspace).ok()?;
             evaluations += effort.evaluations.to_u64();
             iterations += effort.iterations.to_u64();
-            if !self.is_placed(step + 1, memory) {
+            if self.scheme.too_long(memory) || !self.is_placed(step + 1, memory) {
                 return None;
             }
         }
@@ -294,7 +303,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         }
     }
 
-    /// The length of the next step.
+    /// The length of the next step, if it is not made again by a shorter one, as a step that follows the motion may be.
     pub fn next_dt(&self) -> f64 {
         self.scheme.next_dt(self.dt, &self.memory)
     }
@@ -360,9 +369,10 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 
     /// Why the next step failed, which left `after` behind.
     #[cold]
-    fn failure(&self, cause: Option<NotConverged>, after: &S::Memory) -> Error {
+    fn failure(&self, cause: Option<NotConverged>, after: &S::Memory, shorter: u32) -> Error {
         let (step, t) = (self.steps() + 1, self.t());
-        let (dt, v) = (self.next_dt(), self.velocity(t));
+        let dt = self.shorter(shorter).map_or(self.next_dt(), |memory| self.scheme.next_dt(self.dt, &memory));
+        let v = self.velocity(t);
         match cause {
             Some(cause) => self.system.unsolved(step, [self.position(), &v], t, dt, cause),
             None => self.system.not_finite(step, [self.scheme.position(after), &v], t, dt),

@@ -51,7 +51,7 @@ use pacing::MIDDLE;
 /// to see ω change, ρ is set to the end of that range: there the rule is not reversible, and what is put right again and again would let
 /// the energy drift. So if ω itself, not the term of what passes, has outgrown ρ, the step is made again with half the ε, which holds for
 /// the rest of the run, and is 0.3 at least: such steps see ω change on smooth motions. Where ε is that already, ρ becomes ω. A step is
-/// also made again if ω has fallen to a quarter of ρ, as of one that was thrown to where nothing acts, and if it failed.
+/// also made again if ω has fallen to a quarter of ρ, as of one that was thrown to where nothing acts, and if its equation has no solution.
 ///
 /// # Reference
 /// E. Hairer and G. Söderlind, SIAM J. Sci. Comput. 26 (2005) 1838–1851: the rule for ρ. E. Hairer, C. Lubich and
@@ -75,18 +75,20 @@ pub struct AdaptiveMemory<M> {
     pub inner: M,
     /// Where its steps are.
     pub(crate) pacing: Pacing,
+    /// The last has not seen the motion change.
+    pub(crate) too_long: bool,
 }
 
 impl<M: Clone> Clone for AdaptiveMemory<M> {
     #[inline(always)]
     fn clone(&self) -> Self {
-        AdaptiveMemory { inner: self.inner.clone(), pacing: self.pacing }
+        AdaptiveMemory { inner: self.inner.clone(), ..*self }
     }
 
     /// Without a new allocation.
     fn clone_from(&mut self, other: &Self) {
         self.inner.clone_from(&other.inner);
-        self.pacing = other.pacing;
+        (self.pacing, self.too_long) = (other.pacing, other.too_long);
     }
 }
 
@@ -213,7 +215,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         let (angle, last, dt, left, landing) = (self.angle, first, first, self.row, false);
         let mut pacing = Pacing { density, angle, last, dt, left, landing, time, range };
         self.plan(longest, &mut pacing);
-        Ok(AdaptiveMemory { inner, pacing })
+        Ok(AdaptiveMemory { inner, pacing, too_long: false })
     }
 
     #[inline(always)]
@@ -225,7 +227,7 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
         memory: &mut Self::Memory,
         workspace: &mut Self::Workspace,
     ) -> Result<Effort, NotConverged> {
-        let AdaptiveMemory { inner: memory, pacing } = memory;
+        let AdaptiveMemory { inner: memory, pacing, too_long } = memory;
         if Y::dt(&workspace.stride) != pacing.dt {
             self.set_pace(system, pacing.dt, workspace);
         }
@@ -241,13 +243,16 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
             let v = self.scheme.velocity(system, now, end, memory);
             let look = system.look(room, end, q, &v, pacing.least(longest));
             effort.evaluations += EVALUATIONS;
-            if self.is_too_long(&look, pacing) {
-                return Err(NotConverged::too_long(effort.evaluations));
-            }
+            *too_long = self.is_too_long(&look, pacing);
             self.looked(&look, true, pacing);
         }
         self.plan(longest, pacing);
         Ok(effort)
+    }
+
+    #[inline(always)]
+    fn too_long(&self, memory: &Self::Memory) -> bool {
+        memory.too_long
     }
 
     fn shorten(&self, stride: &Y::Stride, memory: &mut Self::Memory) -> bool {

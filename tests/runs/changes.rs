@@ -132,6 +132,13 @@ fn a_broken_law_is_told_by_the_next_step() {
     let same = stepper.clone();
     assert_eq!(stepper.law_mut().gm, 1.3);
     assert_eq!(stepper.steps(), same.steps());
+    // On a body of a scene: after so many steps.
+    let sun = Scene::new().body(1.0, START.q, START.v).field(Kepler { gm: 1.3 });
+    let mut scene = Simulation::scene(sun).scheme(Leapfrog).dt(0.01).stepper().unwrap();
+    scene.advance(5).unwrap();
+    scene.law_mut::<Kepler>().unwrap().gm = f64::NAN;
+    let told = scene.step().unwrap_err();
+    assert!(matches!(told, Error::Body { body: 0, step: 5, time, .. } if time == scene.t()), "{told:?}");
 }
 
 type Laws = ((((), OnBonds<Spring>), OnPairs<Gravity>), OnEach<Wind>);

@@ -334,6 +334,16 @@ pub enum Error {
     Store(#[from] StoreError),
 }
 
+impl Error {
+    /// That of a start on the way, after so many steps.
+    pub(crate) fn after(mut self, steps: u64) -> Self {
+        if let Error::Link { step, .. } | Error::Body { step, .. } | Error::Path { step, .. } = &mut self {
+            *step = steps;
+        }
+        self
+    }
+}
+
 /// What is no positive number: by itself, or where the numbers of the motion have a narrower range.
 fn not_positive(what: &str, name: &str, x: f64, advice: &str) -> String {
     if x > 0.0 && x.is_finite() {

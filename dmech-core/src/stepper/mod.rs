@@ -56,7 +56,7 @@ impl<Y: System + Clone, S: Scheme<Y>> Clone for Stepper<Y, S> {
     }
 }
 
-/// What a scheme carries from a state on.
+/// What a scheme carries from a state on, which is that before a step.
 #[inline(never)]
 fn begun<Y: System, S: Scheme<Y>>(
     step: u64,
@@ -66,11 +66,11 @@ fn begun<Y: System, S: Scheme<Y>>(
     start: &Y::State,
     workspace: &mut S::Workspace,
 ) -> Result<S::Memory, Error> {
-    let departure = Departure::prepared(system, start)?;
+    let departure = Departure::prepared(system, start).map_err(|error| error.after(step - 1))?;
     match scheme.begin(system, stride, &departure.beginning(), workspace) {
         Ok(memory) => scheme.ready(step, &memory).map(|()| memory),
         // A start that solves an equation makes a step backward.
-        Err(cause) => Err(departure.unsolved(system, 0, -Y::dt(stride).to_f64(), cause)),
+        Err(cause) => Err(departure.unsolved(system, step - 1, -Y::dt(stride).to_f64(), cause)),
     }
 }
 

@@ -182,16 +182,16 @@ impl<const D: usize> Solver<D> {
     /// b = q + Δ, and G there.
     fn take_gradient<U: Unknown<D>>(&mut self, Part { equation, unknown, theta }: Part<'_, U, D>) {
         self.place::<U>(equation);
-        let force_at = if U::MIDDLE { [&self.middle, &self.velocity] } else { [&self.place, &self.velocity] };
-        unknown.gradient(theta, &self.place, force_at, &mut self.gradient);
+        let x = if U::MIDDLE { &self.middle } else { &self.place };
+        unknown.gradient(theta, &self.place, [x, &self.velocity], &mut self.gradient);
     }
 
     /// The Jacobian at the place of the position, and the factors of its matrix; `false` if that is not as it must be.
     fn take_jacobian<U: Unknown<D>>(&mut self, part: Part<'_, U, D>) -> bool {
         let Part { equation, unknown, theta } = part;
         self.matrix.clear();
-        let force_at = if U::MIDDLE { [&self.middle, &self.velocity] } else { [&self.place, &self.velocity] };
-        unknown.jacobian(theta, &self.place, force_at, equation.rate, &mut self.matrix);
+        let x = if U::MIDDLE { &self.middle } else { &self.place };
+        unknown.jacobian(theta, &self.place, [x, &self.velocity], equation.rate, &mut self.matrix);
         if theta == 1.0 {
             return self.matrix.factorise(equation.g, kind::<U, D>());
         }

@@ -47,7 +47,7 @@ impl<R: Real> Pacing<R> {
         self.dt / self.last
     }
 
-    /// Where a step that did not see ω grow is made again, shorter.
+    /// Where there is a shorter step for one that has not seen ω change.
     #[inline(always)]
     pub(crate) fn may_shorten(&self) -> R::Mask {
         R::from_f64(SEES).less(self.angle)

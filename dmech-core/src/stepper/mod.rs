@@ -284,7 +284,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             return Err(Error::OutsideStep { time: t, from: now, to: end });
         }
         if self.waits {
-            Departure::prepared(&self.system, &self.start)?;
+            Departure::prepared(&self.system, &self.start).map_err(|error| error.after(self.steps()))?;
         }
         let single = |from: &Y::State, t| self.between(self.steps() + 1, from, t).map(|(state, _)| (state, [0; 2]));
         in_parts(&single, Y::time, &self.state(), t).map(|(state, _)| state)

@@ -3,6 +3,7 @@
 use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Square, Symbol, Unary};
 use crate::hash::Map;
 
+use super::centre::{distance_below, limit};
 use super::slopes::{
     binary_slopes, inverse_cosh_slope, is_cardinal_slope, power_slope, power_slope_by, slope, unless_vanishing,
 };
@@ -82,9 +83,13 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             }
+            if let Some(share) = self.by_what_is_below(graph, node, adjoint) {
+                arriving.entry(share.0).or_default().push(share.1);
+                continue;
+            }
             // A root has a slope of 0 where all of it is of an order above the first; 1/√s times √s cancels anyhow.
             let flat = graph.is_flat(adjoint, node) && !graph.has_factor(adjoint, node);
-            let alone = graph.as_number(adjoint).is_some();
+            let alone = self.of_slope && graph.root(node).is_some() && self.is_constant(graph, adjoint);
             for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
                 // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
@@ -94,6 +99,22 @@ impl<'a> Walk<'a> {
             }
         }
         found
+    }
+
+    /// Whether there is none of the symbols in a slope on the way.
+    fn is_constant(&self, graph: &Graph, e: Expr) -> bool {
+        let is_one = |e: &Expr| matches!(graph.node(*e), Node::Symbol(symbol) if self.symbols.contains(symbol));
+        !graph.reachable(&[e]).iter().any(is_one)
+    }
+
+    /// What is below a root, and the share of it in the slope of a law that vanishes with the root.
+    fn by_what_is_below(&self, graph: &mut Graph, node: Expr, adjoint: Expr) -> Option<(Expr, Expr)> {
+        let below = distance_below(graph, node).filter(|_| !self.of_slope && !graph.has_factor(adjoint, node))?;
+        let limit = limit(graph, adjoint, &[(node, below)])?;
+        let quotient = graph.div(adjoint, node);
+        let quotient = graph.scale(0.5, quotient);
+        let lost = Condition::lost(graph, below);
+        Some((below, graph.select(lost, limit, quotient)))
     }
 
     /// The children that depend on a symbol, each with ∂node/∂child; of roots that may vanish, what is below them.
@@ -226,6 +247,7 @@ impl<'a> Walk<'a> {
                 continue;
             }
             let (child, order, slope) = match graph.root(f) {
+                Some(_) if flat && n == 1 && !self.of_slope && distance_below(graph, f).is_some() => (f, 1.0, vec![]),
                 Some(root) if (1..root.degree).contains(&n) && (self.of_slope || flat) => {
                     (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                 }

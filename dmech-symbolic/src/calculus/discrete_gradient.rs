@@ -12,6 +12,7 @@ use std::rc::Rc;
 use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Square, Substitution, Symbol};
 use crate::hash::Map;
 
+use super::centre::{distance_below, limit, value};
 use super::divided_difference::{divided_difference, of_part_of_root, of_power, of_root};
 use super::piecewise::{self, Placed};
 use super::two_arguments::{of_angle, of_powf, one_sided, unless_vanishing};
@@ -92,6 +93,10 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             continue;
         }
         let flat = graph.is_flat(adjoint, node);
+        if !flat && let Some((below, share)) = by_what_is_below(graph, node, adjoint, ends) {
+            arriving[below.index()].push(share);
+            continue;
+        }
         let of_root = if flat { of_flat_root(graph, node, adjoint, ends) } else { None };
         let factors = match of_root {
             Some(factor) => vec![factor],
@@ -103,6 +108,28 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
         }
     }
     found
+}
+
+/// What is below a root, and the share of it in the discrete gradient of what vanishes with the root: A(rₐ, r_b)/(rₐ + r_b), its limit
+/// between 0 and 0. From 0 to r, where the root has no derivative and the whole does, it is A(0, r)/r.
+fn by_what_is_below(graph: &mut Graph, node: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Option<(Expr, Expr)> {
+    let below = distance_below(graph, node)?;
+    let ((a, b), (below_a, below_b)) = (ends.values(graph, node), ends.values(graph, below));
+    let sum = graph.add(&[a, b]);
+    if graph.has_factor(adjoint, sum) {
+        return None;
+    }
+    let limit = limit(graph, adjoint, &[(a, below_a), (b, below_b)])?;
+    let between = graph.div(adjoint, sum);
+    // Halves in the sums: the [tangent](super::tangent) of a root that vanishes is then 0.
+    let halves = [a, b].map(|root| graph.scale(0.5, root));
+    let (zero, middle) = (graph.zero(), graph.add(&halves));
+    let r = graph.scale(2.0, middle);
+    let from_zero = value(graph, between, &mut Substitution::of_expressions([(a, zero), (b, r)])).unwrap_or(between);
+    let (square, product) = (graph.square(middle), graph.mul(&[below_a, below_b]));
+    let [neither, either] = [square, product].map(|power| Condition::lost(graph, power));
+    let beside = graph.select(either, from_zero, between);
+    Some((below, graph.select(neither, limit, beside)))
 }
 
 /// A root in what is of a higher order than the first; √a + √b may be among the factors that it comes times, and cancels.

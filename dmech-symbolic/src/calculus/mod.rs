@@ -1,5 +1,6 @@
 //! Derivatives and their discrete counterparts.
 
+mod centre;
 mod derivative;
 mod discrete_gradient;
 mod divided_difference;

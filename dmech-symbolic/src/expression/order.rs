@@ -27,7 +27,14 @@ impl Graph {
                 let shifted = least == 0.0 && moving.peek().is_some() && moving.all(|&(_, term)| self.is_linear(term));
                 if shifted { 1.0 } else { least }
             }
-            Node::Product { factors, .. } => factors.iter().map(|&(f, n)| f64::from(n) * self.order(f)).sum(),
+            Node::Product { factors, .. } => {
+                // (x − c) √(x² + y²) vanishes with the root to the first order only.
+                let centred = factors.iter().any(|&(f, _)| self.order(f) != 0.0 && !self.is_shifted(f));
+                let order = |&(f, n): &(Expr, i32)| {
+                    if centred && self.is_shifted(f) { 0.0 } else { f64::from(n) * self.order(f) }
+                };
+                factors.iter().map(order).sum()
+            }
             Node::Unary(Unary::Sqrt, u) => self.order(*u) / 2.0,
             Node::Unary(Unary::Cbrt, u) => self.order(*u) / 3.0,
             Node::Unary(f, u) if f.exact_value(0.0) == Some(0.0) => self.order(*u),
@@ -134,7 +141,16 @@ impl Graph {
 
     /// A coordinate, or a multiple of one.
     fn is_linear(&self, e: Expr) -> bool {
-        let is_coordinate = |e: Expr| matches!(self.node(e), Node::Symbol(_)) && self.order(e) == 1.0;
-        self.order(e) == 1.0 && self.factors(e).1.iter().any(|&(f, _)| is_coordinate(f))
+        self.order(e) == 1.0 && self.factors(e).1.iter().any(|&(f, _)| self.is_coordinate(f))
+    }
+
+    pub(crate) fn is_coordinate(&self, e: Expr) -> bool {
+        matches!(self.node(e), Node::Symbol(_)) && self.order(e) == 1.0
+    }
+
+    /// x − c, which vanishes elsewhere than x does.
+    fn is_shifted(&self, e: Expr) -> bool {
+        matches!(self.node(e), Node::Sum { constant, terms } if self.order(e) == 1.0
+            && (*constant != Number::ZERO || terms.iter().any(|&(_, term)| self.order(term) == 0.0)))
     }
 }

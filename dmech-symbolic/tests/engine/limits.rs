@@ -160,6 +160,72 @@ fn roots_of_a_higher_order_have_a_centre() {
     }
 }
 
+/// What is of an order above the first only as a whole, such as eʳ − r − 1, has a slope of 0 where r vanishes, and the second derivative
+/// that it comes to there; with a slope of its own, however small, it has none.
+#[test]
+fn wholes_of_a_higher_order_have_a_centre() {
+    fn elsewhere(q: &[E], p: &[E]) -> E {
+        let r = ((q[0] - p[1]).powi(2) + 4.0 * (q[1] - p[2]).powi(2)).sqrt();
+        p[0] * (r.exp() - r)
+    }
+    let at_rest: [(Formula, [f64; 2]); 12] = [
+        (|q, p| p[0] * (norm(q).exp() - norm(q) - 1.0), [1.0, 1.0]),
+        (|q, p| p[0] * ((p[1] * norm(q)).exp() - p[1] * norm(q)) / p[1].powi(2), [1.0, 1.0]),
+        (|q, p| p[0] * (norm(q) - (1.0 + norm(q)).ln()), [1.0, 1.0]),
+        (|q, p| p[0] * (norm(q) / p[1] - (norm(q) / p[1]).of(Unary::Ln1p)) * p[1].powi(2), [1.0, 1.0]),
+        (|q, p| p[0] * (norm(q) - norm(q).sin()), [0.0, 0.0]),
+        (|q, p| p[0] * (norm(q) - norm(q).of(Unary::Tanh)), [0.0, 0.0]),
+        (|q, p| 0.5 * p[0] * (1.0 - (-norm(q)).exp()).powi(2), [1.0, 1.0]),
+        (|q, p| p[0] * (norm(q) + 1.0 / (1.0 + norm(q))), [2.0, 2.0]),
+        (|q, p| p[0] * norm(q) * norm(q).sin(), [2.0, 2.0]),
+        (|q, p| p[0] * (norm(q).exp() - norm(q)) + q[0].powi(2) * norm(q), [1.0, 1.0]),
+        (|q, p| p[0] * (norm(q).exp() - norm(q) * (1.0 - q[0])), [1.0, 1.0]),
+        (|q, p| p[0] * choose(q[1].less(2.0), norm(q).exp() - norm(q), 1.0), [1.0, 1.0]),
+    ];
+    let elsewhere: (Formula, [f64; 2]) = (elsewhere, [1.0, 4.0]);
+    let laws = at_rest.into_iter().map(|law| (law, [0.0; 2])).chain([(elsewhere, [PARAMETERS[1], PARAMETERS[2]])]);
+    for (k, ((formula, second), centre)) in laws.enumerate() {
+        let mut law = Law::build(2, formula);
+        assert_eq!(gradient(&mut law, &centre), [0.0, 0.0], "{k}");
+        let kernels = law.kernels().pointwise;
+        let second = second.map(|x| x * PARAMETERS[0]);
+        let there = law.at(&centre, &centre);
+        let close = |found: &[f64], factor: f64| {
+            let expected = [second[0] * factor, 0.0, 0.0, second[1] * factor];
+            (0..4).all(|i| (found[i] - expected[i]).abs() < 1e-14)
+        };
+        let hessian = kernels.hessian.run(&there);
+        assert!(close(&hessian, 1.0), "{k}: {hessian:?}");
+        assert_eq!(kernels.discrete_gradient.run(&there), [0.0, 0.0], "{k}");
+        let matrix = kernels.discrete_gradient_jacobian.run(&there);
+        // A product of two that vanish has the mean of each by itself, and half of that.
+        assert!(close(&matrix, if k == 8 { 0.25 } else { 0.5 }), "{k}: {matrix:?}");
+        let places = [[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [1e-5, 0.0], [0.0, 1e-9], [3e-160, 4e-160]];
+        let places = places.map(|place| [centre[0] + place[0], centre[1] + place[1]]);
+        for (a, b) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
+            let slope = kernels.discrete_gradient.run(law.at(a, b));
+            let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
+            let [start, end] = [a, b].map(|q| kernels.potential.run(law.at(q, q))[0]);
+            assert!((work - (end - start)).abs() < 1e-14, "{k} from {a:?} to {b:?}: {work}, {}", end - start);
+            let matrix = kernels.discrete_gradient_jacobian.run(law.at(a, b));
+            assert!(matrix.iter().all(|x| x.is_finite()), "{k} from {a:?} to {b:?}: {matrix:?}");
+        }
+    }
+    let cusps: [Formula; 6] = [
+        |q, _| norm(q).exp() - 0.999 * norm(q),
+        |q, p| norm(q).exp() - p[0] * norm(q),
+        |q, _| norm(q) - 2.0 * (1.0 + norm(q)).ln(),
+        |q, _| norm(q).sin() + q[0],
+        |q, _| norm(q).exp() - norm(q) * (1.0 - norm(q).sin() / norm(q)),
+        |q, _| norm(q).sqrt().exp() - norm(q).sqrt(),
+    ];
+    for (k, formula) in cusps.into_iter().enumerate() {
+        let mut law = Law::build(2, formula);
+        let found = gradient(&mut law, &[0.0, 0.0]);
+        assert!(found.iter().any(|x| !x.is_finite()), "{k}: {found:?}");
+    }
+}
+
 /// |q|^p with a parameter p > 1 is least at the centre, whatever units |q| has, and no slope is infinite on the way there.
 #[test]
 fn powers_of_distances_have_a_centre() {

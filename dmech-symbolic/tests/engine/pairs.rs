@@ -387,7 +387,10 @@ fn jacobians_of_forces() {
 /// Two bodies at one place, with a law that is least there: nothing acts, and the Newton matrices are finite.
 #[test]
 fn bodies_may_be_at_one_place() {
-    let laws: [Formula; 6] = [
+    let laws: [Formula; 9] = [
+        |p| p.k * (p.r.exp() - p.r),
+        |p| p.r - (1.0 + p.r).ln(),
+        |p| p.k * (1.0 - (-p.r).exp()).powi(2),
         |p| p.r * p.r.sin(),
         |p| p.r.of(Unary::Sinh) * p.r.of(Unary::Asinh),
         |p| p.r.powf(1.5),

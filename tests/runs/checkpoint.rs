@@ -261,7 +261,8 @@ fn another_simulation_is_refused_with_what_differs() {
     refused(same(), DiscreteGradient, 0.02, saved, "dt is 0.01 in the checkpoint against 0.02");
     refused(same(), Leapfrog, 0.01, saved, "the checkpoint is of DiscreteGradient, this simulation of Leapfrog");
     let options = DiscreteGradient.with(Newton::from_previous());
-    refused(same(), options, 0.01, saved, "DiscreteGradient has other options than in the checkpoint");
+    let apart = "DiscreteGradient has other options: `guess: Predicted` in the checkpoint against `guess: Previous`";
+    refused(same(), options, 0.01, saved, apart);
     refused(same().at_time(2.0), DiscreteGradient, 0.01, saved, "the start is at t = 0 in the checkpoint against 2");
     let pinned = "body 0 is pinned in the checkpoint and free in this scene";
     refused(chain().chain(law), DiscreteGradient, 0.01, saved, pinned);
@@ -476,4 +477,19 @@ impl Tether {
         let stretch = (r - self.cap).max(0.0);
         stretch * stretch
     }
+}
+
+/// What is another in the options is told, also where they stand within those of a scheme within.
+#[test]
+fn other_options_are_named() {
+    let orbit = || Simulation::new(Kepler::default(), State::new([1.0, 0.0], [0.0, 0.8]));
+    let mut stepper = orbit().scheme(Gauss::order16()).adaptive(1e-6).stepper().unwrap();
+    stepper.advance(5).unwrap();
+    let refused = |error: Option<Error>| error.unwrap().to_string();
+    let said = refused(orbit().scheme(Gauss::order16()).adaptive(1e-7).resume(&stepper.checkpoint()).err());
+    assert!(said.ends_with("has other options: `tolerance: 1e-6` in the checkpoint against `tolerance: 1e-7`"), "{said}");
+    let within = |newton| orbit().scheme(Composed::order4(Implicit.with(newton))).dt(0.01);
+    let saved = within(Newton::from_previous()).stepper().unwrap().checkpoint();
+    let said = refused(within(Newton::predicted()).resume(&saved).err());
+    assert!(said.ends_with("`guess: Previous` in the checkpoint against `guess: Predicted`"), "{said}");
 }

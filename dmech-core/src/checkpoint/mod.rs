@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Difference;
 use crate::method::Method;
-use crate::name::Name;
+use crate::name::{Name, options_apart};
 
 /// Where a simulation stands: everything that the next step needs, and what shows that it is the same simulation.
 ///
@@ -135,7 +135,8 @@ impl Checkpoint {
             return Err(Difference::Scheme { checkpoint: Name::of(&[&self.scheme]), here: S::NAME });
         }
         if self.options != here.options {
-            return Err(Difference::Options { scheme: S::NAME });
+            let [checkpoint, here] = options_apart(&self.options, &here.options);
+            return Err(Difference::Options { scheme: S::NAME, checkpoint, here });
         }
         let ([start, dt], [start_here, dt_here]) = (self.times(), here.times());
         if !same(dt, dt_here) {

@@ -100,9 +100,17 @@ impl fmt::Display for Disagreement {
                  `clamp` panics where its upper end lies below the lower, and an integer where it overflows"
             );
         }
+        write!(f, " the method gives the {quantity} {written:?}, and what was derived from its text {derived:?}. ")?;
+        if written.is_infinite() || derived.is_infinite() {
+            return write!(
+                f,
+                "The two calculate in another order, and something on the way is larger than any number: take other units, in which \
+                 masses and constants are nearer to 1"
+            );
+        }
         write!(
             f,
-            " the method gives the {quantity} {written:?}, and what was derived from its text {derived:?}. A name in it stands \
+            "A name in it stands \
              for something else than the macro, which sees text only, takes it for: a constant, module or type of your own \
              that is called like one of `std` or nalgebra, or two variables of a `macro_rules!` that are spelt alike; give it \
              another name"

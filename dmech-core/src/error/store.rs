@@ -100,10 +100,14 @@ pub enum StoreError {
         here: &'static str,
     },
     /// The options of the scheme.
-    #[error("{scheme} has other options than in the store")]
+    #[error("{scheme} has other options: `{store}` in the store against `{here}`")]
     Options {
         /// The scheme.
         scheme: &'static str,
+        /// The first that differs, in the store.
+        store: Name,
+        /// In the ensemble.
+        here: Name,
     },
     /// The tolerance; NaN where there is none.
     #[error("the tolerance is {} in the store against {}", Number(*store), Number(*here))]

@@ -6,7 +6,7 @@ use rusqlite::{Connection, OptionalExtension};
 use crate::ensemble::told::{Said, Told};
 use crate::error::{Reach, StoreError};
 use crate::flat::Flat;
-use crate::name::Name;
+use crate::name::{Name, options_apart};
 use crate::words::word;
 
 /// The form of a store, to be raised when a table changes.
@@ -103,7 +103,14 @@ fn difference(scheme: &'static str, key: &'static str, store: &Value, here: &Val
         }
         ("dimension", &Value::Integer(store), &Value::Integer(here)) => StoreError::Dimension { store, here },
         ("scheme", Value::Text(store), _) => StoreError::Scheme { store: Name::of(&[store]), here: scheme },
-        ("options" | "order", ..) => StoreError::Options { scheme },
+        ("options", Value::Text(store), Value::Text(here)) => {
+            let [store, here] = options_apart(store, here);
+            StoreError::Options { scheme, store, here }
+        }
+        ("order", &Value::Integer(store), &Value::Integer(here)) => {
+            let [store, here] = [store, here].map(|order| Name::of(&[&format!("order {order}")]));
+            StoreError::Options { scheme, store, here }
+        }
         ("looks" | "fields" | "invariants" | "company", Value::Text(store), Value::Text(here)) => {
             let (store, here) = beside(store, here);
             match key {

@@ -197,7 +197,7 @@ fn a_run_that_fails_is_a_row() {
     assert!(table.contains("fastest at 1e-6: not reached") && !table.contains("NaN"), "{table}");
     assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
     // Nor is there a reference for such a motion.
-    let error = Study::new(Well { g: 1.0 }, State::new([0.0], [0.0]), 5.0).scheme(Leapfrog).run().unwrap_err();
+    let error = Study::new(Well { g: 1.0 }, State::new([0.0], [0.0]), 100.0).scheme(Leapfrog).run().unwrap_err();
     assert!(matches!(error, StudyError::Motion(Error::NotConverged { .. } | Error::NotFinite { .. })), "{error}");
 }
 

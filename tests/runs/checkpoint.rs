@@ -487,7 +487,10 @@ fn other_options_are_named() {
     stepper.advance(5).unwrap();
     let refused = |error: Option<Error>| error.unwrap().to_string();
     let said = refused(orbit().scheme(Gauss::order16()).adaptive(1e-7).resume(&stepper.checkpoint()).err());
-    assert!(said.ends_with("has other options: `tolerance: 1e-6` in the checkpoint against `tolerance: 1e-7`"), "{said}");
+    assert!(
+        said.ends_with("has other options: `tolerance: 1e-6` in the checkpoint against `tolerance: 1e-7`"),
+        "{said}"
+    );
     let within = |newton| orbit().scheme(Composed::order4(Implicit.with(newton))).dt(0.01);
     let saved = within(Newton::from_previous()).stepper().unwrap().checkpoint();
     let said = refused(within(Newton::predicted()).resume(&saved).err());

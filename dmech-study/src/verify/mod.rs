@@ -1,10 +1,12 @@
 //! A law, or a scheme, put through what the tests of this project do.
 //!
 //! [`verify`] measures a law and every scheme that fits it: what was derived against the method as it is written, derivatives
-//! against differences, the identities of the discrete gradient, the order of convergence, invariants, reversibility.
+//! against differences, that no potential jumps, the identities of the discrete gradient, the order of convergence, invariants,
+//! reversibility.
 //! [`verify_scheme`] measures a scheme on motions of its own. The outcome is data, a table, and one line in a test.
 
 mod bowl;
+mod continuity;
 mod derivatives;
 mod difference;
 mod keeps;
@@ -119,6 +121,7 @@ impl<L: Law<D>, const D: usize> Verify<L, D> {
         }
         let mut checks = Vec::new();
         text::check(&of, &mut checks);
+        continuity::check(&of, &mut checks);
         derivatives::check(&of, &mut checks);
         secant::check(&of, &mut checks);
         of.scheme(Explicit, &mut checks);

@@ -43,6 +43,8 @@ pub(super) fn number(x: f64, scalar: &Ident) -> TokenStream {
         quote!(#scalar::ONE)
     } else if Number::new(x) == Number::LEAST {
         quote!(#scalar::least())
+    } else if Number::new(x) == Number::ROUNDING {
+        quote!(#scalar::rounding())
     } else {
         // As it is debugged: with an exponent where it is far from 1.
         let magnitude: Literal =

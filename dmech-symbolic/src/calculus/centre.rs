@@ -1,44 +1,136 @@
-//! Roots in what is of an order above the first only as a whole: in eʳ − r − 1 the distance r has a slope of 0 where it vanishes.
+//! Distances in what is of an order above the first only as a whole: eʳ − r − 1 has a slope of 0 where r vanishes, and r has none there.
 //!
 //! What its slope comes to there is a derivative again: this file and [`derivative`](super::derivative) call each other, as far down as
 //! roots are nested.
 
-use crate::expression::{Binary, Expr, Graph, Node, Number, Substitution, Unary};
+use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Substitution, Unary};
 use crate::hash::Map;
 
 use super::derivative::derivative;
 
-/// What is below a square root that vanishes to the first order or above.
-pub(super) fn distance_below(graph: &Graph, root: Expr) -> Option<Expr> {
-    let below = graph.root(root).filter(|root| root.degree == 2)?.below;
-    (graph.own_order(root) >= 1.0).then_some(below)
+/// A distance √Σx², or √Σ(x − c)².
+pub(super) struct Distance {
+    pub(super) below: Expr,
+    /// The coordinates where it vanishes.
+    place: Vec<(Expr, Expr)>,
 }
 
-/// A′(0)/2 of a slope or secant A in which a root stands, at each of its ends, if A is seen to vanish where all of them do; 0 where A has
-/// no such derivative.
-pub(super) fn limit(graph: &mut Graph, slope: Expr, ends: &[(Expr, Expr)]) -> Option<Expr> {
-    let zero = graph.zero();
-    let mut centre = Substitution::default();
-    for &(root, below) in ends {
-        let opposite = graph.neg(below);
-        [root, below, opposite].into_iter().for_each(|vanishing| centre.remember(vanishing, zero));
-        for (coordinate, place) in place(graph, below) {
-            centre.remember(coordinate, place);
+impl Distance {
+    /// The root as a distance.
+    pub(super) fn of(graph: &mut Graph, root: Expr) -> Option<Self> {
+        let below = graph.root(root).filter(|root| root.degree == 2)?.below;
+        if graph.own_order(root) != 1.0 {
+            return None;
         }
+        let place = place(graph, below)?;
+        Some(Distance { below, place })
+    }
+}
+
+/// A slope or secant A toward a root r as one toward r²: A/(r + r′) with r and r′ at the two ends, or A/2r where these are one, and its
+/// limit A′/2 where that is 0/0. Where parts of A cancel, the quotient has no digits near there, and the limit is taken wherever A is its
+/// linear part to rounding.
+///
+/// None unless A is seen to vanish where the root does: then the law has no slope there.
+pub(super) fn by_the_square(graph: &mut Graph, slope: Expr, ends: &[(Expr, Distance)]) -> Option<Expr> {
+    let mut centre = Substitution::default();
+    for (root, distance) in ends {
+        let (zero, opposite) = (graph.zero(), graph.neg(distance.below));
+        [*root, distance.below, opposite].into_iter().for_each(|vanishing| centre.remember(vanishing, zero));
+        distance.place.iter().for_each(|&(coordinate, place)| centre.remember(coordinate, place));
     }
     if value(graph, slope, &mut centre).is_none_or(|there| !graph.is_zero(there)) {
         return None;
     }
+    graph.remember_centre();
+    let limit = rise(graph, slope, ends);
+    // Halves in the sums: the [tangent](super::tangent) of a root that vanishes is then 0.
+    let part = 1.0 / ends.len() as f64;
+    let parts: Vec<_> = ends.iter().map(|&(root, _)| graph.scale(part, root)).collect();
+    let middle = graph.add(&parts);
+    let roots: Vec<_> = ends.iter().map(|&(root, _)| root).collect();
+    let sum = graph.add(&roots);
+    let sum = graph.scale(2.0 * part, sum);
+    if !cancels(graph, slope, &mut centre) {
+        let (square, quotient) = (graph.square(middle), divided(graph, slope, sum));
+        let lost = Condition::lost(graph, square);
+        return Some(graph.select(lost, limit, quotient));
+    }
+    let (quotient, linear) = (graph.div(slope, sum), graph.mul(&[limit, sum]));
+    let rest = graph.sub(slope, linear);
+    let size = size(graph, slope, &mut centre);
+    // Without a number before it, which would be multiplied with that for a rounding.
+    let (number, _) = graph.factors(size);
+    let [rest, size] = [rest, size].map(|e| graph.scale(number.value().recip(), e));
+    let (rest, rounding) = (graph.unary(Unary::Abs, rest), graph.number(Number::ROUNDING.value()));
+    let rounding = graph.mul(&[rounding, size]);
+    Some(graph.select(Condition::less_or_equal(rest, rounding), limit, quotient))
+}
+
+/// A quotient, summand by summand: r f(r)/r is f(r).
+fn divided(graph: &mut Graph, e: Expr, by: Expr) -> Expr {
+    let Node::Sum { constant, terms } = graph.node(e).clone() else { return graph.div(e, by) };
+    let constant = graph.number(constant.value());
+    let mut summands = vec![graph.div(constant, by)];
+    for (c, term) in terms {
+        let quotient = graph.div(term, by);
+        summands.push(graph.scale(c.value(), quotient));
+    }
+    graph.add(&summands)
+}
+
+/// Whether what vanishes is a sum of parts that do not.
+fn cancels(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> bool {
+    let mut vanishes = |graph: &mut Graph, e: Expr| {
+        let there = centre.apply(graph, e);
+        graph.is_zero(there)
+    };
+    match graph.node(e).clone() {
+        Node::Sum { terms, .. } => !terms.iter().all(|&(_, term)| vanishes(graph, term)),
+        Node::Product { factors, .. } => {
+            let vanishing: Vec<_> = factors.iter().filter(|&&(f, _)| vanishes(graph, f)).collect();
+            vanishing.iter().any(|&&(f, _)| cancels(graph, f, centre))
+        }
+        _ => false,
+    }
+}
+
+/// A′/2 at 0, of A with the roots at all ends the same; 0 if that is not finite.
+fn rise(graph: &mut Graph, slope: Expr, ends: &[(Expr, Distance)]) -> Expr {
     let symbol = graph.coordinate("r");
-    let r = graph.symbol(symbol);
+    let (zero, r) = (graph.zero(), graph.symbol(symbol));
     let along = Substitution::of_expressions(ends.iter().map(|&(root, _)| (root, r))).apply(graph, slope);
     let rise = derivative(graph, along, symbol);
     let rise = value(graph, rise, &mut Substitution::of_expressions([(r, zero)]));
-    Some(rise.map_or(zero, |rise| graph.scale(0.5, rise)))
+    rise.map_or(zero, |rise| graph.scale(0.5, rise))
+}
+
+/// How large the parts are that cancel in what vanishes.
+fn size(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> Expr {
+    match graph.node(e).clone() {
+        Node::Sum { constant, terms } => {
+            let mut sizes = vec![graph.number(constant.value().abs())];
+            for &(c, term) in &terms {
+                let size = graph.unary(Unary::Abs, term);
+                sizes.push(graph.scale(c.value().abs(), size));
+            }
+            graph.add(&sizes)
+        }
+        Node::Product { coefficient, factors } => {
+            let factors = factors.iter().map(|&(f, n)| {
+                let there = centre.apply(graph, f);
+                let vanishes = n > 0 && graph.is_zero(there);
+                (if vanishes { size(graph, f, centre) } else { graph.unary(Unary::Abs, f) }, n)
+            });
+            let factors = factors.collect();
+            graph.product_of(Number::new(coefficient.value().abs()), factors)
+        }
+        _ => graph.unary(Unary::Abs, e),
+    }
 }
 
 /// An expression after a replacement, if it does not divide by the number 0 then: 0·∞ would be taken for 0.
-pub(super) fn value(graph: &mut Graph, e: Expr, replacement: &mut Substitution) -> Option<Expr> {
+fn value(graph: &mut Graph, e: Expr, replacement: &mut Substitution) -> Option<Expr> {
     let image = replacement.apply(graph, e);
     let (mut seen, mut open) = (Map::default(), vec![e]);
     while let Some(e) = open.pop() {
@@ -61,12 +153,9 @@ pub(super) fn value(graph: &mut Graph, e: Expr, replacement: &mut Substitution) 
         match node {
             Node::Select(_, yes, no) => {
                 let [taken, first, second] = [e, yes, no].map(|e| replacement.apply(graph, e));
-                open.extend(
-                    [(yes, second), (no, first)]
-                        .map(|(branch, other)| (taken != other || first == second).then_some(branch))
-                        .into_iter()
-                        .flatten(),
-                );
+                let branches = [(yes, second), (no, first)];
+                let taken = branches.into_iter().filter(|&(_, other)| taken != other || first == second);
+                open.extend(taken.map(|(branch, _)| branch));
             }
             _ => open.extend(graph.children(e)),
         }
@@ -74,28 +163,44 @@ pub(super) fn value(graph: &mut Graph, e: Expr, replacement: &mut Substitution) 
     Some(image)
 }
 
-/// Where a sum of squares vanishes: at 0 in a coordinate that is squared by itself, at c in one that x − c is squared of.
-fn place(graph: &mut Graph, squares: Expr) -> Vec<(Expr, Expr)> {
-    let Node::Sum { constant: Number::ZERO, terms } = graph.node(squares).clone() else { return vec![] };
-    let mut found = vec![];
-    for (c, term) in terms {
-        let base = match graph.node(term) {
-            Node::Product { factors, .. } if c.value() > 0.0 => match factors[..] {
-                [(base, n)] if n > 0 && n % 2 == 0 => base,
-                _ => return vec![],
+/// Where a sum of squares vanishes: at 0 in a coordinate that is squared by itself, at c in one that x − c is squared of. Whatever else is
+/// squared has to vanish there too.
+fn place(graph: &mut Graph, squares: Expr) -> Option<Vec<(Expr, Expr)>> {
+    let (mut found, mut others, mut open) = (vec![], vec![], vec![squares]);
+    while let Some(e) = open.pop() {
+        match graph.node(e).clone() {
+            Node::Symbol(_) if graph.order(e) == 2.0 => {}
+            Node::Sum { constant: Number::ZERO, terms } if terms.iter().all(|&(c, _)| c.value() > 0.0) => {
+                open.extend(terms.iter().map(|&(_, term)| term));
+            }
+            Node::Product { coefficient, factors } if coefficient.value() > 0.0 => match factors[..] {
+                [(base, n)] if n > 0 && n % 2 == 0 => match zero_of(graph, base) {
+                    Some(zero) => found.push(zero),
+                    None => others.push(base),
+                },
+                [(squares, 1)] => open.push(squares),
+                _ => return None,
             },
-            _ => return vec![],
-        };
-        let at = match graph.node(base).clone() {
-            Node::Symbol(_) => Some((base, graph.zero())),
-            Node::Sum { terms, .. } => terms.iter().find(|&&(_, term)| graph.is_coordinate(term)).map(|&(c, term)| {
-                let moving = graph.scale(c.value(), term);
-                let rest = graph.sub(base, moving);
-                (term, graph.scale(-c.value().recip(), rest))
-            }),
-            _ => None,
-        };
-        found.extend(at);
+            _ => return None,
+        }
     }
-    found
+    let mut there = Substitution::of_expressions(found.iter().copied());
+    let vanishes = others.into_iter().all(|base| {
+        let value = there.apply(graph, base);
+        graph.is_zero(value)
+    });
+    vanishes.then_some(found)
+}
+
+/// The coordinate in x or x − c, and where that is 0.
+fn zero_of(graph: &mut Graph, e: Expr) -> Option<(Expr, Expr)> {
+    if graph.is_coordinate(e) {
+        return Some((e, graph.zero()));
+    }
+    let Node::Sum { terms, .. } = graph.node(e) else { return None };
+    let &(c, term) = terms.iter().find(|&&(_, term)| graph.is_coordinate(term))?;
+    let own = graph.scale(c.value(), term);
+    let rest = graph.sub(e, own);
+    let alone = !graph.reachable(&[rest]).contains(&term);
+    alone.then(|| (term, graph.scale(-c.value().recip(), rest)))
 }

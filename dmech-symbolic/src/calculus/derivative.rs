@@ -3,7 +3,7 @@
 use crate::expression::{Binary, Choice, Condition, Expr, Graph, Node, Number, Square, Symbol, Unary};
 use crate::hash::Map;
 
-use super::centre::{distance_below, limit};
+use super::centre::{Distance, by_the_square};
 use super::slopes::{
     binary_slopes, inverse_cosh_slope, is_cardinal_slope, power_slope, power_slope_by, slope, unless_vanishing,
 };
@@ -83,12 +83,17 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             }
-            if let Some(share) = self.by_what_is_below(graph, node, adjoint) {
-                arriving.entry(share.0).or_default().push(share.1);
-                continue;
+            let distance = if self.of_slope { None } else { Distance::of(graph, node) };
+            let is_distance = distance.is_some();
+            if let Some(distance) = distance.filter(|_| !graph.has_factor(adjoint, node)) {
+                let below = distance.below;
+                if let Some(share) = by_the_square(graph, adjoint, &[(node, distance)]) {
+                    arriving.entry(below).or_default().push(share);
+                    continue;
+                }
             }
             // A root has a slope of 0 where all of it is of an order above the first; 1/√s times √s cancels anyhow.
-            let flat = graph.is_flat(adjoint, node) && !graph.has_factor(adjoint, node);
+            let flat = !is_distance && graph.is_flat(adjoint, node) && !graph.has_factor(adjoint, node);
             let alone = self.of_slope && graph.root(node).is_some() && self.is_constant(graph, adjoint);
             for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
@@ -105,16 +110,6 @@ impl<'a> Walk<'a> {
     fn is_constant(&self, graph: &Graph, e: Expr) -> bool {
         let is_one = |e: &Expr| matches!(graph.node(*e), Node::Symbol(symbol) if self.symbols.contains(symbol));
         !graph.reachable(&[e]).iter().any(is_one)
-    }
-
-    /// What is below a root, and the share of it in the slope of a law that vanishes with the root.
-    fn by_what_is_below(&self, graph: &mut Graph, node: Expr, adjoint: Expr) -> Option<(Expr, Expr)> {
-        let below = distance_below(graph, node).filter(|_| !self.of_slope && !graph.has_factor(adjoint, node))?;
-        let limit = limit(graph, adjoint, &[(node, below)])?;
-        let quotient = graph.div(adjoint, node);
-        let quotient = graph.scale(0.5, quotient);
-        let lost = Condition::lost(graph, below);
-        Some((below, graph.select(lost, limit, quotient)))
     }
 
     /// The children that depend on a symbol, each with ∂node/∂child; of roots that may vanish, what is below them.
@@ -151,7 +146,7 @@ impl<'a> Walk<'a> {
                 // A root alone, or in a sum, vanishes where the ends do; on a seam, where a step only passes.
                 (_, Some(root))
                     if flat && graph.own_order(node) > 0.0
-                        || self.of_slope && (alone || self.chosen[root.below.index()]) =>
+                        || self.of_slope && (alone || self.chosen[root.below.index()] || graph.has_centre()) =>
                 {
                     vec![(root.below, unless_vanishing(graph, &root, node, 1))]
                 }
@@ -247,7 +242,7 @@ impl<'a> Walk<'a> {
                 continue;
             }
             let (child, order, slope) = match graph.root(f) {
-                Some(_) if flat && n == 1 && !self.of_slope && distance_below(graph, f).is_some() => (f, 1.0, vec![]),
+                Some(_) if n == 1 && !self.of_slope && Distance::of(graph, f).is_some() => (f, 1.0, vec![]),
                 Some(root) if (1..root.degree).contains(&n) && (self.of_slope || flat) => {
                     (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                 }

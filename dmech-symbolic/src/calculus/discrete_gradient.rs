@@ -12,7 +12,7 @@ use std::rc::Rc;
 use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Square, Substitution, Symbol};
 use crate::hash::Map;
 
-use super::centre::{distance_below, limit, value};
+use super::centre::{Distance, by_the_square};
 use super::divided_difference::{divided_difference, of_part_of_root, of_power, of_root};
 use super::piecewise::{self, Placed};
 use super::two_arguments::{of_angle, of_powf, one_sided, unless_vanishing};
@@ -92,11 +92,11 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             }
             continue;
         }
-        let flat = graph.is_flat(adjoint, node);
-        if !flat && let Some((below, share)) = by_what_is_below(graph, node, adjoint, ends) {
+        if let Some((below, share)) = by_what_is_below(graph, node, adjoint, ends) {
             arriving[below.index()].push(share);
             continue;
         }
+        let flat = Distance::of(graph, node).is_none() && graph.is_flat(adjoint, node);
         let of_root = if flat { of_flat_root(graph, node, adjoint, ends) } else { None };
         let factors = match of_root {
             Some(factor) => vec![factor],
@@ -110,26 +110,16 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
     found
 }
 
-/// What is below a root, and the share of it in the discrete gradient of what vanishes with the root: A(rₐ, r_b)/(rₐ + r_b), its limit
-/// between 0 and 0. From 0 to r, where the root has no derivative and the whole does, it is A(0, r)/r.
+/// What is below a distance, and the share of it in the discrete gradient of what vanishes with the distance.
 fn by_what_is_below(graph: &mut Graph, node: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Option<(Expr, Expr)> {
-    let below = distance_below(graph, node)?;
-    let ((a, b), (below_a, below_b)) = (ends.values(graph, node), ends.values(graph, below));
+    let below = Distance::of(graph, node)?.below;
+    let (a, b) = ends.values(graph, node);
     let sum = graph.add(&[a, b]);
     if graph.has_factor(adjoint, sum) {
         return None;
     }
-    let limit = limit(graph, adjoint, &[(a, below_a), (b, below_b)])?;
-    let between = graph.div(adjoint, sum);
-    // Halves in the sums: the [tangent](super::tangent) of a root that vanishes is then 0.
-    let halves = [a, b].map(|root| graph.scale(0.5, root));
-    let (zero, middle) = (graph.zero(), graph.add(&halves));
-    let r = graph.scale(2.0, middle);
-    let from_zero = value(graph, between, &mut Substitution::of_expressions([(a, zero), (b, r)])).unwrap_or(between);
-    let (square, product) = (graph.square(middle), graph.mul(&[below_a, below_b]));
-    let [neither, either] = [square, product].map(|power| Condition::lost(graph, power));
-    let beside = graph.select(either, from_zero, between);
-    Some((below, graph.select(neither, limit, beside)))
+    let ends = [(a, Distance::of(graph, a)?), (b, Distance::of(graph, b)?)];
+    Some((below, by_the_square(graph, adjoint, &ends)?))
 }
 
 /// A root in what is of a higher order than the first; √a + √b may be among the factors that it comes times, and cancels.
@@ -205,7 +195,8 @@ fn of_product(
     let mut found = vec![];
     let mut outside = fixed;
     for (i, &(f, n)) in moving.iter().enumerate() {
-        let root = graph.root(f).filter(|root| n > root.degree || (0 < n && n < root.degree && flat));
+        let as_part = flat && n > 0 && Distance::of(graph, f).is_none();
+        let root = graph.root(f).filter(|root| n > root.degree || (n < root.degree && as_part));
         let target = root.map_or(f, |root| root.below);
         let (a, b) = ends.values(graph, target);
         let secant = match root {

@@ -75,6 +75,9 @@ impl Graph {
 
     /// u^p.
     fn powf(&mut self, u: Expr, p: Expr) -> Expr {
+        if u == self.one() {
+            return u;
+        }
         let exponent = self.as_number(p).or_else(|| self.quotient_of_numbers(p));
         for (denominator, root) in [(1, None), (2, Some(Unary::Sqrt)), (3, Some(Unary::Cbrt)), (4, None)] {
             let Some(exponent) = exponent else { break };

@@ -10,6 +10,10 @@ pub struct Graph {
     nodes: Vec<Node>,
     /// To which [order](Graph::order) each of them vanishes.
     pub(super) orders: Vec<f64>,
+    /// Whether there is a coordinate in each of them.
+    pub(super) moving: Vec<bool>,
+    /// A law has a slope where a distance vanishes, which has none there.
+    has_centre: bool,
     index: Map<Node, Expr>,
     names: Vec<(String, Variable)>,
 }
@@ -71,9 +75,20 @@ impl Graph {
         }
         let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
         self.orders.push(self.order_of(&node));
+        self.moving.push(self.is_moving(&node));
         self.nodes.push(node.clone());
         self.index.insert(node, e);
         e
+    }
+
+    /// Remembers that a law has a slope where a distance in it vanishes, which has none there.
+    pub(crate) fn remember_centre(&mut self) {
+        self.has_centre = true;
+    }
+
+    /// Whether one has.
+    pub(crate) fn has_centre(&self) -> bool {
+        self.has_centre
     }
 
     /// The number x.

@@ -16,6 +16,9 @@ impl Number {
     /// What stands for [`Real::least`] of whatever scalar there will be.
     pub const LEAST: Self = Self(1e-307_f64.to_bits());
 
+    /// What stands for [`Real::rounding`].
+    pub const ROUNDING: Self = Self((8.0 * f64::EPSILON).to_bits());
+
     /// The number x.
     pub fn new(x: f64) -> Self {
         Self((x + 0.0).to_bits())
@@ -28,7 +31,11 @@ impl Number {
 
     /// Its value in a scalar type.
     pub fn of<R: Real>(self) -> R {
-        if self == Self::LEAST { R::least() } else { R::from_f64(self.value()) }
+        match self {
+            Self::LEAST => R::least(),
+            Self::ROUNDING => R::rounding(),
+            _ => R::from_f64(self.value()),
+        }
     }
 
     /// Whether it is ±2ᵏ, so that products with it are exact.

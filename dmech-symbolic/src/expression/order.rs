@@ -22,19 +22,12 @@ impl Graph {
             Node::Sum { constant, terms } => {
                 let start = if *constant == Number::ZERO { f64::INFINITY } else { 0.0 };
                 let least = self.least_order(terms).min(start);
-                let mut moving = terms.iter().filter(|&&(_, term)| self.order(term) != 0.0).peekable();
+                let mut moving = terms.iter().filter(|&&(_, term)| self.moves(term)).peekable();
                 // x − c vanishes elsewhere, but |x| − c and x² + c not where |x| and x² do.
                 let shifted = least == 0.0 && moving.peek().is_some() && moving.all(|&(_, term)| self.is_linear(term));
                 if shifted { 1.0 } else { least }
             }
-            Node::Product { factors, .. } => {
-                // (x − c) √(x² + y²) vanishes with the root to the first order only.
-                let centred = factors.iter().any(|&(f, _)| self.order(f) != 0.0 && !self.is_shifted(f));
-                let order = |&(f, n): &(Expr, i32)| {
-                    if centred && self.is_shifted(f) { 0.0 } else { f64::from(n) * self.order(f) }
-                };
-                factors.iter().map(order).sum()
-            }
+            Node::Product { factors, .. } => factors.iter().map(|&(f, n)| f64::from(n) * self.order(f)).sum(),
             Node::Unary(Unary::Sqrt, u) => self.order(*u) / 2.0,
             Node::Unary(Unary::Cbrt, u) => self.order(*u) / 3.0,
             Node::Unary(f, u) if f.exact_value(0.0) == Some(0.0) => self.order(*u),
@@ -135,8 +128,22 @@ impl Graph {
 
     /// Whether there is a coordinate in an expression.
     fn moves(&self, e: Expr) -> bool {
-        self.order(e) != 0.0
-            || self.reachable(&[e]).into_iter().any(|e| matches!(self.node(e), Node::Symbol(_)) && self.order(e) != 0.0)
+        self.moving[e.index()]
+    }
+
+    /// The same of a node of stored expressions.
+    pub(super) fn is_moving(&self, node: &Node) -> bool {
+        match node {
+            Node::Number(_) => false,
+            Node::Symbol(s) => self.variable(*s) != Variable::Parameter,
+            Node::Sum { terms, .. } => terms.iter().any(|&(_, term)| self.moves(term)),
+            Node::Product { factors, .. } => factors.iter().any(|&(f, _)| self.moves(f)),
+            Node::Unary(_, u) => self.moves(*u),
+            Node::Binary(_, u, w) => self.moves(*u) || self.moves(*w),
+            Node::Select(condition, yes, no) => {
+                [*yes, *no].into_iter().chain(condition.operands()).any(|e| self.moves(e))
+            }
+        }
     }
 
     /// A coordinate, or a multiple of one.
@@ -144,13 +151,8 @@ impl Graph {
         self.order(e) == 1.0 && self.factors(e).1.iter().any(|&(f, _)| self.is_coordinate(f))
     }
 
+    /// A coordinate by itself.
     pub(crate) fn is_coordinate(&self, e: Expr) -> bool {
         matches!(self.node(e), Node::Symbol(_)) && self.order(e) == 1.0
-    }
-
-    /// x − c, which vanishes elsewhere than x does.
-    fn is_shifted(&self, e: Expr) -> bool {
-        matches!(self.node(e), Node::Sum { constant, terms } if self.order(e) == 1.0
-            && (*constant != Number::ZERO || terms.iter().any(|&(_, term)| self.order(term) == 0.0)))
     }
 }

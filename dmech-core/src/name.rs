@@ -2,6 +2,9 @@
 
 use core::fmt;
 
+#[cfg(feature = "serde")]
+use crate::words::{Word, word};
+
 /// The name of a scheme: room for its letters, and how much of it is used.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Name {
@@ -41,15 +44,16 @@ impl Name {
 
 /// The options of a scheme in which two differ, as they show them: `tolerance: 1e-8`.
 #[cfg(feature = "serde")]
-pub(crate) fn options_apart(one: &str, other: &str) -> [Name; 2] {
+pub(crate) fn options_apart(one: &str, other: &str) -> (Name, Word) {
     let differs = one.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
-    [one, other].map(|text| {
+    let [one, other] = [one, other].map(|text| {
         let ends = |c: char| "{}(),".contains(c);
         let at = (0..=differs.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
         let begins = text[..at].rfind(ends).map_or(0, |before| before + 1);
         let length = text[at..].find(ends).unwrap_or(text.len() - at);
-        Name::of(&[text[begins..at + length].trim()])
-    })
+        text[begins..at + length].trim()
+    });
+    (Name::of(&[one]), word(other))
 }
 
 impl fmt::Display for Name {

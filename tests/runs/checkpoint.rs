@@ -261,7 +261,7 @@ fn another_simulation_is_refused_with_what_differs() {
     refused(same(), DiscreteGradient, 0.02, saved, "dt is 0.01 in the checkpoint against 0.02");
     refused(same(), Leapfrog, 0.01, saved, "the checkpoint is of DiscreteGradient, this simulation of Leapfrog");
     let options = DiscreteGradient.with(Newton::from_previous());
-    let apart = "DiscreteGradient has other options: `guess: Predicted` in the checkpoint against `guess: Previous`";
+    let apart = "the scheme has other options: `guess: Predicted` in the checkpoint against `guess: Previous`";
     refused(same(), options, 0.01, saved, apart);
     refused(same().at_time(2.0), DiscreteGradient, 0.01, saved, "the start is at t = 0 in the checkpoint against 2");
     let pinned = "body 0 is pinned in the checkpoint and free in this scene";

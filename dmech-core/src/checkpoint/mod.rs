@@ -135,8 +135,8 @@ impl Checkpoint {
             return Err(Difference::Scheme { checkpoint: Name::of(&[&self.scheme]), here: S::NAME });
         }
         if self.options != here.options {
-            let [checkpoint, here] = options_apart(&self.options, &here.options);
-            return Err(Difference::Options { scheme: S::NAME, checkpoint, here });
+            let (checkpoint, here) = options_apart(&self.options, &here.options);
+            return Err(Difference::Options { checkpoint, here });
         }
         let ([start, dt], [start_here, dt_here]) = (self.times(), here.times());
         if !same(dt, dt_here) {

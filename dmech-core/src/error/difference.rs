@@ -42,14 +42,12 @@ pub enum Difference {
         here: &'static str,
     },
     /// The options of the scheme.
-    #[error("{scheme} has other options: `{checkpoint}` in the checkpoint against `{here}`")]
+    #[error("the scheme has other options: `{checkpoint}` in the checkpoint against `{here}`")]
     Options {
-        /// The scheme.
-        scheme: &'static str,
         /// The first that differs, in the checkpoint.
         checkpoint: Name,
         /// In the simulation.
-        here: Name,
+        here: &'static str,
     },
     /// The time step.
     #[error("dt is {} in the checkpoint against {}", Longest(*checkpoint), Longest(*here))]

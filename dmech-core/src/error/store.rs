@@ -100,14 +100,12 @@ pub enum StoreError {
         here: &'static str,
     },
     /// The options of the scheme.
-    #[error("{scheme} has other options: `{store}` in the store against `{here}`")]
+    #[error("the scheme has other options: `{store}` in the store against `{here}`")]
     Options {
-        /// The scheme.
-        scheme: &'static str,
         /// The first that differs, in the store.
         store: Name,
         /// In the ensemble.
-        here: Name,
+        here: &'static str,
     },
     /// The tolerance; NaN where there is none.
     #[error("the tolerance is {} in the store against {}", Number(*store), Number(*here))]

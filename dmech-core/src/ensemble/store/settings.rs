@@ -104,12 +104,12 @@ fn difference(scheme: &'static str, key: &'static str, store: &Value, here: &Val
         ("dimension", &Value::Integer(store), &Value::Integer(here)) => StoreError::Dimension { store, here },
         ("scheme", Value::Text(store), _) => StoreError::Scheme { store: Name::of(&[store]), here: scheme },
         ("options", Value::Text(store), Value::Text(here)) => {
-            let [store, here] = options_apart(store, here);
-            StoreError::Options { scheme, store, here }
+            let (store, here) = options_apart(store, here);
+            StoreError::Options { store, here }
         }
         ("order", &Value::Integer(store), &Value::Integer(here)) => {
-            let [store, here] = [store, here].map(|order| Name::of(&[&format!("order {order}")]));
-            StoreError::Options { scheme, store, here }
+            let [store, here] = [store, here].map(|order| format!("order {order}"));
+            StoreError::Options { store: Name::of(&[&store]), here: word(&here) }
         }
         ("looks" | "fields" | "invariants" | "company", Value::Text(store), Value::Text(here)) => {
             let (store, here) = beside(store, here);

@@ -79,10 +79,10 @@ pub trait Real:
     /// Distance from 1 to the next larger number; of double-double numbers, which have none, 2⁻¹⁰⁴.
     const EPSILON: Self;
 
-    /// What rounding may leave of a sum whose parts are 1: eight times [`EPSILON`](Self::EPSILON).
+    /// What rounding may leave of a sum whose parts are 1: seven times [`EPSILON`](Self::EPSILON).
     #[inline(always)]
     fn rounding() -> Self {
-        Self::from_f64(8.0) * Self::EPSILON
+        Self::from_f64(7.0) * Self::EPSILON
     }
 
     /// The nearest number of this type.

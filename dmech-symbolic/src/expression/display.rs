@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Formatter};
 
-use super::{Binary, Condition, Expr, Graph, Node, Relation, Unary, Variable};
+use super::{Binary, Condition, Expr, Graph, Node, Number, Relation, Unary, Variable};
 
 /// Shows an expression.
 #[derive(Clone, Copy, Debug)]
@@ -93,7 +93,13 @@ impl<'a> Display<'a> {
 
     fn write_number(self, f: &mut Formatter<'_>, x: f64, within: Precedence) -> fmt::Result {
         let size = x.abs();
-        let digits = if x == 0.0 || (1e-5..1e16).contains(&size) { format!("{size}") } else { format!("{size:e}") };
+        let digits = if Number::new(x) == Number::ROUNDING {
+            "7ε".to_owned()
+        } else if x == 0.0 || (1e-5..1e16).contains(&size) {
+            format!("{size}")
+        } else {
+            format!("{size:e}")
+        };
         match (x < 0.0 && within > Precedence::Sum, x < 0.0) {
             (true, _) => write!(f, "(−{digits})"),
             (false, true) => write!(f, "−{digits}"),

@@ -17,7 +17,7 @@ impl Number {
     pub const LEAST: Self = Self(1e-307_f64.to_bits());
 
     /// What stands for [`Real::rounding`].
-    pub const ROUNDING: Self = Self((8.0 * f64::EPSILON).to_bits());
+    pub const ROUNDING: Self = Self((7.0 * f64::EPSILON).to_bits());
 
     /// The number x.
     pub fn new(x: f64) -> Self {

@@ -233,6 +233,13 @@ fn wholes_of_a_higher_order_have_a_centre() {
         let right = [PARAMETERS[0], 0.0, 0.0, PARAMETERS[0]];
         assert!((0..4).all(|i| (found[i] - right[i]).abs() < bound), "at {q:?}: {found:?}");
     }
+    for k in 1..19 {
+        let q = [0.6 * 10f32.powi(-k), -0.8 * 10f32.powi(-k)];
+        let found = hessian.run(law.values(|x| x as f32, &q, &q, &q));
+        let right = [PARAMETERS[0] as f32, 0.0, 0.0, PARAMETERS[0] as f32];
+        let bound = right[0] * (2.0 * 10f32.powi(-k)).max(3e-3);
+        assert!((0..4).all(|i| (found[i] - right[i]).abs() < bound), "at {q:?}: {found:?}");
+    }
     let cusps: [Formula; 12] = [
         |q, _| norm(q).exp() - 0.999 * norm(q),
         |q, p| norm(q).exp() - p[0] * norm(q),

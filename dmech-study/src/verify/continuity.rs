@@ -28,7 +28,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     let mut largest: Option<Jump<D>> = None;
     for _ in 0..LINES {
         let [a, b] = [(); 2].map(|()| dice.near(start.q, moves, 2.5 * scales.length));
-        let line = Line { field: &field, weights: law.weights(), a, b };
+        let line = Line { subject, field: &field, a, b };
         for part in line.uneven_parts() {
             let jump = line.jump_within(part);
             if largest.as_ref().is_none_or(|largest| jump.units > largest.units) {
@@ -56,15 +56,14 @@ struct Jump<const D: usize> {
 }
 
 /// The potential along a line, from 0 at a to 1 at b.
-struct Line<'f, F, const D: usize> {
+struct Line<'f, L, F, const D: usize> {
+    subject: &'f Subject<L, D>,
     field: &'f F,
-    /// Of what acts, for the work that it does.
-    weights: [f64; D],
     a: [f64; D],
     b: [f64; D],
 }
 
-impl<F: Potential<D>, const D: usize> Line<'_, F, D> {
+impl<L: Law<D>, F: Potential<D>, const D: usize> Line<'_, L, F, D> {
     fn place(&self, s: f64) -> [f64; D] {
         from_fn(|i| self.a[i] + s * (self.b[i] - self.a[i]))
     }
@@ -74,8 +73,7 @@ impl<F: Potential<D>, const D: usize> Line<'_, F, D> {
     }
 
     fn gradient(&self, s: f64) -> [f64; D] {
-        let gradient = self.field.gradient(self.place(s));
-        from_fn(|i| self.weights[i] * gradient[i])
+        self.subject.weighted(self.field.gradient(self.place(s)))
     }
 
     /// By how much the potential rises otherwise than its first and second derivatives at the ends say.
@@ -84,7 +82,7 @@ impl<F: Potential<D>, const D: usize> Line<'_, F, D> {
         let slopes = [left, right].map(|s| dot(self.gradient(s), way));
         let bends = [left, right].map(|s| {
             let hessian = self.field.hessian(self.place(s));
-            dot(from_fn(|i| self.weights[i] * dot(hessian[i], way)), way)
+            dot(self.subject.weighted(hessian.map(|row| dot(row, way))), way)
         });
         let (rise, width) = (self.potential(right) - self.potential(left), right - left);
         let smooth = width * (0.5 * (slopes[0] + slopes[1]) - width * (bends[1] - bends[0]) / 12.0);

@@ -44,14 +44,14 @@ pub(super) fn by_the_square(graph: &mut Graph, slope: Expr, ends: &[(Expr, Dista
     }
     graph.remember_centre();
     let limit = rise(graph, slope, ends);
-    // Halves in the sums: the [tangent](super::tangent) of a root that vanishes is then 0.
-    let part = 1.0 / ends.len() as f64;
-    let parts: Vec<_> = ends.iter().map(|&(root, _)| graph.scale(part, root)).collect();
-    let middle = graph.add(&parts);
     let roots: Vec<_> = ends.iter().map(|&(root, _)| root).collect();
+    let part = 1.0 / roots.len() as f64;
     let sum = graph.add(&roots);
     let sum = graph.scale(2.0 * part, sum);
     if !cancels(graph, slope, &mut centre) {
+        // Halves in the sums: the [tangent](super::tangent) of a root that vanishes is then 0.
+        let parts: Vec<_> = roots.iter().map(|&root| graph.scale(part, root)).collect();
+        let middle = graph.add(&parts);
         let (square, quotient) = (graph.square(middle), divided(graph, slope, sum));
         let lost = Condition::lost(graph, square);
         return Some(graph.select(lost, limit, quotient));
@@ -81,18 +81,19 @@ fn divided(graph: &mut Graph, e: Expr, by: Expr) -> Expr {
 
 /// Whether what vanishes is a sum of parts that do not.
 fn cancels(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> bool {
-    let mut vanishes = |graph: &mut Graph, e: Expr| {
-        let there = centre.apply(graph, e);
-        graph.is_zero(there)
-    };
     match graph.node(e).clone() {
-        Node::Sum { terms, .. } => !terms.iter().all(|&(_, term)| vanishes(graph, term)),
+        Node::Sum { terms, .. } => !terms.iter().all(|&(_, term)| vanishes(graph, term, centre)),
         Node::Product { factors, .. } => {
-            let vanishing: Vec<_> = factors.iter().filter(|&&(f, _)| vanishes(graph, f)).collect();
-            vanishing.iter().any(|&&(f, _)| cancels(graph, f, centre))
+            factors.iter().any(|&(f, _)| vanishes(graph, f, centre) && cancels(graph, f, centre))
         }
         _ => false,
     }
+}
+
+/// Whether an expression is the number 0 after a replacement.
+fn vanishes(graph: &mut Graph, e: Expr, replacement: &mut Substitution) -> bool {
+    let image = replacement.apply(graph, e);
+    graph.is_zero(image)
 }
 
 /// A′/2 at 0, of A with the roots at all ends the same; 0 if that is not finite.
@@ -118,8 +119,7 @@ fn size(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> Expr {
         }
         Node::Product { coefficient, factors } => {
             let factors = factors.iter().map(|&(f, n)| {
-                let there = centre.apply(graph, f);
-                let vanishes = n > 0 && graph.is_zero(there);
+                let vanishes = n > 0 && vanishes(graph, f, centre);
                 (if vanishes { size(graph, f, centre) } else { graph.unary(Unary::Abs, f) }, n)
             });
             let factors = factors.collect();
@@ -138,10 +138,7 @@ fn value(graph: &mut Graph, e: Expr, replacement: &mut Substitution) -> Option<E
             continue;
         }
         let node = graph.node(e).clone();
-        let mut is_zero = |u: Expr| {
-            let image = replacement.apply(graph, u);
-            graph.is_zero(image)
-        };
+        let mut is_zero = |u: Expr| vanishes(graph, u, replacement);
         let has_pole = match &node {
             Node::Product { factors, .. } => factors.iter().any(|&(f, n)| n < 0 && is_zero(f)),
             Node::Unary(Unary::Ln | Unary::Log2 | Unary::Log10, u) | Node::Binary(Binary::Powf, u, _) => is_zero(*u),
@@ -185,11 +182,7 @@ fn place(graph: &mut Graph, squares: Expr) -> Option<Vec<(Expr, Expr)>> {
         }
     }
     let mut there = Substitution::of_expressions(found.iter().copied());
-    let vanishes = others.into_iter().all(|base| {
-        let value = there.apply(graph, base);
-        graph.is_zero(value)
-    });
-    vanishes.then_some(found)
+    others.into_iter().all(|base| vanishes(graph, base, &mut there)).then_some(found)
 }
 
 /// The coordinate in x or x − c, and where that is 0.

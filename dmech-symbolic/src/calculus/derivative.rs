@@ -83,18 +83,20 @@ impl<'a> Walk<'a> {
                 }
                 continue;
             }
+            // 1/√s times √s cancels.
+            let cancels = graph.has_factor(adjoint, node);
             let distance = if self.of_slope { None } else { Distance::of(graph, node) };
-            let is_distance = distance.is_some();
-            if let Some(distance) = distance.filter(|_| !graph.has_factor(adjoint, node)) {
+            // Another root has a slope of 0 where all of it is of an order above the first.
+            let flat = !cancels && distance.is_none() && graph.is_flat(adjoint, node);
+            if let Some(distance) = distance.filter(|_| !cancels) {
                 let below = distance.below;
                 if let Some(share) = by_the_square(graph, adjoint, &[(node, distance)]) {
                     arriving.entry(below).or_default().push(share);
                     continue;
                 }
             }
-            // A root has a slope of 0 where all of it is of an order above the first; 1/√s times √s cancels anyhow.
-            let flat = !is_distance && graph.is_flat(adjoint, node) && !graph.has_factor(adjoint, node);
-            let alone = self.of_slope && graph.root(node).is_some() && self.is_constant(graph, adjoint);
+            graph.extend_dependence(&mut self.depends, symbols);
+            let alone = !self.depends[adjoint.index()];
             for (child, partial) in self.partials(graph, node, &|c: Expr| self.depends[c.index()], flat, alone) {
                 // A slope of a cardinal function g′(u)/u stands beside a factor u, and its own derivative divides by u: taken
                 // summand by summand the two cancel, and nothing is left that is 0/0 at u = 0.
@@ -104,12 +106,6 @@ impl<'a> Walk<'a> {
             }
         }
         found
-    }
-
-    /// Whether there is none of the symbols in a slope on the way.
-    fn is_constant(&self, graph: &Graph, e: Expr) -> bool {
-        let is_one = |e: &Expr| matches!(graph.node(*e), Node::Symbol(symbol) if self.symbols.contains(symbol));
-        !graph.reachable(&[e]).iter().any(is_one)
     }
 
     /// The children that depend on a symbol, each with ∂node/∂child; of roots that may vanish, what is below them.
@@ -242,8 +238,9 @@ impl<'a> Walk<'a> {
                 continue;
             }
             let (child, order, slope) = match graph.root(f) {
-                Some(_) if n == 1 && !self.of_slope && Distance::of(graph, f).is_some() => (f, 1.0, vec![]),
-                Some(root) if (1..root.degree).contains(&n) && (self.of_slope || flat) => {
+                Some(root)
+                    if (1..root.degree).contains(&n) && (self.of_slope || flat && Distance::of(graph, f).is_none()) =>
+                {
                     (root.below, 1.0, vec![(unless_vanishing(graph, &root, f, n), 1)])
                 }
                 _ => power_slope(graph, f, n),

@@ -92,11 +92,14 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
             }
             continue;
         }
-        if let Some((below, share)) = by_what_is_below(graph, node, adjoint, ends) {
+        let distance = Distance::of(graph, node);
+        if let Some(Distance { below, .. }) = distance
+            && let Some(share) = by_what_is_below(graph, node, adjoint, ends)
+        {
             arriving[below.index()].push(share);
             continue;
         }
-        let flat = Distance::of(graph, node).is_none() && graph.is_flat(adjoint, node);
+        let flat = distance.is_none() && graph.is_flat(adjoint, node);
         let of_root = if flat { of_flat_root(graph, node, adjoint, ends) } else { None };
         let factors = match of_root {
             Some(factor) => vec![factor],
@@ -110,16 +113,15 @@ pub fn discrete_gradient(graph: &mut Graph, e: Expr, ends: &mut TwoPoints) -> Ve
     found
 }
 
-/// What is below a distance, and the share of it in the discrete gradient of what vanishes with the distance.
-fn by_what_is_below(graph: &mut Graph, node: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Option<(Expr, Expr)> {
-    let below = Distance::of(graph, node)?.below;
-    let (a, b) = ends.values(graph, node);
+/// The share of what is below a distance in the discrete gradient of what vanishes with the distance.
+fn by_what_is_below(graph: &mut Graph, distance: Expr, adjoint: Expr, ends: &mut TwoPoints) -> Option<Expr> {
+    let (a, b) = ends.values(graph, distance);
     let sum = graph.add(&[a, b]);
     if graph.has_factor(adjoint, sum) {
         return None;
     }
     let ends = [(a, Distance::of(graph, a)?), (b, Distance::of(graph, b)?)];
-    Some((below, by_the_square(graph, adjoint, &ends)?))
+    by_the_square(graph, adjoint, &ends)
 }
 
 /// A root in what is of a higher order than the first; √a + √b may be among the factors that it comes times, and cancels.

@@ -75,8 +75,13 @@ impl Graph {
         }
         let e = Expr(u32::try_from(self.nodes.len()).expect("fewer than 2³² expressions"));
         self.orders.push(self.order_of(&node));
-        self.moving.push(self.is_moving(&node));
         self.nodes.push(node.clone());
+        let mut moving = std::mem::take(&mut self.moving);
+        self.extend_marks(
+            &mut moving,
+            |node| matches!(node, Node::Symbol(s) if self.variable(*s) != Variable::Parameter),
+        );
+        self.moving = moving;
         self.index.insert(node, e);
         e
     }

@@ -131,21 +131,6 @@ impl Graph {
         self.moving[e.index()]
     }
 
-    /// The same of a node of stored expressions.
-    pub(super) fn is_moving(&self, node: &Node) -> bool {
-        match node {
-            Node::Number(_) => false,
-            Node::Symbol(s) => self.variable(*s) != Variable::Parameter,
-            Node::Sum { terms, .. } => terms.iter().any(|&(_, term)| self.moves(term)),
-            Node::Product { factors, .. } => factors.iter().any(|&(f, _)| self.moves(f)),
-            Node::Unary(_, u) => self.moves(*u),
-            Node::Binary(_, u, w) => self.moves(*u) || self.moves(*w),
-            Node::Select(condition, yes, no) => {
-                [*yes, *no].into_iter().chain(condition.operands()).any(|e| self.moves(e))
-            }
-        }
-    }
-
     /// A coordinate, or a multiple of one.
     fn is_linear(&self, e: Expr) -> bool {
         self.order(e) == 1.0 && self.factors(e).1.iter().any(|&(f, _)| self.is_coordinate(f))

@@ -3,7 +3,7 @@
 //! What its slope comes to there is a derivative again: this file and [`derivative`](super::derivative) call each other, as far down as
 //! roots are nested.
 
-use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Substitution, Unary};
+use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Substitution, Unary, Variable};
 use crate::hash::Map;
 
 use super::derivative::derivative;
@@ -24,6 +24,11 @@ impl Distance {
         }
         let place = place(graph, below)?;
         Some(Distance { below, place })
+    }
+
+    /// The kind of variable that an expression is: the square of a distance is one.
+    pub(super) fn variable(graph: &mut Graph, e: Expr) -> Variable {
+        if place(graph, e).is_some() { Variable::SquaredDistance } else { Variable::Coordinate }
     }
 }
 

@@ -14,13 +14,17 @@
 //! condition or is a sum of coordinates; nor is anything that need not be a number where the other branch is taken.
 //! What stands in both is one: a potential of r with a field beyond a wall has the variables r² and z.
 
-use crate::expression::{Choice, Expr, Graph, Node, Number, Substitution, Symbol};
+use crate::expression::{Choice, Expr, Graph, Node, Number, Substitution, Symbol, Variable};
 use crate::hash::Map;
+
+use super::centre::Distance;
 
 /// Inner expressions, each with a variable that stands for it.
 pub(super) struct Gateways {
     /// The expressions.
     pub(super) inner: Vec<Expr>,
+    /// What their variables stand for: a distance is one in the variable of its square.
+    stands_for: Vec<Variable>,
     /// The variables.
     pub(super) symbols: Vec<Symbol>,
     inside: Substitution,
@@ -34,7 +38,8 @@ impl Gateways {
             network.close_dependent(graph, choice, coordinates);
         }
         let inner = network.least_cut();
-        let symbols: Vec<_> = (0..inner.len()).map(|k| graph.coordinate(&format!("u{k}"))).collect();
+        let stands_for: Vec<_> = inner.iter().map(|&u| Distance::variable(graph, u)).collect();
+        let symbols = Self::variables(graph, &stands_for, "u");
         let pairs: Vec<_> = inner.iter().zip(&symbols).map(|(&u, &name)| (u, graph.symbol(name))).collect();
         let mut inside = Substitution::of_expressions(pairs);
         // The simpler ones first: others are made of them.
@@ -48,7 +53,17 @@ impl Gateways {
             let image = graph.add(&terms);
             inside.remember(e, image);
         }
-        Self { inner, symbols, inside }
+        Self { inner, stands_for, symbols, inside }
+    }
+
+    /// New variables of such kinds.
+    fn variables(graph: &mut Graph, kinds: &[Variable], name: &str) -> Vec<Symbol> {
+        kinds.iter().enumerate().map(|(k, &kind)| graph.new_symbol(&format!("{name}{k}"), kind)).collect()
+    }
+
+    /// The variables at an end of a step.
+    pub(super) fn at_end(&self, graph: &mut Graph, name: &str) -> Vec<Symbol> {
+        Self::variables(graph, &self.stands_for, name)
     }
 
     /// The expression in the variables.

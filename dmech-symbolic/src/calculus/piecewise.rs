@@ -112,10 +112,7 @@ impl Inside {
             Choice { condition: choice.condition.map(&mut inside), yes: inside(choice.yes), no: inside(choice.no) };
         let whole = inside(e);
         let extremum = matches!(graph.node(e), Node::Binary(Binary::Min | Binary::Max, ..));
-        let [a, b] = ["ua", "ub"].map(|end| {
-            let names = 0..gateways.symbols.len();
-            names.map(|k| graph.coordinate(&format!("{end}{k}"))).collect::<Vec<_>>()
-        });
+        let [a, b] = ["ua", "ub"].map(|end| gateways.at_end(graph, end));
         let ends = TwoPoints::new(graph, &gateways.symbols, &a, &b);
         Self { choice, whole, extremum, ends }
     }

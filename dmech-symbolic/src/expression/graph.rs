@@ -39,7 +39,8 @@ impl Graph {
         self.new_symbol(name, Variable::Parameter)
     }
 
-    fn new_symbol(&mut self, name: &str, stands_for: Variable) -> Symbol {
+    /// A new variable.
+    pub(crate) fn new_symbol(&mut self, name: &str, stands_for: Variable) -> Symbol {
         self.names.push((name.to_owned(), stands_for));
         Symbol(u32::try_from(self.names.len() - 1).expect("fewer than 2³² symbols"))
     }

@@ -168,7 +168,7 @@ fn wholes_of_a_higher_order_have_a_centre() {
         let r = ((q[0] - p[1]).powi(2) + 4.0 * (q[1] - p[2]).powi(2)).sqrt();
         p[0] * (r.exp() - r)
     }
-    let at_rest: [(Formula, [f64; 2]); 18] = [
+    let at_rest: [(Formula, [f64; 2]); 23] = [
         (|q, p| p[0] * (norm(q).exp() - norm(q) - 1.0), [1.0, 1.0]),
         (|q, p| p[0] * ((p[1] * norm(q)).exp() - p[1] * norm(q)) / p[1].powi(2), [1.0, 1.0]),
         (|q, p| p[0] * (norm(q) - (1.0 + norm(q)).ln()), [1.0, 1.0]),
@@ -181,6 +181,27 @@ fn wholes_of_a_higher_order_have_a_centre() {
         (|q, p| p[0] * (norm(q).exp() - norm(q)) + q[0].powi(2) * norm(q), [1.0, 1.0]),
         (|q, p| p[0] * (norm(q).exp() - norm(q) * (1.0 - q[0])), [1.0, 1.0]),
         (|q, p| p[0] * choose(q[1].less(2.0), norm(q).exp() - norm(q), 1.0), [1.0, 1.0]),
+        // Choices by the distance itself: a plateau, Wendland's kernel, one of three pieces, with another variable beside.
+        (|q, p| p[0] * choose(norm(q).less(0.5), norm(q).exp() - norm(q), 0.5_f64.exp() - 0.5), [1.0, 1.0]),
+        (
+            |q, p| p[0] * choose(norm(q).less(0.5), (1.0 - 2.0 * norm(q)).powi(4) * (1.0 + 8.0 * norm(q)), 0.0),
+            [-80.0, -80.0],
+        ),
+        (|q, p| p[0] * (norm(q) - (1.0 + norm(q)).ln()).min(0.04), [1.0, 1.0]),
+        (
+            |q, p| {
+                let within = choose(norm(q).less(0.25), norm(q) - norm(q).sin(), 0.25 - 0.25_f64.sin());
+                p[0] * choose(norm(q).less(0.5), within, (norm(q) - 0.5).powi(2) + 0.25 - 0.25_f64.sin())
+            },
+            [0.0, 0.0],
+        ),
+        (
+            |q, p| {
+                let depth = norm(q).exp() - norm(q) - (0.5_f64.exp() - 0.5);
+                p[0] * choose(norm(q).less(0.5), depth * (1.0 + q[0].powi(2)), 0.0)
+            },
+            [1.0 + 2.0 * (1.5 - 0.5_f64.exp()), 1.0],
+        ),
         // With squares and coordinates of each end beside its root.
         (|q, p| p[0] * ((norm(q) + squared(q)).exp() - norm(q)), [3.0, 3.0]),
         (|q, p| p[0] * ((q[0] + norm(q)).exp() - norm(q) * q[0].exp()) - p[0] * q[0], [2.0, 1.0]),

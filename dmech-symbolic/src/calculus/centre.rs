@@ -135,7 +135,7 @@ fn size(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> Expr {
 }
 
 /// An expression after a replacement, if it does not divide by the number 0 then: 0·∞ would be taken for 0.
-fn value(graph: &mut Graph, e: Expr, replacement: &mut Substitution) -> Option<Expr> {
+pub(super) fn value(graph: &mut Graph, e: Expr, replacement: &mut Substitution) -> Option<Expr> {
     let image = replacement.apply(graph, e);
     let (mut seen, mut open) = (Map::default(), vec![e]);
     while let Some(e) = open.pop() {

@@ -9,7 +9,9 @@ mod piecewise;
 mod quotient;
 mod slopes;
 mod two_arguments;
+mod wholes;
 
 pub use derivative::{derivative, gradient, hessian, jacobian, tangent};
 pub use discrete_gradient::{TwoPoints, discrete_gradient};
 pub use divided_difference::divided_difference;
+pub use wholes::with_whole_choices;

@@ -83,6 +83,7 @@ impl ForcedKernels {
     /// where the law names it.
     pub fn new(graph: &mut Graph, phi: Expr, force: &[Expr], time: Option<Symbol>, variables: &Variables) -> Self {
         let Variables { q, v, a, b, .. } = variables;
+        let phi = calculus::with_whole_choices(graph, phi);
         let gradient = calculus::gradient(graph, phi, q);
         let force_dq = calculus::jacobian(graph, force, q);
         let force_dv = calculus::jacobian(graph, force, v);

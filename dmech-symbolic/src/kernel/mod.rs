@@ -46,6 +46,7 @@ pub struct Kernels {
 impl Kernels {
     /// Derives everything from Φ, written in `variables.q`.
     pub fn new(graph: &mut Graph, phi: Expr, variables: &Variables) -> Self {
+        let phi = calculus::with_whole_choices(graph, phi);
         let gradient = calculus::gradient(graph, phi, &variables.q);
         let hessian = calculus::hessian(graph, phi, &variables.q);
         let structure = Structure::of(graph, phi, &hessian, &variables.q);

@@ -154,6 +154,7 @@ impl PairKernels {
 
 impl PairPotential {
     fn new(graph: &mut Graph, phi: Expr, variables: &Variables, pair: &PairVariables) -> Self {
+        let phi = calculus::with_whole_choices(graph, phi);
         let coordinates = variables.q.iter().map(|&d| (d, 1));
         let degree = degree(graph, phi, &coordinates.chain([(pair.s, 2)]).collect::<Vec<_>>());
         if !graph.depends_on(phi, &variables.q) {

@@ -168,7 +168,7 @@ fn wholes_of_a_higher_order_have_a_centre() {
         let r = ((q[0] - p[1]).powi(2) + 4.0 * (q[1] - p[2]).powi(2)).sqrt();
         p[0] * (r.exp() - r)
     }
-    let at_rest: [(Formula, [f64; 2]); 23] = [
+    let at_rest: [(Formula, [f64; 2]); 26] = [
         (|q, p| p[0] * (norm(q).exp() - norm(q) - 1.0), [1.0, 1.0]),
         (|q, p| p[0] * ((p[1] * norm(q)).exp() - p[1] * norm(q)) / p[1].powi(2), [1.0, 1.0]),
         (|q, p| p[0] * (norm(q) - (1.0 + norm(q)).ln()), [1.0, 1.0]),
@@ -202,6 +202,17 @@ fn wholes_of_a_higher_order_have_a_centre() {
             },
             [1.0 + 2.0 * (1.5 - 0.5_f64.exp()), 1.0],
         ),
+        // Choices that have a cusp of their own, and not with what stands beside them.
+        (|q, p| p[0] * (1.0 - 2.0 * norm(q)).max(0.0).powi(4) * (1.0 + 8.0 * norm(q)), [-80.0, -80.0]),
+        (
+            |q, p| {
+                let wide = (p[1] - norm(q)).max(0.0).powi(4) * (p[1] + 4.0 * norm(q));
+                let narrow = (1.0 - 2.0 * norm(q)).max(0.0) * (2.0 * norm(q)).exp();
+                p[0] * (wide + narrow)
+            },
+            [-20.0 * PARAMETERS[1].powi(3) - 4.0; 2],
+        ),
+        (|q, p| p[0] * (q[0] + 2.0) * (0.5 - norm(q)).max(0.0) * (2.0 * norm(q)).exp() - p[0] * q[0] / 2.0, [-4.0; 2]),
         // With squares and coordinates of each end beside its root.
         (|q, p| p[0] * ((norm(q) + squared(q)).exp() - norm(q)), [3.0, 3.0]),
         (|q, p| p[0] * ((q[0] + norm(q)).exp() - norm(q) * q[0].exp()) - p[0] * q[0], [2.0, 1.0]),
@@ -261,7 +272,8 @@ fn wholes_of_a_higher_order_have_a_centre() {
         let bound = right[0] * (2.0 * 10f32.powi(-k)).max(3e-3);
         assert!((0..4).all(|i| (found[i] - right[i]).abs() < bound), "at {q:?}: {found:?}");
     }
-    let cusps: [Formula; 12] = [
+    let cusps: [Formula; 13] = [
+        |q, p| p[0] * (1.0 - 2.0 * norm(q)).max(0.0).powi(4) * (1.0 + 7.0 * norm(q)),
         |q, _| norm(q).exp() - 0.999 * norm(q),
         |q, p| norm(q).exp() - p[0] * norm(q),
         |q, _| norm(q) - 2.0 * (1.0 + norm(q)).ln(),

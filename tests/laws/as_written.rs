@@ -315,6 +315,9 @@ fn in_scenes() {
     let heavy = |x: f64| Scene::new().body(1e200, [x, 0.0], [0.0; 2]).body(1e200, [1.0 + x, 0.0], [0.0, 1.0]);
     let said = refusal(Simulation::scene(heavy(0.3).pairs(pairs::Gravity { g: 1e-200 })));
     assert!(said.contains("larger than any number: take other units") && !said.contains("name"), "{said}");
+    let small = Scene::new().body(1.0, [0.0], [0.0]).body(1.0, [1.25e-30], [0.0]);
+    let said = refusal(Simulation::scene(small.pairs(pairs::LennardJones { epsilon: 1e-60, sigma: 1e-30 })));
+    assert!(said.contains("NaN. The two calculate in another order") && said.contains("Or, where they are"), "{said}");
     let plane = Scene::new().body(1.0, [0.3, 0.1], [0.0, 0.2]).body(2.0, [0.5, -0.4], [0.1, 0.0]);
     refusal(Simulation::scene(plane.clone().chain(Swirl)));
     refusal(Simulation::scene(plane.field(Pushed)));

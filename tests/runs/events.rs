@@ -379,6 +379,27 @@ fn edges_of_events() {
     assert!(cost.is_multiple_of(2) && (6..=24).contains(&cost), "{cost}");
 }
 
+/// The first shortened step ends on the pole itself, to the bit; the step that is made does not.
+#[test]
+fn an_event_on_a_pole_ends_no_run() {
+    #[derive(Clone, Copy, Debug)]
+    struct Between {
+        a: f64,
+    }
+    #[dmech::law]
+    impl Between {
+        #[potential]
+        fn energy(&self, q: f64) -> f64 {
+            -self.a * (1.0 - q * q).ln()
+        }
+    }
+    let run = || Simulation::new(Between { a: 0.001 }, State::new([0.3], [1.0])).scheme(Leapfrog).dt(0.3);
+    let watched = run().event(|state| state.q[0] - 1.0, Crossing::Rising).run(20).unwrap();
+    assert_eq!(watched.last(), run().run(20).unwrap().last());
+    let passed = watched.events()[0].state();
+    assert!(passed.q[0] >= 1.0 && (passed.t - 0.7).abs() < 0.01, "{passed:?}");
+}
+
 /// A force that jumps where the event is: shortened steps that would end on the seam have no solution, and the event is the first state
 /// behind it that one has, within what the step knows of the seam. The steps are those of a run without events.
 #[test]

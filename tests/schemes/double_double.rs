@@ -121,6 +121,20 @@ fn both_references_are_of_the_same_motion() {
     check(DrivenPendulum::default(), State::new([0.8], [0.3]).at_time(0.7), 9.0, 1.2, "midpoint");
 }
 
+/// The time has fewer digits there than the smallest tolerances ask for.
+#[test]
+fn a_law_that_names_the_time_is_followed_far_from_0() {
+    for t in [3e3, -1e6] {
+        let start = State::new([0.8], [0.3]).at_time(t);
+        let study = Study::new(DrivenPendulum::default(), start, t + 9.0).mass(1.2).repetitions(1);
+        let report = study.scheme(Gauss::order16()).ladder([0.3]).precise().run().unwrap();
+        let reference = report.reference().unwrap();
+        assert!(reference.is_precise() && reference.error() < 1e-17, "from {t}: {}", reference.error());
+        let [error] = errors(&report)[..] else { panic!("one row") };
+        assert!(error < 1e-15 * t.abs(), "from {t}: {error:e}");
+    }
+}
+
 /// What a step is too long or too short by to end at the end is not an error of the scheme: against an exact solution at the
 /// end it would be the larger part.
 #[test]

@@ -101,16 +101,23 @@ impl fmt::Display for Disagreement {
             );
         }
         write!(f, " the method gives the {quantity} {written:?}, and what was derived from its text {derived:?}. ")?;
-        if written.is_infinite() || derived.is_infinite() {
-            return write!(
+        if !(written.is_finite() && derived.is_finite()) {
+            write!(
                 f,
                 "The two calculate in another order, and something on the way is larger than any number: take other units, in which \
                  masses and constants are nearer to 1"
-            );
+            )?;
+            // 0·∞ of numbers out of range, or what another function makes of them.
+            if !(written.is_nan() || derived.is_nan()) {
+                return Ok(());
+            }
+            write!(f, ". Or, where they are near to 1, a name")?;
+        } else {
+            write!(f, "A name")?;
         }
         write!(
             f,
-            "A name in it stands \
+            " in it stands \
              for something else than the macro, which sees text only, takes it for: a constant, module or type of your own \
              that is called like one of `std` or nalgebra, or two variables of a `macro_rules!` that are spelt alike; give it \
              another name"

@@ -167,9 +167,9 @@ impl<X: Clone> Within<'_, X> {
         if values[1] == 0.0 {
             return Ok(self.end.clone());
         }
-        // Where no shortened step ends, nothing is behind.
+        // Where no shortened step ends, or on a pole, nothing is behind.
         let mut value = |t| match (self.at)(t) {
-            Err(Error::NotConverged { .. }) => Ok(values[0]),
+            Err(Error::NotConverged { .. } | Error::NotFinite { .. }) => Ok(values[0]),
             state => state.map(|state| function(&state)),
         };
         let time = zero(&mut value, [start, end], values)?;

@@ -53,7 +53,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 
     /// Whether steps of equal length change the time.
     fn moves_on(&self, time: f64, dt: f64) -> Result<(), Error> {
-        if self.scheme.tolerance().is_some() { Ok(()) } else { moves_on(time, dt) }
+        self.resolution().map_or(Ok(()), |resolution| moves_on(time, dt, resolution))
     }
 
     fn pace(&mut self) {

@@ -49,7 +49,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Setup<L> for State<D, R> {
         let particle = Particle::new(law, mass);
         particle.check_masses(mass)?;
         particle.check(&self)?;
-        moves_on(self.t, dt)?;
+        moves_on(self.t, dt, particle.resolution())?;
         Ok(particle)
     }
 }

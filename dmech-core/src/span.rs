@@ -32,14 +32,18 @@ impl Span {
         }
     }
 
-    /// The steps that it takes from a time, of equal length or such as follow the motion.
-    pub(crate) fn steps(self, start: f64, dt: f64, follow: bool) -> Result<u64, Error> {
+    /// The steps that it takes from a time: of equal length, where times are told apart to this resolution, or such as follow
+    /// the motion.
+    pub(crate) fn steps(self, start: f64, dt: f64, resolution: Option<f64>) -> Result<u64, Error> {
         self.check(dt)?;
-        match self {
-            Span::Steps(steps) => possible(steps, start, dt, follow),
-            Span::Until(end) if !follow => steps_until(start, end, dt),
-            Span::Until(end) if end < start => Err(Error::Span { start, end }),
-            Span::Until(end) => within_reach(start, end, dt).map(|()| UNCOUNTED),
+        match (self, resolution) {
+            (Span::Steps(steps), _) => possible(steps, start, dt, resolution),
+            (Span::Until(end), Some(resolution)) => {
+                let steps = steps_until(start, end, dt)?;
+                moves_on(end, dt, resolution).map(|()| steps)
+            }
+            (Span::Until(end), None) if end < start => Err(Error::Span { start, end }),
+            (Span::Until(end), None) => within_reach(start, end, dt).map(|()| UNCOUNTED),
         }
     }
 }
@@ -79,7 +83,7 @@ pub(crate) const UNCOUNTED: u64 = u64::MAX;
 pub fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
     within_reach(start, end, dt)?;
     let n = (end - start) / dt;
-    moves_on(end, dt)?;
+    moves_on(end, dt, f64::EPSILON)?;
     let rounding = 4.0 * f64::EPSILON * (n.abs() + (start.abs() + end.abs()) / dt);
     if n < -rounding {
         return Err(Error::Span { start, end });
@@ -89,21 +93,22 @@ pub fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
     Ok(steps as u64)
 }
 
-/// So many steps from a time, if it can tell them apart; those that follow the motion look at the time themselves.
-pub(crate) fn possible(steps: u64, start: f64, dt: f64, follow: bool) -> Result<u64, Error> {
-    if follow { Ok(steps) } else { steps_from(start, steps, dt) }
-}
-
-/// So many steps from a time on, if every one of them changes the time.
-fn steps_from(time: f64, steps: u64, dt: f64) -> Result<u64, Error> {
-    moves_on(time, dt)?;
-    moves_on(steps as f64 * dt + time, dt)?;
+/// So many steps from a time, if every one of them changes it; those that follow the motion look at the time themselves.
+pub(crate) fn possible(steps: u64, start: f64, dt: f64, resolution: Option<f64>) -> Result<u64, Error> {
+    let Some(resolution) = resolution else { return Ok(steps) };
+    moves_on(start, dt, resolution)?;
+    moves_on(steps as f64 * dt + start, dt, resolution)?;
     Ok(steps)
 }
 
-/// Whether a step changes a time by more than its rounding.
-pub(crate) fn moves_on(time: f64, dt: f64) -> Result<(), Error> {
-    if time.abs() * f64::EPSILON < dt { Ok(()) } else { Err(Error::TimeStandsStill { time, dt }) }
+/// Whether a step changes a time by more than its rounding, relative to it.
+pub(crate) fn moves_on(time: f64, dt: f64, resolution: f64) -> Result<(), Error> {
+    if time.abs() * resolution < dt {
+        return Ok(());
+    }
+    // The power of two below the time, and the last bit of a number that begins with it.
+    let begins = f64::from_bits(time.to_bits() & f64::INFINITY.to_bits());
+    Err(Error::TimeStandsStill { time, dt, next: begins * resolution })
 }
 
 #[cfg(test)]
@@ -134,8 +139,10 @@ mod tests {
     fn an_end_that_cannot_be_reached_is_refused() {
         assert_eq!(steps_until(0.0, -1.0, 0.1), Err(Error::Span { start: 0.0, end: -1.0 }));
         assert_eq!(steps_until(1e17, 1.5e17, 0.1), Err(Error::EndTime { end: 1.5e17, dt: 0.1 }));
-        assert_eq!(steps_until(1e17, 1e17 + 160.0, 0.1), Err(Error::TimeStandsStill { time: 1e17 + 160.0, dt: 0.1 }));
+        let still = Error::TimeStandsStill { time: 1e17 + 160.0, dt: 0.1, next: 16.0 };
+        assert_eq!(steps_until(1e17, 1e17 + 160.0, 0.1), Err(still));
         assert_eq!(steps_until(1e17, 1e17 + 3200.0, 32.0), Ok(100));
-        assert!(steps_from(0.0, u64::MAX, 0.1).is_err() && steps_from(0.0, 1 << 51, 0.1).is_ok());
+        let possible = |steps| possible(steps, 0.0, 0.1, Some(f64::EPSILON));
+        assert!(possible(u64::MAX).is_err() && possible(1 << 51).is_ok());
     }
 }

@@ -175,7 +175,7 @@ fn a_run_that_cannot_advance_in_time_is_refused() {
     assert_eq!(cause(orbit(2.0).adaptive(1e-6).run_until(1.0)), span);
     assert!(span.to_string().contains("from t = 2 to t = 1"), "{span}");
 
-    let still = Error::TimeStandsStill { time: 1e17, dt: 0.1 };
+    let still = Error::TimeStandsStill { time: 1e17, dt: 0.1, next: 16.0 };
     assert_eq!(cause(orbit(1e17).dt(0.1).run(10)), still);
     assert_eq!(cause(orbit(1e17).dt(0.1).run_until(2e17)), still);
     assert_eq!(orbit(1e17).dt(0.1).stepper().unwrap_err(), still);

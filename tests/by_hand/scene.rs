@@ -128,7 +128,7 @@ fn explicit_steps_make_no_matrix() {
 fn a_scene_that_cannot_advance_in_time_is_refused() {
     let at = |t| Simulation::scene(triple().at_time(t).pairs(Gravity { g: 1.3 })).scheme(Leapfrog).dt(0.1);
     assert_eq!(at(2.0).run_until(1.0).unwrap_err().cause(), Error::Span { start: 2.0, end: 1.0 });
-    let still = Error::TimeStandsStill { time: 1e17, dt: 0.1 };
+    let still = Error::TimeStandsStill { time: 1e17, dt: 0.1, next: 16.0 };
     assert_eq!(at(1e17).run(1).unwrap_err().cause(), still);
     assert_eq!(at(1e17).stepper().unwrap_err(), still);
     let mut stepper = at(0.0).stepper().unwrap();

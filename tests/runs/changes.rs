@@ -1,9 +1,9 @@
 //! Steppers that change between steps: as a new simulation from the state now, for every scheme, on laws and on scenes.
 
 use dmech::SceneError;
-use dmech::extend::{Scheme, Watch};
-use dmech::models::Kepler;
+use dmech::extend::{DoubleDouble, Scheme, Watch};
 use dmech::models::pairs::{Gravity, Spring};
+use dmech::models::{Kepler, Pendulum};
 use dmech::prelude::*;
 use dmech::scene::{OnBonds, OnEach, OnPairs};
 use dmech_core::extend::Particle;
@@ -363,6 +363,64 @@ fn changes_keep_the_time_moving() {
     stepper.law_mut().gm = f64::NAN;
     let error = stepper.step().unwrap_err();
     assert!(matches!(error, Error::Law { .. }), "{error}");
+}
+
+/// A law that names the time has it in its scalar: what an `f32` does not tell apart is refused where it would be computed, be
+/// it alone or one of many; a law that does not name it, and the same law in wider scalars, go on.
+#[test]
+fn a_law_that_names_the_time_is_not_moved_where_its_scalar_stands_still() {
+    #[derive(Debug)]
+    struct Swing {
+        k: f64,
+    }
+    #[dmech::law]
+    impl Swing {
+        #[potential]
+        fn potential(&self, q: [f64; 1], t: f64) -> f64 {
+            self.k * q[0] * t.sin()
+        }
+    }
+    // 2¹⁷ is the first time of which the next `f32` is 2⁻⁶ later.
+    let (dt, border) = (1.0 / 64.0, 131_072.0);
+    let still = |time| Error::TimeStandsStill { time, dt, next: dt };
+    macro_rules! swing {
+        ($law:expr, $real:ident, $t:expr) => {
+            Simulation::new(
+                $law,
+                State::<1, $real>::of([0.3].map($real::from_f64), [0.7].map($real::from_f64)).at_time($t),
+            )
+            .scheme(Leapfrog)
+            .dt(dt)
+        };
+    }
+    for before in [-border, border] {
+        let error = swing!(Swing { k: 1.3 }, f32, before).run(10).unwrap_err();
+        assert_eq!((error.cause(), error.run().steps()), (still(before), 0));
+        assert_eq!(swing!(Swing { k: 1.3 }, f32, before).stepper().unwrap_err(), still(before));
+    }
+    let told = still(border).to_string();
+    let start = "at t = 131072 time stands still in steps of 0.015625: the next number of the scalar, in which the law names it, is 0.015625 later; ";
+    assert!(told.starts_with(start), "{told}");
+
+    let near = border - 3.0 * dt;
+    assert_eq!(swing!(Swing { k: 1.3 }, f32, near).run_until(border).unwrap_err().cause(), still(border));
+    assert_eq!(swing!(Swing { k: 1.3 }, f32, near).run(3).unwrap_err().cause(), still(border));
+    let all = Ensemble::each(3, |k| swing!(Swing { k: k as f64 }, f32, near)).run(3).unwrap();
+    assert!(all.members().all(|member| member.unwrap_err().cause() == still(border)));
+    let mut stepper = swing!(Swing { k: 1.3 }, f32, near).stepper().unwrap();
+    assert_eq!(stepper.advance(3).unwrap_err(), still(border));
+    stepper.advance(2).unwrap();
+    stepper.step().unwrap();
+    assert_eq!((stepper.step().unwrap_err(), stepper.steps()), (still(border), 3));
+    assert_eq!(stepper.set_dt(dt / 2.0).unwrap_err(), Error::TimeStandsStill { time: border, dt: dt / 2.0, next: dt });
+    stepper.set_state(stepper.state().at_time(0.0)).unwrap();
+    stepper.advance(5).unwrap();
+    assert_eq!(stepper.set_state(stepper.state().at_time(border)).unwrap_err(), still(border));
+
+    swing!(Swing { k: 1.3 }, f32, near).run(2).unwrap();
+    swing!(Swing { k: 1.3 }, f64, near).run(100).unwrap();
+    swing!(Swing { k: 1.3 }, DoubleDouble, near).run(100).unwrap();
+    swing!(Pendulum { k: 1.3 }, f32, near).run(100).unwrap();
 }
 
 /// A loop of one's own watches from its first state on, whatever was before and whatever changes: momenta as energies.

@@ -84,10 +84,11 @@ impl<L, X, S, M, C> Ensemble<L, X, S, M, C> {
         if matches!(span, Span::Steps(_)) {
             return Ok(());
         }
-        let (dt, follow) = (self.common().step_length::<f64>()?, self.common().scheme.tolerance().is_some());
+        let common = self.common();
+        let (dt, equal) = (common.step_length::<f64>()?, common.scheme.tolerance().is_none());
         let mut refused = Ok(());
         for k in 0..self.members {
-            match span.steps(self.bare(k).start.t, dt, follow) {
+            match span.steps(self.bare(k).start.t, dt, equal.then_some(f64::EPSILON)) {
                 Err(before @ Error::Span { .. }) => refused = refused.and(Err(before)),
                 _ => return Ok(()),
             }

@@ -150,18 +150,22 @@ pub enum Error {
         /// The time step, with a tolerance the longest; infinite where there is none.
         dt: f64,
     },
-    /// The time is so large that a step does not change it, or by its rounding only.
+    /// The time is so large that a step does not change it, or by its rounding only: as an `f64` or, in a law that names it, as
+    /// a number of the law's scalar.
     #[error(
-        "at t = {} time stands still in steps of {}: the next number is {} later; count time from a later origin or take longer steps",
+        "at t = {} time stands still in steps of {}: the next number{} is {} later; count time from a later origin or take longer steps",
         Number(*time),
         Number(*dt),
-        Number(time.abs().next_up() - time.abs())
+        if *next > time.abs() * f64::EPSILON { " of the scalar, in which the law names it," } else { "" },
+        Number(*next)
     )]
     TimeStandsStill {
         /// The time.
         time: f64,
         /// The time step.
         dt: f64,
+        /// How much later the next number is.
+        next: f64,
     },
     /// The law has no finite value where the motion starts.
     #[error("the {quantity} of the law is {} at the start, t = {}", Number(*value), Number(*time))]

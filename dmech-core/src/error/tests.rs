@@ -24,7 +24,7 @@ fn all(x: f64) -> Vec<Error> {
         Error::OutsideStep { time, from: x, to: end },
         Error::Stream(std::io::ErrorKind::StorageFull),
         Error::EndTime { end, dt },
-        Error::TimeStandsStill { time, dt },
+        Error::TimeStandsStill { time, dt, next: x },
         Error::Law { quantity, value, time },
         Error::Underflow { coordinate: 1, slope: x, time },
         Error::Link { a: 1, b: 2, distance: x, step, time },

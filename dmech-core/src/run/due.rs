@@ -31,7 +31,7 @@ impl Due {
     pub(crate) fn check(&self, start: f64) -> Result<(), Error> {
         match *self {
             Due::Every(0) => Err(Error::RecordEvery),
-            Due::Apart(dt) if !(dt > 0.0 && dt.is_finite() && moves_on(start, dt).is_ok()) => {
+            Due::Apart(dt) if !(dt > 0.0 && dt.is_finite() && moves_on(start, dt, f64::EPSILON).is_ok()) => {
                 Err(Error::RecordDt { dt })
             }
             Due::At(ref times) => match times.iter().find(|t| !t.is_finite() || **t < start) {

@@ -370,7 +370,7 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
         let stepper = settings.stepper(law, start, scheme)?;
         stepper.system.check_potential(&stepper.start)?;
         let (t, dt) = (stepper.t(), stepper.dt);
-        let steps = span.steps(t, dt, stepper.scheme.tolerance().is_some())?;
+        let steps = span.steps(t, dt, stepper.resolution())?;
         let states = settings.due.states(steps, span.time(t, steps, dt));
         Ok((stepper, Plan { steps, states, settings }))
     }

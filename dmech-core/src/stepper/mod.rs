@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::law::Law;
 use crate::newton::NotConverged;
 use crate::scheme::Scheme;
-use crate::span::possible;
+use crate::span::{moves_on, possible};
 use crate::system::{Effort, Particle, System};
 use departure::Departure;
 pub(crate) use parts::in_parts;
@@ -139,6 +139,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             self.begin_at_last()?;
         }
         self.scheme.ready(self.steps() + 1, &self.memory)?;
+        self.tells_the_time()?;
         let t = Y::Scalar::from_f64(self.t());
         let (mut next, mut spent, mut shorter) = (self.copy(), Effort::default(), 0);
         loop {
@@ -174,6 +175,21 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     fn shorter(&self, times: u32) -> Option<S::Memory> {
         let mut memory = self.memory.clone();
         (0..times).all(|_| self.scheme.shorten(&self.stride, &mut memory)).then_some(memory)
+    }
+
+    /// To what steps of equal length must change the time.
+    #[inline(always)]
+    pub(crate) fn resolution(&self) -> Option<f64> {
+        self.scheme.tolerance().is_none().then(|| self.system.resolution())
+    }
+
+    /// Whether a scalar narrower than the time tells this step from the next.
+    #[inline(always)]
+    fn tells_the_time(&self) -> Result<(), Error> {
+        match self.resolution() {
+            Some(resolution) if resolution > f64::EPSILON => moves_on(self.t(), self.dt, resolution),
+            _ => Ok(()),
+        }
     }
 
     /// Whether driven bodies are somewhere after so many steps from the start.
@@ -222,7 +238,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if self.waits {
             self.begin_at_last()?;
         }
-        let end = self.steps.saturating_add(possible(steps, self.t(), self.dt, self.scheme.tolerance().is_some())?);
+        let end = self.steps.saturating_add(possible(steps, self.t(), self.dt, self.resolution())?);
         let mut last = self.copy();
         self.scheme.watch(false, &mut self.workspace);
         let counts = self.run_to(end, &mut last);

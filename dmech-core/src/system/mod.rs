@@ -76,6 +76,12 @@ pub trait System: Sized {
     fn state(&self, t: f64, q: &Self::Vector, v: &Self::Vector) -> Self::State;
     /// The time of a state.
     fn time(state: &Self::State) -> f64;
+    /// The relative distance of times that the system tells apart: that of `f64`, and of a narrower scalar where the law names
+    /// the time.
+    #[inline(always)]
+    fn resolution(&self) -> f64 {
+        f64::EPSILON
+    }
     /// The memory that a recorded state takes, in bytes.
     fn size(_state: &Self::State) -> usize {
         size_of::<Self::State>()

@@ -33,7 +33,7 @@ impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P,
         let Scene { bodies, laws, space } = self;
         bodies.check()?;
         space.check()?;
-        moves_on(bodies.t, dt)?;
+        moves_on(bodies.t, dt, f64::EPSILON)?;
         let acts = laws.prepare(&bodies, space)?;
         let mut per_mass: Vec<_> = bodies.masses.iter().map(|mass| mass.recip()).collect();
         bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);

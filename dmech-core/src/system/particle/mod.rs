@@ -111,6 +111,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         state.t
     }
     #[inline(always)]
+    fn resolution(&self) -> f64 {
+        if L::AUTONOMOUS { f64::EPSILON } else { R::EPSILON.to_f64().max(f64::EPSILON) }
+    }
+    #[inline(always)]
     fn zero(&self) -> [R; D] {
         [R::ZERO; D]
     }

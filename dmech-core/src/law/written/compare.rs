@@ -36,15 +36,18 @@ pub enum Agreement {
 ///
 /// Around it, because at a special start, at rest in a minimum at t = 0, many laws agree. That is looked at once for a law and
 /// not on every body that it acts on: `closely`. Where only one of the two is finite it counts as a difference if there is no
-/// place at all where both are.
+/// place at all where both are, or if the author's method panics at the start.
 ///
 /// # Errors
 /// The first [`Disagreement`].
 pub(crate) fn agree<const D: usize>(law: &dyn Written<D>, start: &Probe<D>, closely: bool) -> Result<(), Disagreement> {
     const PLACES: usize = 8;
     let (mut compared, mut one_sided) = (false, None);
-    for place in core::iter::once(*start).chain((1..=PLACES).map(|k| start.displaced(k))) {
+    for k in 0..=PLACES {
+        let place = if k == 0 { *start } else { start.displaced(k) };
         match agreement(law, &place) {
+            // A panic is printed each time.
+            Agreement::OneSided(panicked) if k == 0 && panicked.panics() => return Err(panicked),
             Agreement::Compared(ratio, difference) if ratio > 1.0 => return Err(difference),
             Agreement::Compared(..) if !closely => return Ok(()),
             Agreement::Compared(..) => compared = true,

@@ -48,28 +48,86 @@ pub(super) fn by_the_square(graph: &mut Graph, slope: Expr, ends: &[(Expr, Dista
         return None;
     }
     graph.remember_centre();
+    // A factor that is 0 on a line through the centre says nothing of the distance: what comes times it is looked at by itself.
+    let mut quotients = vec![];
+    for (factor, rest) in by_vanishing_factors(graph, slope, ends, &mut centre) {
+        let quotient = half_over(graph, rest, ends, &mut centre);
+        quotients.push(graph.mul(&[factor, quotient]));
+    }
+    Some(graph.add(&quotients))
+}
+
+/// A/2r of an A that vanishes with r, and its limit.
+fn half_over(graph: &mut Graph, slope: Expr, ends: &[(Expr, Distance)], centre: &mut Substitution) -> Expr {
     let limit = rise(graph, slope, ends);
     let roots: Vec<_> = ends.iter().map(|&(root, _)| root).collect();
     let part = 1.0 / roots.len() as f64;
     let sum = graph.add(&roots);
     let sum = graph.scale(2.0 * part, sum);
-    if !cancels(graph, slope, &mut centre) {
+    if !cancels(graph, slope, ends, centre) {
         // Halves in the sums: the [tangent](super::tangent) of a root that vanishes is then 0.
         let parts: Vec<_> = roots.iter().map(|&root| graph.scale(part, root)).collect();
         let middle = graph.add(&parts);
         let (square, quotient) = (graph.square(middle), divided(graph, slope, sum));
         let lost = Condition::lost(graph, square);
-        return Some(graph.select(lost, limit, quotient));
+        return graph.select(lost, limit, quotient);
     }
     let (quotient, linear) = (graph.div(slope, sum), graph.mul(&[limit, sum]));
     let rest = graph.sub(slope, linear);
-    let size = size(graph, slope, &mut centre);
+    let size = size(graph, slope, ends, centre);
     // Without a number before it, which would be multiplied with that for a rounding.
     let (number, _) = graph.factors(size);
     let [rest, size] = [rest, size].map(|e| graph.scale(number.value().recip(), e));
     let (rest, rounding) = (graph.unary(Unary::Abs, rest), graph.number(Number::ROUNDING.value()));
     let rounding = graph.mul(&[rounding, size]);
-    Some(graph.select(Condition::less_or_equal(rest, rounding), limit, quotient))
+    graph.select(Condition::less_or_equal(rest, rounding), limit, quotient)
+}
+
+/// An expression that vanishes at the centre, as Σ factor · rest with rests that vanish there and factors that do so without a distance.
+fn by_vanishing_factors(
+    graph: &mut Graph,
+    e: Expr,
+    ends: &[(Expr, Distance)],
+    centre: &mut Substitution,
+) -> Vec<(Expr, Expr)> {
+    let one = graph.one();
+    let summands: Vec<_> = match graph.node(e).clone() {
+        _ if !cancels(graph, e, ends, centre) => return vec![(one, e)],
+        Node::Sum { constant, terms } => {
+            let mut summands = vec![graph.number(constant.value())];
+            summands.extend(terms.iter().map(|&(c, term)| graph.scale(c.value(), term)));
+            summands
+        }
+        _ => vec![e],
+    };
+    // (x − c) eʳ − x + c is (x − c) (eʳ − 1).
+    let (of, free): (Vec<_>, Vec<_>) = summands.into_iter().partition(|&summand| is_of(graph, summand, ends));
+    let free = graph.add(&free);
+    let mut sums: Vec<(Expr, Expr)> = vec![];
+    for summand in of.into_iter().chain([free]) {
+        let (_, factors) = graph.factors(summand);
+        let apart = factors.into_iter().filter(|&(f, n)| n > 0 && !is_of(graph, f, ends) && vanishes(graph, f, centre));
+        let apart = apart.collect();
+        let factor = graph.product_of(Number::ONE, apart);
+        let rest = graph.div(summand, factor);
+        let [opposite, turned] = [factor, rest].map(|e| graph.neg(e));
+        let known = sums.iter_mut().find(|(other, _)| [factor, opposite].contains(other));
+        match known {
+            Some((other, sum)) => *sum = graph.add(&[*sum, if *other == factor { rest } else { turned }]),
+            None => sums.push((factor, rest)),
+        }
+    }
+    // What does not vanish by itself, x eʳ beside x, stays with all else.
+    let (mut sums, others): (Vec<_>, Vec<_>) =
+        sums.into_iter().partition(|&(factor, rest)| factor != one && vanishes(graph, rest, centre));
+    let others: Vec<_> = others.into_iter().map(|(factor, rest)| graph.mul(&[factor, rest])).collect();
+    sums.push((one, graph.add(&others)));
+    sums
+}
+
+/// Whether a distance is in an expression.
+fn is_of(graph: &Graph, e: Expr, ends: &[(Expr, Distance)]) -> bool {
+    graph.reachable(&[e]).iter().any(|e| ends.iter().any(|(root, distance)| e == root || *e == distance.below))
 }
 
 /// A quotient, summand by summand: r f(r)/r is f(r).
@@ -84,12 +142,14 @@ fn divided(graph: &mut Graph, e: Expr, by: Expr) -> Expr {
     graph.add(&summands)
 }
 
-/// Whether what vanishes is a sum of parts that do not.
-fn cancels(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> bool {
+/// Whether what vanishes is a sum of parts that do not. In x − c nothing is lost: the distance is made of it.
+fn cancels(graph: &mut Graph, e: Expr, ends: &[(Expr, Distance)], centre: &mut Substitution) -> bool {
     match graph.node(e).clone() {
-        Node::Sum { terms, .. } => !terms.iter().all(|&(_, term)| vanishes(graph, term, centre)),
+        Node::Sum { terms, .. } => {
+            is_of(graph, e, ends) && !terms.iter().all(|&(_, term)| vanishes(graph, term, centre))
+        }
         Node::Product { factors, .. } => {
-            factors.iter().any(|&(f, _)| vanishes(graph, f, centre) && cancels(graph, f, centre))
+            factors.iter().any(|&(f, _)| vanishes(graph, f, centre) && cancels(graph, f, ends, centre))
         }
         _ => false,
     }
@@ -112,7 +172,7 @@ fn rise(graph: &mut Graph, slope: Expr, ends: &[(Expr, Distance)]) -> Expr {
 }
 
 /// How large the parts are that cancel in what vanishes.
-fn size(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> Expr {
+fn size(graph: &mut Graph, e: Expr, ends: &[(Expr, Distance)], centre: &mut Substitution) -> Expr {
     match graph.node(e).clone() {
         Node::Sum { constant, terms } => {
             let mut sizes = vec![graph.number(constant.value().abs())];
@@ -124,8 +184,8 @@ fn size(graph: &mut Graph, e: Expr, centre: &mut Substitution) -> Expr {
         }
         Node::Product { coefficient, factors } => {
             let factors = factors.iter().map(|&(f, n)| {
-                let vanishes = n > 0 && vanishes(graph, f, centre);
-                (if vanishes { size(graph, f, centre) } else { graph.unary(Unary::Abs, f) }, n)
+                let parts = n > 0 && is_of(graph, f, ends) && vanishes(graph, f, centre);
+                (if parts { size(graph, f, ends, centre) } else { graph.unary(Unary::Abs, f) }, n)
             });
             let factors = factors.collect();
             graph.product_of(Number::new(coefficient.value().abs()), factors)

@@ -294,6 +294,71 @@ fn wholes_of_a_higher_order_have_a_centre() {
     }
 }
 
+/// Where the slope along r is 0 for the direction, on a line through the centre, and not for the distance, the second derivatives are
+/// those of the law: nothing there is a limit.
+#[test]
+fn lines_through_a_centre_are_none() {
+    fn shifted(q: &[E], p: &[E]) -> E {
+        ((q[0] - p[1]).powi(2) + 4.0 * (q[1] - p[2]).powi(2)).sqrt()
+    }
+    let laws: [Formula; 14] = [
+        |q, p| (q[0] - p[1]) * shifted(q, p),
+        |q, p| (q[0] - p[1]) * shifted(q, p).exp(),
+        |q, p| (q[0] - p[1]) * (shifted(q, p).exp() - shifted(q, p)),
+        |q, p| (q[0] - p[1]) * (q[1] - p[2]) * (shifted(q, p).exp() - shifted(q, p)),
+        |q, p| p[0] * (q[0] - p[1]).powi(2) * (shifted(q, p).sin() - shifted(q, p)),
+        |q, p| (q[0] - p[1]) * shifted(q, p).exp() - (q[1] - p[2]) * shifted(q, p).exp(),
+        |q, p| {
+            (q[0] - p[1]) * (shifted(q, p).exp() - shifted(q, p))
+                + (q[1] - p[2]) * (shifted(q, p).exp() - shifted(q, p))
+        },
+        |q, p| (q[0] - p[1]) * (q[1] + p[2]) * (1.0 - shifted(q, p)).max(0.0).powi(4) * (1.0 + 4.0 * shifted(q, p)),
+        |q, _| q[0] * norm(q).exp(),
+        |q, p| p[0] * q[0] * (norm(q).exp() - norm(q)),
+        |q, p| p[0] * q[0] * (norm(q).exp() - norm(q)) - p[0] * q[1] * (norm(q).exp() - norm(q)),
+        |q, p| q[0].sin() * (norm(q) - norm(q).sin()) + p[0] * q[1] * (norm(q) - norm(q).sin()),
+        |q, p| p[0] * (q[0] * norm(q).exp() + norm(q).exp() - norm(q)) + q[1] * (1.0 + norm(q)).ln(),
+        |q, p| (1.0 + p[0] * q[0] * q[1]) * (norm(q).exp() - norm(q)),
+    ];
+    for (k, formula) in laws.into_iter().enumerate() {
+        let mut law = Law::build(2, formula);
+        let [x, y] = if k < 8 { [PARAMETERS[1], PARAMETERS[2]] } else { [0.0; 2] };
+        let kernels = law.kernels().pointwise;
+        for [u, w] in [[0.0, 0.25], [0.125, 0.0], [-0.25, 0.25], [0.25, 0.25], [0.125, -0.125], [0.1875, 0.25]] {
+            let (a, b) = ([x + u, y + w], [x - 2.0 * u, y + 1.5 * w]);
+            let across = [x - u, y + 1.5 * w];
+            let h = 1e-4;
+            let hessian = kernels.hessian.run(law.at(&a, &a));
+            let [straight, crossed] = [b, across].map(|b| kernels.discrete_gradient_jacobian.run(law.at(&a, &b)));
+            for j in 0..2 {
+                // Of fourth order.
+                let mut rise = |of: &mut dyn FnMut(&mut Law, [f64; 2]) -> Vec<f64>, from: [f64; 2]| {
+                    let mut at = |s: f64| {
+                        let mut q = from;
+                        q[j] += s * h;
+                        of(&mut law, q)
+                    };
+                    let [p2, p1, m1, m2] = [2.0, 1.0, -1.0, -2.0].map(&mut at);
+                    [0, 1].map(|i| (8.0 * (p1[i] - m1[i]) - (p2[i] - m2[i])) / (12.0 * h))
+                };
+                let slopes = rise(&mut |law, q| kernels.gradient.run(law.at(&q, &q)), a);
+                let [along, aside] =
+                    [b, across].map(|b| rise(&mut |law, q| kernels.discrete_gradient.run(law.at(&a, &q)), b));
+                for i in 0..2 {
+                    for (found, right) in [(&hessian, slopes[i]), (&straight, along[i]), (&crossed, aside[i])]
+                        .map(|(m, r)| (m[2 * i + j], r))
+                    {
+                        assert!(
+                            (found - right).abs() < 1e-9 * (1.0 + right.abs()),
+                            "{k} at {u}, {w}: {found}, {right}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// |q|^p with a parameter p > 1 is least at the centre, whatever units |q| has, and no slope is infinite on the way there.
 #[test]
 fn powers_of_distances_have_a_centre() {

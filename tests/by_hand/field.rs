@@ -89,3 +89,64 @@ fn so_is_one_of_the_velocity() {
     assert_abs_diff_eq!(at_two(Explicit, 1e-5), fine, epsilon = 1e-4);
     assert!((fine - AT_TWO).abs() > 0.05);
 }
+
+/// The same force with nothing but itself: what is made of it is what was written.
+#[derive(Clone, Copy)]
+struct Bare<const DAMPED: bool>;
+
+struct BareNow<const DAMPED: bool>;
+
+impl<const DAMPED: bool> Potential<1> for BareNow<DAMPED> {
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        Acting::<DAMPED>.potential(q)
+    }
+    fn gradient(&self, q: [f64; 1]) -> [f64; 1] {
+        q
+    }
+    fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] {
+        [[1.0]]
+    }
+    fn discrete_gradient(&self, a: [f64; 1], b: [f64; 1]) -> [f64; 1] {
+        Acting::<DAMPED>.discrete_gradient(a, b)
+    }
+    fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] {
+        [[0.5]]
+    }
+}
+
+impl<const DAMPED: bool> Field<1> for BareNow<DAMPED> {
+    const FORCED: bool = true;
+    const CONSERVES_ENERGY: bool = false;
+
+    fn force(&self, q: [f64; 1], v: [f64; 1], t: f64) -> [f64; 1] {
+        Acting::<DAMPED>.force(q, v, t)
+    }
+}
+
+impl<const DAMPED: bool> Law<1> for Bare<DAMPED> {
+    type Field<'a> = BareNow<DAMPED>;
+
+    fn field(&self, _: f64, _: f64) -> BareNow<DAMPED> {
+        BareNow
+    }
+}
+
+impl VelocityIndependent for Bare<false> {}
+impl LinearInVelocity for Bare<true> {}
+impl LinearInVelocity for Split<true> {}
+
+#[test]
+fn a_force_alone_is_enough() {
+    macro_rules! agree {
+        ($damped:literal: $($scheme:expr),*) => {$(
+            let start = State::new([1.0], [0.2]);
+            let written = Simulation::new(Split::<$damped>, start).scheme($scheme).dt(0.05).run(40).unwrap().last().to_owned();
+            let bare = Simulation::new(Bare::<$damped>, start).scheme($scheme).dt(0.05).run(40).unwrap().last().to_owned();
+            assert_abs_diff_eq!(written.q[0], bare.q[0], epsilon = 1e-9);
+            assert_abs_diff_eq!(written.v[0], bare.v[0], epsilon = 1e-9);
+            assert!((bare.q[0] - start.q[0]).abs() > 0.1);
+        )*};
+    }
+    agree!(false: Explicit, Leapfrog, Nystrom::order8(), ForceGradient::order4(), Implicit, DiscreteGradient, Kanatani);
+    agree!(true: Explicit, Boris, Implicit, DiscreteGradient, Composed::order4(DiscreteGradient));
+}

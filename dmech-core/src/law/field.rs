@@ -2,14 +2,15 @@
 
 use dmech_scalar::Real;
 
-use super::{Conservative, Potential, rotation};
+use super::{Conservative, Potential, differences, rotation};
 use crate::look::{Course, Frequency, Stiffness};
 use crate::newton::{self, Equation, Increment, NotConverged};
-use crate::vector::{by_component, by_entry, dot};
+use crate::vector::{by_component, by_entry, dot, scaled};
 
 /// What acts on a particle at one moment: a potential, and with it perhaps a force.
 ///
-/// Written by the macro; a conservative potential is its own field.
+/// Written by the macro; a conservative potential is its own field. By hand, beside a [`FORCED`](Field::FORCED) that is true,
+/// [`force`](Field::force) is enough: all else is made of it, the Jacobians by differences.
 pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     /// A force acts beside the potential.
     const FORCED: bool = false;
@@ -18,15 +19,23 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
 
     /// ∇Φ(q) − F(q, v): minus all that acts.
     #[inline(always)]
-    fn slope(&self, q: [R; D], _v: [R; D]) -> [R; D] {
-        self.gradient(q)
+    fn slope(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        let slope = self.gradient(q);
+        if !Self::FORCED {
+            return slope;
+        }
+        let force = self.force(q, v, self.time());
+        by_component!(|i| slope[i] - force[i])
     }
 
     /// The share of the force at the start of a step in the mean that the energy-exact step takes: F(q, v)/2. Nothing
     /// where the force is taken in the middle of the step because it does no work.
     #[inline(always)]
-    fn half_force(&self, _q: [R; D], _v: [R; D]) -> [R; D] {
-        [R::ZERO; D]
+    fn half_force(&self, q: [R; D], v: [R; D]) -> [R; D] {
+        if !Self::FORCED || Self::CONSERVES_ENERGY {
+            return [R::ZERO; D];
+        }
+        scaled(R::from_f64(0.5), self.force(q, v, self.time()))
     }
 
     /// F(q, v, t); zero where there is no force beside the potential. The time is that of the force, as the energy-exact
@@ -36,16 +45,22 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         [R::ZERO; D]
     }
 
-    /// ∂F/∂q.
+    /// ∂F/∂q; by differences, which cost the digits of [`ForceGradient`](crate::ForceGradient), unless it is written.
     #[inline(always)]
-    fn force_dq(&self, _q: [R; D], _v: [R; D], _t: R) -> [[R; D]; D] {
-        [[R::ZERO; D]; D]
+    fn force_dq(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        if !Self::FORCED {
+            return [[R::ZERO; D]; D];
+        }
+        differences::jacobian(q, |q| self.force(q, v, t))
     }
 
-    /// ∂F/∂v.
+    /// ∂F/∂v; by differences, which cost the digits of [`Boris`](crate::Boris), unless it is written.
     #[inline(always)]
-    fn force_dv(&self, _q: [R; D], _v: [R; D], _t: R) -> [[R; D]; D] {
-        [[R::ZERO; D]; D]
+    fn force_dv(&self, q: [R; D], v: [R; D], t: R) -> [[R; D]; D] {
+        if !Self::FORCED {
+            return [[R::ZERO; D]; D];
+        }
+        differences::jacobian(v, |v| self.force(q, v, t))
     }
 
     /// The time at which this acts: a field by hand whose force names it says so.

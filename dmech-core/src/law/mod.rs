@@ -2,6 +2,7 @@
 
 #[cfg(feature = "scene")]
 mod cut_off;
+mod differences;
 mod field;
 mod fields;
 mod masses;

@@ -101,13 +101,6 @@ impl<A: AmongFew<D, N, S>, const D: usize, const N: usize, const K: usize, R: Re
         self.rows(|out| *out = self.slopes(q, v))
     }
     #[inline(always)]
-    fn half_force(&self, q: [R; K], v: [R; K]) -> [R; K] {
-        if A::CONSERVES_ENERGY {
-            return [R::ZERO; K];
-        }
-        scaled(R::from_f64(0.5), self.force(q, v, self.t))
-    }
-    #[inline(always)]
     fn force(&self, q: [R; K], v: [R; K], t: R) -> [R; K] {
         self.rows(|out| self.acts.add_force(&bodies(q), &bodies(v), t, out))
     }

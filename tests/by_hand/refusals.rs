@@ -314,8 +314,5 @@ fn a_law_that_is_finite_is_not_blamed() {
     let interrupted = motion(0.5).run(3).unwrap_err();
     let Error::NotConverged { step, dt, residual, .. } = interrupted.cause() else { panic!("{interrupted}") };
     assert_eq!((step, dt, residual), (1, 0.5, f64::INFINITY), "{interrupted}");
-    assert!(
-        interrupted.to_string().ends_with("the last correction was inf (0 steps done, 1 states recorded)"),
-        "{interrupted}"
-    );
+    assert!(interrupted.to_string().ends_with("take shorter steps (0 steps done, 1 states recorded)"), "{interrupted}");
 }

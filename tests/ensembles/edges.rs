@@ -1,5 +1,6 @@
 //! Members that fail, that do nothing, that are none; simulations of any kind.
 
+use dmech::models::Kepler;
 use dmech::models::pairs::Gravity;
 use dmech::prelude::*;
 
@@ -215,4 +216,21 @@ fn a_panic_goes_on() {
         });
         assert!(look.is_err(), "{threads} threads");
     }
+}
+
+/// What is said of all members: nothing is relative to an energy of 0, and no time is told that was not measured.
+#[test]
+fn what_is_said_of_members_are_numbers() {
+    // On a parabola from 2, on ellipses from 1 and 1.5.
+    let run = Ensemble::of(3)
+        .law(|_| Kepler { gm: 1.0 })
+        .start(|k| State::new([1.0 + 0.5 * k as f64, 0.0], [0.0, 1.0]))
+        .scheme(Leapfrog)
+        .dt(0.01)
+        .run(200)
+        .unwrap();
+    let said = run.to_string();
+    assert!(said.contains("energy               relative deviation at most") && !said.contains("inf"), "{said}");
+    let said = run.member(2).unwrap().to_string();
+    assert!(said.ends_with("not measured") && !said.contains("ns per step"), "{said}");
 }

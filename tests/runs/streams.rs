@@ -16,6 +16,10 @@ fn a_stream_has_what_a_table_has() {
     let mut streamed = Vec::new();
     let run = planet().record_every(3).stream(Csv::new(&mut streamed)).run(100).unwrap();
     assert!(run.states().is_empty());
+    // What went there is not left to be written again: no empty table is made of it.
+    for refused in [run.write_csv(Vec::new()), run.write(Npy::new(Cursor::new(Vec::new())))] {
+        assert_eq!(refused.unwrap_err().kind(), io::ErrorKind::InvalidInput);
+    }
     let kept = planet().record_every(3).run(100).unwrap();
     let mut table = Vec::new();
     kept.write_csv(&mut table).unwrap();

@@ -142,7 +142,7 @@ impl<L, X: Setup<L>, S: Scheme<X::System>, O: Attend<X::State>> Plan<X::State> f
     }
 }
 
-/// Where members of any kind are kept: nowhere, or in a [store](EachAlone::store).
+/// Where members of any kind are kept: nowhere, or in a store (feature `store`).
 #[diagnostic::on_unimplemented(
     message = "these simulations cannot be kept in a store",
     note = "states of laws and of scenes are kept: of laws those whose numbers are `f64`, `f32`, `DoubleDouble`, or others that are `Exact`"

@@ -189,7 +189,7 @@ impl<L, X, S, M> Ensemble<L, X, S, M> {
     ///
     /// Functions see the states of their own member only, in the order of time; which members come first is not said. What they have in
     /// common, a sum or a histogram, is behind a lock or atomic; what [`Run`](crate::Run) has comes in the order of members. On several
-    /// [ranks](Ensemble::ranks) each sees those that it moves.
+    /// ranks each sees those that it moves.
     pub fn with<O, F, const D: usize>(self, company: F) -> Ensemble<L, X, S, M, With<F>>
     where
         X: Starts<D>,

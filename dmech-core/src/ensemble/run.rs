@@ -175,7 +175,9 @@ impl<X> fmt::Display for EnsembleRun<X> {
         let each = if made == 0 { 0.0 } else { 1e9 * seconds / made as f64 };
         writeln!(f, "{made} steps in {seconds:.3} s, {each:.2} ns each{steps_of}")?;
         for invariant in Invariant::ALL {
+            // Relative to 0 is no number.
             let drifts = self.members.iter().flatten().filter_map(|run| run.drift(invariant));
+            let drifts = drifts.filter(|drift| drift.start() != 0.0);
             let worst = drifts.map(|drift| drift.max_relative()).reduce(|a, b| if a.is_nan() || a > b { a } else { b });
             if let Some(worst) = worst {
                 writeln!(f, "{invariant:<20} relative deviation at most {worst:.2e}")?;

@@ -73,7 +73,11 @@ pub enum Error {
     },
     /// The step that the motion asks for is lost in the rounding of the time, as in a collision, or the end is beyond the reach of any
     /// number of such steps.
-    #[error("step {step} from t = {} would have to be as short as {}", Number(*time), Number(*dt))]
+    #[error(
+        "step {step} from t = {} would have to be as short as {}, as where bodies collide",
+        Number(*time),
+        Number(*dt)
+    )]
     StepVanished {
         /// The number of the step, counted from 1.
         step: u64,
@@ -386,7 +390,11 @@ fn not_converged(iterations: u32, residual: f64) -> String {
             "did not converge: no root was found in {iterations} iterations, as at rest where the force jumps"
         );
     }
-    format!("did not converge: after {iterations} iterations the last correction was {}", Number(residual))
+    format!(
+        "did not converge: after {iterations} iterations the last correction was {}, as where bodies collide or the potential jumps \
+            (`verify` looks for jumps); take shorter steps",
+        Number(residual)
+    )
 }
 
 /// What is wrong between two bodies.

@@ -183,6 +183,9 @@ impl fmt::Display for Report {
         if self.work.rough > 0 {
             writeln!(f, "  {:<22} {:>22} {:>12} of lower order", "rough steps", self.work.rough, "")?;
         }
+        if elapsed.is_zero() {
+            return write!(f, "  {:<22} {:>22}", "time", "not measured");
+        }
         let nanoseconds = per_step(elapsed.as_secs_f64() * 1e9);
         write!(f, "  {:<22} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
     }

@@ -56,8 +56,12 @@ impl<X> Run<X> {
     /// `Csv::long(file)` for scenes, `Npy::new(file)`.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Those of the writer, and where nothing was recorded because the states went to a stream.
     pub fn write(&self, mut sink: impl Sink<X>) -> io::Result<()> {
+        if self.states().is_empty() && self.steps() > 0 {
+            let nothing = "no states were recorded: they went to a stream, or none was due";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, nothing));
+        }
         sink.begin(self.last())?;
         self.states().iter().try_for_each(|state| sink.write(state))?;
         sink.end(self.states().len() as u64)

@@ -119,7 +119,8 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
     /// What acts on the others depends on the time then, which every scheme takes as it takes a law that names the time, with
     /// its order; the energy is no invariant. v is what laws of the velocity feel. A path that bends, as one that stops, is
     /// best made to bend between two steps; it must be finite at all times, or the run ends with
-    /// [`Error::Path`](crate::Error::Path). A path that depends on the motion, as of a hand in
+    /// [`Error::Path`](crate::Error::Path). That v is the velocity of q is not checked; of two paths of a body the later
+    /// counts. A path that depends on the motion, as of a hand in
     /// a game, is [`set_body`](crate::Stepper::set_body) between steps.
     ///
     /// ```
@@ -217,7 +218,8 @@ impl<const D: usize, P, L, X, B> Scene<D, P, (L, Linked<X, Pairs>), B> {
     ///
     /// A law that vanishes at r is taken as it is; any other is shifted by its value there, Φ(d) − Φ(r), so that the
     /// energy is an invariant. Where the force does not vanish too it jumps at r: `DiscreteGradient` keeps the energy
-    /// all the same, that of explicit schemes goes to and fro a little more.
+    /// all the same; with all other schemes what each passing through r leaves in it adds up as a walk, also where it is
+    /// said to be bounded. So it does in a box without a cut-off, where the nearest image changes.
     ///
     /// Bodies within reach are found by cells, and remembered in lists until one of them has moved: time and memory are
     /// O(N), for N bodies of bounded density. The sums are formed in the order of the bodies, whatever the lists: they do

@@ -1,7 +1,7 @@
 //! The value of a constant from another module is not seen.
 use dmech::prelude::*;
 
-mod units {
+mod constants {
     pub const G: f64 = 6.674e-11;
 }
 
@@ -13,7 +13,7 @@ struct Kepler {
 impl Kepler {
     #[potential]
     fn energy(&self, q: [f64; 2]) -> f64 {
-        -units::G * self.gm / q[0].hypot(q[1])
+        -constants::G * self.gm / q[0].hypot(q[1])
     }
 }
 

@@ -21,7 +21,7 @@ pub trait Setup<L> {
     /// The same from another state.
     fn starting_from(self, state: &Self::State) -> Self;
     /// The mass that a report shows, of a simulation with the mass `mass`.
-    fn mass(&self, mass: f64) -> f64;
+    fn whole_mass(&self, mass: f64) -> f64;
     /// The system, for steps of about the length dt.
     ///
     /// # Errors
@@ -41,7 +41,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> Setup<L> for State<D, R> {
         *state
     }
 
-    fn mass(&self, mass: f64) -> f64 {
+    fn whole_mass(&self, mass: f64) -> f64 {
         mass
     }
 

@@ -53,7 +53,7 @@ impl<L, X: Setup<L>, S> Simulation<L, X, S> {
     {
         let length = self.step_length::<<X::System as System>::Scalar>()?;
         let Simulation { law, start, scheme, settings, .. } = self;
-        let mut run = before.run(&scheme, settings.dt, start.mass(settings.mass));
+        let mut run = before.run(&scheme, settings.dt, start.whole_mass(settings.mass));
         let system = start.system(law, settings.mass, length)?;
         run.report.keep(Invariant::each(&mut |invariant| S::kept(&system, invariant)));
         Ok(run)

@@ -359,7 +359,7 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
     /// A run without a state.
     pub(crate) fn empty_run(&self) -> Run<X::State> {
         let Simulation { start, scheme, settings, .. } = self;
-        Run::empty(start.start(), scheme, settings.dt.unwrap_or(f64::NAN), start.mass(settings.mass))
+        Run::empty(start.start(), scheme, settings.dt.unwrap_or(f64::NAN), start.whole_mass(settings.mass))
     }
 
     /// Everything that a run begins with, whatever accompanies it.

@@ -31,6 +31,10 @@ use crate::newton::NotConverged;
 ///
 /// Slopes are ∇Φ − F: minus what acts. With M the masses, a kick in the time c moves the velocity by −c M⁻¹(∇Φ − F).
 /// Instructions write where they are told to, so that a step of many bodies allocates nothing.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is nothing that moves by itself",
+    note = "what moves under a law `L` of D coordinates is `Particle<L, D>`, and its stepper `Stepper<Particle<L, D>, S>`; that of a scene is `SceneStepper<D, Laws, S>`"
+)]
 pub trait System: Sized {
     /// A number of the scalar in use.
     type Scalar: Real;

@@ -32,7 +32,7 @@ where
         let simulation = (self.member)(k);
         let length = simulation.step_length::<<X::System as System>::Scalar>();
         let Simulation { law, start, scheme, settings, .. } = simulation;
-        let numbers = [settings.dt, scheme.tolerance(), Some(start.mass(settings.mass))];
+        let numbers = [settings.dt, scheme.tolerance(), Some(start.whole_mass(settings.mass))];
         let numbers = numbers.map(|x| x.unwrap_or(f64::NAN)).into();
         let first = start.start();
         let (mut invariants, mut list, mut acting) = (String::new(), Vec::new(), 0);

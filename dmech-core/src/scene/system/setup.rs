@@ -25,7 +25,7 @@ impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P,
         self.starting_from(state)
     }
 
-    fn mass(&self, _: f64) -> f64 {
+    fn whole_mass(&self, _: f64) -> f64 {
         self.bodies.weights().iter().sum()
     }
 

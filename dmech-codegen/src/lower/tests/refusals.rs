@@ -403,6 +403,25 @@ fn iterators() {
 }
 
 #[test]
+fn ranges_as_conditions() {
+    for (range, comparisons) in [
+        ("0.0..1.0", "q[0] >= 0.0 && q[0] < 1.0"),
+        ("-1.0..=self.b", "q[0] >= -1.0 && q[0] <= self.b"),
+        ("..1.0", "q[0] < 1.0"),
+        ("self.a..", "q[0] >= self.a"),
+    ] {
+        refused(
+            &format!("if «({range}).contains(&q[0])» {{ 1.0 }} else {{ 0.0 }}"),
+            &[&format!("`contains` cannot be read; write `{comparisons}`")],
+        );
+    }
+    refused(
+        "if «(..).contains(&q[0])» { 1.0 } else { 0.0 }",
+        &["a range without ends contains everything; leave the condition away"],
+    );
+}
+
+#[test]
 fn branches() {
     refused(
         "if «q[0]» { 1.0 } else { 0.0 }",

@@ -105,7 +105,7 @@ impl<'m> Interpreter<'m> {
     fn call_path(&mut self, path: &'m ExprPath, mut arguments: Vec<Given<'m>>, e: &'m Expr) -> Value {
         let segments: Vec<_> = path.path.segments.iter().collect();
         let [.., owner, function] = &segments[..] else {
-            return self.call_name(path);
+            return self.call_name(path, arguments.len());
         };
         let (owner, function) = (&owner.ident, &function.ident);
         if segments.len() == 2 && self.model.is_own_type(owner) {
@@ -134,11 +134,11 @@ impl<'m> Interpreter<'m> {
             }
             return self.function(function, receiver, arguments, e);
         }
-        self.refuse(body::foreign_function(path, false, arity))
+        self.refuse(body::foreign_function(path, false, arguments.len(), arity))
     }
 
     /// `f(x)`, which is never right.
-    fn call_name(&mut self, path: &'m ExprPath) -> Value {
+    fn call_name(&mut self, path: &'m ExprPath, given: usize) -> Value {
         let name = name_of(path);
         if let Some(found) = self.scope.find(&name) {
             let known_wrong = self.scope.locals[found].value.is_unknown();
@@ -146,7 +146,7 @@ impl<'m> Interpreter<'m> {
         }
         let is_own =
             self.model.methods.contains_key(&name) || self.model.formulas().any(|formula| formula.ident == *name);
-        self.refuse(body::foreign_function(path, is_own, arity))
+        self.refuse(body::foreign_function(path, is_own, given, arity))
     }
 
     /// A method of the same block, read as if it stood in place of the call.

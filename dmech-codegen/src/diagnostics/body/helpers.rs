@@ -1,7 +1,7 @@
 //! Helpers of the block, functions from elsewhere, closures.
 
 use quote::ToTokens;
-use syn::{Error, Ident};
+use syn::{Error, ExprPath, Ident};
 
 use crate::diagnostics::{at, text};
 
@@ -43,17 +43,36 @@ pub(crate) fn helper_receiver(name: &Ident, takes_law: bool) -> Error {
     }
 }
 
-/// A function that is no helper; the arity is that of a method of numbers, by its name.
-pub(crate) fn foreign_function(path: &impl ToTokens, is_helper: bool, arity: fn(&str) -> Option<usize>) -> Error {
-    let name = text(path);
-    let last = name.rsplit("::").next().unwrap_or(&name);
+/// A function that is no helper, called with so many arguments; the arity is that of a method of numbers, by its name.
+pub(crate) fn foreign_function(
+    path: &ExprPath,
+    is_helper: bool,
+    given: usize,
+    arity: fn(&str) -> Option<usize>,
+) -> Error {
+    // Without what stands between `::<` and `>`.
+    let names: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+    let name = names.join("::");
+    let (last, owners) = names.split_last().map_or(("", &[][..]), |(last, owners)| (last.as_str(), owners));
     if is_helper {
         return at!(path, "`{last}` is a helper of this block; call it as `self.{last}(…)` or `Self::{last}(…)`");
     }
+    let is_type = |name: &str| name.starts_with(char::is_uppercase);
+    let makes =
+        is_type(last) || (matches!(last, "new" | "default" | "from") && owners.last().is_some_and(|o| is_type(o)));
+    let is_elsewhere = owners.first().is_some_and(|first| !matches!(first.as_str(), "crate" | "self" | "super"));
     let instead = match method(last, arity) {
         Some(method) => format!("functions of numbers are methods: {method}"),
-        None if last.starts_with(char::is_uppercase) => {
-            "a law is made of numbers, and this makes something else".to_owned()
+        None if makes => "a law is made of numbers, and this makes something else".to_owned(),
+        None if is_elsewhere && given == 0 => {
+            "a law is the same each time that it is evaluated; call this before the run, and keep its number in a field \
+             of the law"
+                .to_owned()
+        }
+        None if is_elsewhere => {
+            "write its formula as a helper in this `impl` block, or, where it has none, the law by hand (see “A law by \
+             hand” in the guide)"
+                .to_owned()
         }
         None => format!("write it as a helper in this `impl` block and call it as `Self::{last}(…)`"),
     };

@@ -610,11 +610,34 @@ fn helpers() {
             "`foo` is not a method of this block; a helper must stand beside the potential, in the same `impl Law`, to be differentiated with it",
         ],
     );
+    for own in ["crate::other::foo", "super::foo", "foo::<f64>"] {
+        let name = own.trim_end_matches("::<f64>");
+        refused(
+            &format!("«{own}»(q[0])"),
+            &[&format!(
+                "what `{name}` computes cannot be seen here; write it as a helper in this `impl` block and call it as `Self::foo(…)`"
+            )],
+        );
+    }
     refused(
-        "«other::foo»(q[0])",
+        "«libm::j0»(q[0])",
         &[
-            "what `other::foo` computes cannot be seen here; write it as a helper in this `impl` block and call it as `Self::foo(…)`",
+            "what `libm::j0` computes cannot be seen here; write its formula as a helper in this `impl` block, or, where it has none, the law by hand (see “A law by hand” in the guide)",
         ],
+    );
+    for (call, name) in
+        [("rand::random::<f64>", "rand::random"), ("std::time::Instant::now", "std::time::Instant::now")]
+    {
+        refused(
+            &format!("q[0] * «{call}»()"),
+            &[&format!(
+                "what `{name}` computes cannot be seen here; a law is the same each time that it is evaluated; call this before the run, and keep its number in a field of the law"
+            )],
+        );
+    }
+    refused(
+        "«Complex::new»(q[0], q[1])",
+        &["what `Complex::new` computes cannot be seen here; a law is made of numbers, and this makes something else"],
     );
     refused(
         "let f = «|x: f64| x * x»; f(q[0])",

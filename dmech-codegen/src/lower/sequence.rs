@@ -133,7 +133,7 @@ impl<'m> Interpreter<'m> {
         let needs_iterator = !matches!(text.as_str(), "iter" | "into_iter" | "map" | "len" | "windows");
         if is_array && needs_iterator {
             return self.refuse(match text.as_str() {
-                "iter_mut" => body::iter_mut(name),
+                "iter_mut" => body::iter_mut(name, items.len()),
                 _ if is_adaptor(&text) => body::array_is_no_iterator(name),
                 _ if is_vector_method(&text) => body::vector_function_of_array(name, items.len()),
                 _ => body::unknown_array_function(name),

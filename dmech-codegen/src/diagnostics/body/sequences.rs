@@ -64,10 +64,13 @@ pub(crate) fn not_iterable(e: &impl ToTokens, found: &str) -> Error {
 
 pub(crate) fn field_of_unknown_length(e: &impl ToTokens) -> Error {
     let field = text(e);
+    let last = field.rsplit('.').next().filter(|last| last.starts_with(char::is_alphabetic) && !last.contains('['));
+    let name = last.unwrap_or("k");
+    // No length is invented: one that is too small would leave elements out without a word.
     at!(
         e,
-        "how long `{field}` is cannot be seen from the impl block; write `for i in 0..3` with `{field}[i]`, or bind it \
-         with its type: `let k: [f64; 3] = {field};`"
+        "how long `{field}` is cannot be seen from the impl block; write `for i in 0..n` with `{field}[i]` and the \
+         number of its elements for `n`, or bind it with its type: `let {name}: [f64; n] = {field};`"
     )
 }
 
@@ -75,8 +78,8 @@ pub(crate) fn array_is_no_iterator(name: &Ident) -> Error {
     at!(name, "an array is no iterator; write `iter().{name}(…)`")
 }
 
-pub(crate) fn iter_mut(name: &Ident) -> Error {
-    at(name, "change elements by their index: `for i in 0..3 { a[i] += … }`")
+pub(crate) fn iter_mut(name: &Ident, length: usize) -> Error {
+    at!(name, "change elements by their index: `for i in 0..{length} {{ a[i] += … }}`")
 }
 
 pub(crate) fn integer_terms(e: &impl ToTokens) -> Error {

@@ -297,11 +297,11 @@ fn arrays_and_indices() {
         "q.«sort»()",
         &["`sort` cannot be read; of an array a law can use an index, `iter`, `map`, `len` and `windows`"],
     );
-    refused("q.«iter_mut»()", &["change elements by their index: `for i in 0..3 { a[i] += … }`"]);
+    refused("q.«iter_mut»()", &["change elements by their index: `for i in 0..2 { a[i] += … }`"]);
     refused(
         "for x in «self.k» { }  0.0",
         &[
-            "how long `self.k` is cannot be seen from the impl block; write `for i in 0..3` with `self.k[i]`, or bind it with its type: `let k: [f64; 3] = self.k;`",
+            "how long `self.k` is cannot be seen from the impl block; write `for i in 0..n` with `self.k[i]` and the number of its elements for `n`, or bind it with its type: `let k: [f64; n] = self.k;`",
         ],
     );
     for borrowed in ["for &x in &«self.k» { } 0.0", "for x in &(«self.k») { } 0.0", "(&«self.k»).iter().sum::<f64>()"]
@@ -309,14 +309,14 @@ fn arrays_and_indices() {
         refused(
             borrowed,
             &[
-                "how long `self.k` is cannot be seen from the impl block; write `for i in 0..3` with `self.k[i]`, or bind it with its type: `let k: [f64; 3] = self.k;`",
+                "how long `self.k` is cannot be seen from the impl block; write `for i in 0..n` with `self.k[i]` and the number of its elements for `n`, or bind it with its type: `let k: [f64; n] = self.k;`",
             ],
         );
     }
     refused(
         "«self.k».iter().sum::<f64>()",
         &[
-            "how long `self.k` is cannot be seen from the impl block; write `for i in 0..3` with `self.k[i]`, or bind it with its type: `let k: [f64; 3] = self.k;`",
+            "how long `self.k` is cannot be seen from the impl block; write `for i in 0..n` with `self.k[i]` and the number of its elements for `n`, or bind it with its type: `let k: [f64; n] = self.k;`",
         ],
     );
     refused(

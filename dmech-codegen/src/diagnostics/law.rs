@@ -218,6 +218,14 @@ pub(crate) fn no_position(whole: &impl ToTokens) -> Error {
     )
 }
 
+pub(crate) fn no_argument_of_invariant(whole: &impl ToTokens) -> Error {
+    at(
+        whole,
+        "a conserved quantity is a function of position and velocity; give it an argument `q: [f64; D]`, `v: [f64; D]` \
+         or both",
+    )
+}
+
 pub(crate) fn named_twice(pattern: &impl ToTokens) -> Error {
     at!(pattern, "`{}` is named twice", text(pattern))
 }

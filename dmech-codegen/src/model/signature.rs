@@ -56,7 +56,11 @@ pub(super) fn check(
     if role.is_of_two() {
         pair::check(&arguments, &signature.ident, role, errors);
     } else if arguments.dimension == 0 && !arguments.names(Quantity::Refused) {
-        let missing = if role.is_force() { law::no_position_or_velocity } else { law::no_position };
+        let missing = match role {
+            Role::Force => law::no_position_or_velocity,
+            Role::Invariant => law::no_argument_of_invariant,
+            _ => law::no_position,
+        };
         errors.push(missing(&signature.ident));
     }
     if role.is_force() {

@@ -726,6 +726,10 @@ fn invariants_that_are_none() {
             "`m` is not known to a conserved quantity, which is a function of `q`, `v` and `t`; make the mass a field of the law, `self.m`, or state the quantity per unit of mass",
         ),
         (
+            "fn «kept»(&self) -> f64 { self.k }",
+            "a conserved quantity is a function of position and velocity; give it an argument `q: [f64; D]`, `v: [f64; D]` or both",
+        ),
+        (
             "fn kept(&self, q: [f64; 2]) -> «[f64; 2]» { q }",
             "a conserved quantity is one number: the method returns `f64`",
         ),

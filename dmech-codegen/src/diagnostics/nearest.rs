@@ -1,12 +1,16 @@
 //! The known name that was probably meant.
 
 /// The known name with the fewest letters changed, if they are few enough for a slip of the fingers.
+///
+/// Capitals are no change, but of one letter: `M` and `m` are two masses.
 pub(crate) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
+    let lower = name.to_lowercase();
     let few = if length < 4 { 0 } else { (length / 3).min(3) };
     let distances = known.into_iter().map(|other| {
         // Of two that are as near, letters swapped or mistaken are likelier than one too many.
-        ((distance(name, other), other.chars().count().abs_diff(length)), other)
+        let same = length > 1 && other.to_lowercase() == lower;
+        ((if same { 0 } else { distance(name, other) }, other.chars().count().abs_diff(length)), other)
     });
     distances
         .filter(|((distance, _), _)| *distance <= few)
@@ -49,9 +53,12 @@ mod tests {
             ("pairforce", Some("pair_force")),
             ("hypotenuse", None),
             ("sq", None),
+            ("Cos", Some("cos")),
+            ("SQRT", Some("sqrt")),
             ("energy", None),
         ] {
             assert_eq!(nearest(written, known), meant, "{written}");
         }
+        assert_eq!(nearest("M", ["m"]), None);
     }
 }

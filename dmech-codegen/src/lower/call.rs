@@ -64,7 +64,8 @@ impl<'m> Interpreter<'m> {
                 self.refuse(pair::method_of_data(name))
             }
             Value::Number(_) | Value::Field(_) if arity(&text).is_none() => {
-                self.report(body::unknown_function(name));
+                let field = matches!(receiver.value, Value::Field(_)).then(|| bare(&call.receiver));
+                self.report(body::unknown_function(name, field));
                 self.read_for_errors(call)
             }
             Value::Number(_) | Value::Field(_) => {

@@ -45,7 +45,7 @@ impl<'m> Interpreter<'m> {
     ) -> Value {
         let text = name.to_string();
         let Some(expected) = arity(&text) else {
-            return self.refuse(body::unknown_function(name));
+            return self.refuse(body::unknown_function(name, None));
         };
         if arguments.len() != expected {
             return self.refuse(body::wrong_arguments(name, expected, arguments.len()));
@@ -118,7 +118,7 @@ impl<'m> Interpreter<'m> {
             }
             _ => match unary(&text) {
                 Some(f) => graph.unary(f, x),
-                None => return self.refuse(body::unknown_function(name)),
+                None => return self.refuse(body::unknown_function(name, None)),
             },
         })
     }
@@ -223,7 +223,7 @@ impl<'m> Interpreter<'m> {
             let is_literal = matches!(bare(receiver.at), Expr::Lit(_));
             let error = match arity(&text) {
                 Some(_) => body::integer(receiver.at),
-                None if is_literal => body::unknown_function(name),
+                None if is_literal => body::unknown_function(name, None),
                 None => body::no_method(name, "an integer"),
             };
             return self.refuse(error);

@@ -94,6 +94,8 @@ fn method(name: &str, arity: fn(&str) -> Option<usize>) -> Option<String> {
         "fmax" | "maximum" => "max",
         name => name,
     };
+    let lower = alike.to_lowercase();
+    let alike = if arity(alike).is_some() { alike } else { lower.as_str() };
     Some(match arity(alike)? {
         0 => format!("`x.{alike}()`"),
         1 => format!("`x.{alike}(y)`"),
@@ -123,4 +125,16 @@ pub(crate) fn closure_arguments(e: &impl ToTokens, takes: usize, given: usize) -
 
 pub(crate) fn no_method(name: &Ident, found: &str) -> Error {
     at!(name, "{found} has no method `{name}` that a law can use")
+}
+
+/// A method of a field, whose type the macro does not know: another law, as a rule.
+pub(crate) fn method_of_field(name: &Ident, field: &impl ToTokens) -> Error {
+    const OF_LAWS: [&str; 5] = ["potential", "energy", "gradient", "force", "acceleration"];
+    let (called, field) = (name.to_string(), text(field));
+    let instead = if OF_LAWS.contains(&called.as_str()) {
+        "write its formula as a helper `fn` of this block, or give a scene both laws: `.field(one).field(other)`".into()
+    } else {
+        format!("read the fields themselves (`{field}.k`), or write its formula as a helper `fn` of this block")
+    };
+    at!(name, "`{called}` is a method of `{field}`, which the macro cannot see; {instead}")
 }

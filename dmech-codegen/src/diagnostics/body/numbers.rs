@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::Error;
+use syn::{Error, Expr};
 
 use crate::diagnostics::{at, counted, nearest, text};
 
@@ -179,8 +179,8 @@ pub(crate) fn cast(e: &impl ToTokens, found: &str) -> Error {
 const FUNCTIONS: &str = "sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan sin_cos asin acos atan atan2 \
                          sinh cosh tanh asinh acosh atanh hypot abs recip mul_add min max clamp signum round floor ceil trunc fract rem_euclid";
 
-/// A method that numbers do not have, or that has no derivative.
-pub(crate) fn unknown_function(name: &Ident) -> Error {
+/// A method that numbers do not have, or that has no derivative; the field of the law that it is called on, if it is one.
+pub(crate) fn unknown_function(name: &Ident, field: Option<&Expr>) -> Error {
     let text = name.to_string();
     let message = match text.as_str() {
         "round_ties_even" => "a law is continuous where a half is rounded: write `round`".into(),
@@ -197,9 +197,10 @@ pub(crate) fn unknown_function(name: &Ident) -> Error {
                 "numbers have no `{text}`; write `abs`, or take nalgebra's vector as the position: `q: SVector<f64, 2>`"
             )
         }
-        _ => match nearest(&text, FUNCTIONS.split(' ')) {
-            Some(near) => format!("`{text}` is not a function of numbers; did you mean `{near}`?"),
-            None => format!("`{text}` is not among the functions that can be differentiated: {FUNCTIONS}"),
+        _ => match (nearest(&text, FUNCTIONS.split(' ')), field) {
+            (Some(near), _) => format!("`{text}` is not a function of numbers; did you mean `{near}`?"),
+            (None, Some(field)) => return super::method_of_field(name, field),
+            (None, None) => format!("`{text}` is not among the functions that can be differentiated: {FUNCTIONS}"),
         },
     };
     at(name, message)

@@ -583,6 +583,7 @@ fn helpers() {
         ("max", "`x.max(y)`"),
         ("arctan2", "`x.atan2(y)`"),
         ("clamp", "`x.clamp(y, z)`"),
+        ("Cos", "`x.cos()`"),
     ] {
         refused(
             &format!("«{call}»(q[0])"),
@@ -669,6 +670,15 @@ fn helpers() {
             "which `K` is meant is not known when the macro runs: it is declared twice or under `#[cfg]`; declare it once",
             "`k` takes `&mut self`; a law changes nothing, let the helper take `&self`",
             "`u` is `async` or `unsafe`; a helper is a plain `fn`",
+        ],
+    );
+    refused(
+        "self.a.«potential»(&q) + self.well.«depth»(q[0]) + self.k.«Cos»() + q[0].«Cos»()",
+        &[
+            "`potential` is a method of `self.a`, which the macro cannot see; write its formula as a helper `fn` of this block, or give a scene both laws: `.field(one).field(other)`",
+            "`depth` is a method of `self.well`, which the macro cannot see; read the fields themselves (`self.well.k`), or write its formula as a helper `fn` of this block",
+            "`Cos` is not a function of numbers; did you mean `cos`?",
+            "`Cos` is not a function of numbers; did you mean `cos`?",
         ],
     );
     refused_block(

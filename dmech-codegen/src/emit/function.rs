@@ -98,7 +98,8 @@ impl Printer<'_> {
                 Source::Law(tokens) => match &self.law {
                     Reached::Law(law) => {
                         let value = on_law(tokens.clone(), law);
-                        quote!(let #name = #scalar::from_f64(#value);)
+                        let runtime = &self.runtime;
+                        quote!(let #name = #scalar::from_f64(#runtime::written::Number::number(#value));)
                     }
                     Reached::Numbers => {
                         let (receiver, number) = (receiver(), proc_macro2::Literal::usize_unsuffixed(number));

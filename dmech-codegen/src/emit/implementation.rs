@@ -167,7 +167,7 @@ impl<'a> Frame<'a> {
                 #[inline(always)]
                 fn field(&#receiver, #mass: #scalar, #t: #scalar) -> #moment<#scalar> {
                     #(let _ = <#self_ty>::#declared;)*
-                    #moment { law: [#(#scalar::from_f64(#read)),*], #mass, #t }
+                    #moment { law: [#(#scalar::from_f64(#runtime::written::Number::number(#read))),*], #mass, #t }
                 }
                 #kept
                 fn written(&#receiver) -> ::core::option::Option<&dyn #runtime::written::Written<#d>> {
@@ -190,7 +190,7 @@ impl<'a> Frame<'a> {
                 type Numbers = [::core::primitive::f64; #count];
                 type Moment<#scalar: #runtime::Real> = #moment<#scalar>;
                 fn numbers(&#receiver) -> [::core::primitive::f64; #count] {
-                    [#(#read),*]
+                    [#(#runtime::written::Number::number(#read)),*]
                 }
                 #names
                 #[inline(always)]

@@ -96,7 +96,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
             #[inline(always)]
             fn between(&#receiver, #a: #numbers, #b: #numbers, #t: #scalar) -> #pair<#scalar> {
                 #(let _ = <#self_ty>::#declared;)*
-                #pair { law: [#(#scalar::from_f64(#read)),*], #a, #b, #t }
+                #pair { law: [#(#scalar::from_f64(#runtime::written::Number::number(#read))),*], #a, #b, #t }
             }
             fn written(&#receiver) -> ::core::option::Option<&dyn #runtime::written::WrittenPair<#dimension, #data_type>> {
                 ::core::option::Option::Some(#receiver)
@@ -108,7 +108,7 @@ pub(crate) fn pair_implementation(derivation: &PairDerivation) -> TokenStream {
             type Fields = [::core::primitive::f64; #of_law];
             type Moment<#scalar: #runtime::Real> = #pair<#scalar>;
             fn fields(&#receiver) -> [::core::primitive::f64; #of_law] {
-                [#(#read),*]
+                [#(#runtime::written::Number::number(#read)),*]
             }
             #fields
             #[inline(always)]

@@ -70,9 +70,11 @@ impl<'m> Interpreter<'m> {
     pub(super) fn field_element(&mut self, base: &Field, i: usize) -> Value {
         let tokens = &base.tokens;
         let index = Literal::usize_unsuffixed(i);
+        // Where the author reads it, so that a type that does not fit is told there.
+        let span = Span::call_site().located_at(tokens.span());
         Value::Field(Field {
             of: base.of,
-            tokens: quote!(#tokens[#index]),
+            tokens: quote_spanned!(span=> #tokens[#index]),
             key: format!("{}[{i}]", base.key),
             name: format!("{}_{i}", base.name),
         })

@@ -143,3 +143,22 @@ impl<V: From<[f64; D]>, const D: usize> Arranged<D> for V {
 pub fn arranged<V: Arranged<D>, const D: usize>(coordinates: [f64; D]) -> V {
     V::arranged(coordinates)
 }
+
+/// What the macro reads of a law, whose type it does not see.
+#[diagnostic::on_unimplemented(
+    message = "a law is made of numbers, and this is `{Self}`",
+    label = "an `f64` is expected here",
+    note = "a parameter of a law is an `f64`, and no reference to one; an integer is read with `as f64`"
+)]
+pub trait Number {
+    /// Itself.
+    fn number(self) -> f64;
+}
+
+#[diagnostic::do_not_recommend]
+impl Number for f64 {
+    #[inline(always)]
+    fn number(self) -> f64 {
+        self
+    }
+}

@@ -69,6 +69,17 @@ fn promises_that_are_not_kept_are_found() {
     assert_eq!(failed::<ExactEnergy>(), on_all("energy"));
 }
 
+/// Bodies in a periodic box, who never come near its ends, and the same in the open.
+#[test]
+fn a_study_of_a_periodic_scene_is_one_of_its_bodies() -> Result<(), StudyError> {
+    let scene = || Scene::new().body(1.7, [0.7], [0.0]).body(0.6, [-0.4], [0.0]).pairs(Spring { k: 2.3, length: 0.0 });
+    let boxed = Study::scene(scene().periodic([10.0]), 9.0).scheme(Leapfrog).ladder([0.1]).repetitions(1).run()?;
+    let open = Study::scene(scene(), 9.0).scheme(Leapfrog).ladder([0.1]).repetitions(1).run()?;
+    let [boxed, open] = [boxed, open].map(|report| report.rows()[0].result().unwrap().error());
+    assert_abs_diff_eq!(boxed, open, epsilon = 1e-11);
+    Ok(())
+}
+
 /// Two bodies on a spring in a scene and as one law of their distance: the same errors, step for step.
 #[test]
 fn a_study_of_a_scene_is_one_of_its_law() -> Result<(), StudyError> {

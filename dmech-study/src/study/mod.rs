@@ -137,12 +137,12 @@ impl<'a, L: Law<D> + Clone + 'a, const D: usize> Study<'a, L, State<D>> {
 }
 
 #[cfg(feature = "scene")]
-impl<'a, const D: usize, P: 'a, T: 'a> Study<'a, (), Scene<D, P, T>>
+impl<'a, const D: usize, P: 'a, T: 'a, B: 'a> Study<'a, (), Scene<D, P, T, B>>
 where
-    Scene<D, P, T>: Repeatable<()>,
+    Scene<D, P, T, B>: Repeatable<()>,
 {
     /// The bodies of a scene, until a time; errors are distances in the space of all their coordinates.
-    pub fn scene(scene: Scene<D, P, T>, t_end: f64) -> Self {
+    pub fn scene(scene: Scene<D, P, T, B>, t_end: f64) -> Self {
         Study::of(Simulation::scene(scene), t_end)
     }
 }

@@ -11,6 +11,9 @@ use crate::motion::Repeatable;
 /// No halving follows a run with this many forces.
 const MOST_FORCES: u64 = 1 << 22;
 
+/// How many changes tell the error where the order does not show.
+const LAST: usize = 2;
+
 /// A solution computed by the study.
 ///
 /// By default it is that of `Composed::order8(DiscreteGradient)`, which fits every law, with its step halved until the
@@ -35,8 +38,9 @@ impl Reference {
         self.dt
     }
 
-    /// |q_h − q_2h| at the end, and the rounding of q. Where the order shows, the error of q_h is 255 times less; at
-    /// the level of rounding it is about this. Of a [precise](Reference::is_precise) one it is what a tolerance a thousand
+    /// How far q_h may be off at the end, the rounding of q included. Where the order shows it is |q_h − q_2h|, and the error of
+    /// q_h is 255 times less. Where it does not, at the level of rounding and in motions that cross seams of their law, it
+    /// is the larger of the changes by the last two halvings, and the error is about this. Of a [precise](Reference::is_precise) one it is what a tolerance a thousand
     /// times smaller has changed, so the error is about a thousand times less.
     pub fn error(&self) -> f64 {
         self.error
@@ -48,11 +52,14 @@ impl Reference {
     }
 }
 
-/// The final position that halving the step changes least.
+/// A fall of the change by this, twice in a row, shows the order: 2⁸ where it is the scheme's own. Chance does not fall so twice.
+const SHOWS: f64 = 64.0;
+
+/// The final position that is known best, of those that halving the step leads to.
 pub(super) fn compute<L: Clone, X: Repeatable<L>>(case: &Case<L, X>) -> Result<(Vec<f64>, Reference), Error> {
     let runner = Entrant(Composed::order8(DiscreteGradient));
     let scales = case.scales()?;
-    let mut best: Option<(Vec<f64>, Reference)> = None;
+    let (mut settling, mut best) = (Settling::default(), None);
     let mut before: Option<Vec<f64>> = None;
     let mut failure = None;
     for dt in halvings(scales.time.min(case.end - case.t())) {
@@ -77,12 +84,12 @@ pub(super) fn compute<L: Clone, X: Repeatable<L>>(case: &Case<L, X>) -> Result<(
         let change = before.replace(q.clone()).and_then(|before| distance(&q, &before));
         // Two runs may end at the same numbers, which are rounded all the same.
         let change = change.map(|change| change + rounding(&q));
-        if let Some(error) = change {
-            let least = best.as_ref().map_or(f64::INFINITY, |best| best.1.error);
-            if error < least {
+        if let Some(change) = change {
+            let least = settling.least();
+            if let Some(error) = settling.nearer(change) {
                 best = Some((q, Reference { scheme: name(&runner), dt, error, precise: false }));
             }
-            if least < 1e-9 * scales.length && error > 0.5 * least {
+            if least < 1e-9 * scales.length && change > 0.5 * least {
                 break;
             }
         }
@@ -91,6 +98,37 @@ pub(super) fn compute<L: Clone, X: Repeatable<L>>(case: &Case<L, X>) -> Result<(
         }
     }
     best.ok_or_else(|| failure.unwrap_or(Error::EndTime { end: case.end, dt: scales.time }))
+}
+
+/// What each halving has changed, and the error of the best of them.
+#[derive(Debug, Default)]
+pub(super) struct Settling {
+    changes: Vec<f64>,
+    best: Option<f64>,
+}
+
+impl Settling {
+    /// The smallest change.
+    fn least(&self) -> f64 {
+        self.changes.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The error after another halving, if it is no larger than all before.
+    ///
+    /// It is the change where the order shows. At the level of rounding, and where a kink or a jump of the force leaves h² or h at each
+    /// crossing, a small change may be chance: there it is the largest of the last few.
+    pub(super) fn nearer(&mut self, change: f64) -> Option<f64> {
+        self.changes.push(change);
+        let error = match self.changes[..] {
+            [.., a, b, c] if a >= SHOWS * b && b >= SHOWS * c => c,
+            _ => self.changes.iter().rev().take(LAST).copied().fold(0.0, f64::max),
+        };
+        if self.best.is_some_and(|best| error > best) {
+            return None;
+        }
+        self.best = Some(error);
+        self.best
+    }
 }
 
 fn name<S: Method>(_: &Entrant<S>) -> &'static str {

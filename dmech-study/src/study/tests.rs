@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use dmech_core::Error;
 
+use super::reference::Settling;
 use super::report::StudyReport;
 use super::row::{Figures, StudyRow};
 
@@ -78,4 +79,21 @@ fn a_report_is_written() {
             Err(error) => assert_eq!(written["result"]["Err"].as_str(), Some(error.to_string().as_str())),
         }
     }
+}
+
+/// What changes of the final position say of its error: the smallest where the order shows, and not where it is chance.
+#[test]
+fn a_change_that_is_small_by_chance_is_no_error() {
+    let said = |changes: &[f64]| {
+        let mut settling = Settling::default();
+        changes.iter().filter_map(|&change| settling.nearer(change)).last()
+    };
+    // Order 8 down to rounding: as if nothing were asked.
+    assert_eq!(said(&[1e-2, 4e-5, 1.6e-7, 6e-10, 2.4e-12]), Some(2.4e-12));
+    assert_eq!(said(&[1e-2, 4e-5, 1.6e-7, 6e-10, 2.4e-12, 4e-13, 3e-13]), Some(4e-13));
+    // A kink lets it fall by 4 or so, and a jump by 2: the third is chance.
+    assert_eq!(said(&[4e-6, 1e-6, 3e-10, 9e-8, 2e-8]), Some(9e-8));
+    assert_eq!(said(&[4e-6, 1e-6, 3e-10]), Some(1e-6));
+    // Where the order has shown before, too.
+    assert_eq!(said(&[1e-1, 1e-3, 1e-5, 3e-7, 1e-6, 4e-7]), Some(1e-6));
 }

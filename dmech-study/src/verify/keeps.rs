@@ -36,7 +36,8 @@ impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Trial<L, X, S> {
         Some(drift.max_abs() / size)
     }
 
-    /// Exact invariants to round-off; bounded ones by their order: half the step must leave much less than half.
+    /// Exact invariants to round-off; bounded ones by their order: half the step must leave much less than half, of a scheme of order 1
+    /// about half that does not grow with the time.
     pub(super) fn invariants(&self, scheme: &str, checks: &mut Vec<Check>) {
         let steps = if S::ORDER == 1 { EXPLICIT_STEPS } else { STEPS };
         let first = match self.run(self.scales.time / PER_TIME, steps) {
@@ -65,25 +66,41 @@ impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Trial<L, X, S> {
         }
     }
 
+    fn dt(&self, level: u32) -> f64 {
+        self.scales.time / (PER_TIME * f64::from(1 << level))
+    }
+
     fn bounded(&self, measured: f64, invariant: Invariant, name: String) -> Check {
-        // The deviation is O(h²); 1.5 leaves room for a step that is not yet small, and first order does not reach it.
-        const POWER: f64 = 1.5;
+        // The deviation is O(h²), O(h) of a scheme of order 1; half a power leaves room for a step that is not yet small.
+        let bound = f64::from(S::ORDER.clamp(1, 2)) - 0.5;
         const ROUNDING: f64 = 1e-12;
-        let deviation = |level| {
-            if level == 0 {
-                return Ok(Some(measured));
-            }
-            let run = self.run(self.scales.time / (PER_TIME * f64::from(1 << level)), STEPS << level)?;
-            Ok(self.deviation(&run, invariant))
-        };
-        let reached = |powers: &[f64]| powers.last().is_some_and(|&power| power >= POWER);
+        let over = |level: u32, steps: u64| Ok(self.deviation(&self.run(self.dt(level), steps << level)?, invariant));
+        // The first run of a scheme of order 1 is shorter than these.
+        let deviation = |level| if level == 0 && S::ORDER > 1 { Ok(Some(measured)) } else { over(level, STEPS) };
+        let reached = |powers: &[f64]| powers.last().is_some_and(|&power| power >= bound);
         match Halvings::measure(5, ROUNDING, deviation, reached) {
             Err(error) => Check::failed(name, error),
             Ok(Halvings { error, .. }) if error < ROUNDING => Check::at_most(name, error, ROUNDING, "kept to rounding"),
-            Ok(Halvings { powers, error, .. }) => {
+            Ok(Halvings { powers, error, level }) => {
                 let power = powers.last().copied().unwrap_or(f64::NAN);
-                Check::at_least(name, power, POWER, format!("bounded: power of the step; deviates by {error:.0e}"))
+                let check =
+                    Check::at_least(name, power, bound, format!("bounded: power of the step; deviates by {error:.0e}"));
+                // A drift of first order is a power of the step, too, and grows with the time.
+                if S::ORDER == 1 { steady(check, over(level, 2 * STEPS), error) } else { check }
             }
         }
     }
+}
+
+/// The check, unless twice the time lets the deviation grow as a drift does.
+fn steady(check: Check, longer: Result<Option<f64>, String>, error: f64) -> Check {
+    const GROWTH: f64 = 1.5;
+    let growth = match longer {
+        Ok(longer) => longer.unwrap_or(f64::NAN) / error,
+        Err(error) => return Check::failed(check.name(), error),
+    };
+    if growth <= GROWTH {
+        return check;
+    }
+    Check::at_most(check.name(), growth, GROWTH, "drifts: growth of the deviation in twice the time")
 }

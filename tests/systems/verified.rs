@@ -68,6 +68,8 @@ fn promises_that_are_not_kept_are_found() {
     let on_all = |what: &str| ["one coordinate", "two coordinates", "three bodies"].map(|on| format!("{on}: {what}"));
     assert_eq!(failed::<OrderFour>(), on_all("order"));
     assert_eq!(failed::<ExactEnergy>(), on_all("energy"));
+    // Leap-frog has none.
+    assert_eq!(failed::<EnergyOfItsOwn>(), on_all("discrete energy"));
 }
 
 /// The kick, and then the drift: of order 1, and its energy is bounded.
@@ -147,6 +149,14 @@ fn a_bound_of_first_order_is_no_drift() {
     let report = verify_scheme(promising::<BoundedEnergy, _>(Explicit));
     let energies = report.checks().iter().filter(|check| check.name().ends_with(": energy"));
     assert_eq!(energies.filter(|check| check.outcome() == Outcome::Failed).count(), 3, "{report}");
+}
+
+#[derive(Clone, Copy, Debug)]
+struct EnergyOfItsOwn;
+impl<S: Method> Promise<S> for EnergyOfItsOwn {
+    fn keeps(invariant: Invariant) -> Kept {
+        if invariant == Invariant::DiscreteEnergy { Kept::Exact } else { S::keeps(invariant) }
+    }
 }
 
 /// Bodies in a periodic box, who never come near its ends, and the same in the open.

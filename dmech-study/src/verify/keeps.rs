@@ -51,6 +51,9 @@ impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Trial<L, X, S> {
             let name = format!("{scheme}: {invariant}");
             match (S::keeps(invariant), self.deviation(&first, invariant)) {
                 (Kept::No, _) => {}
+                (_, None) if self.is_missing(invariant) => {
+                    checks.push(Check::failed(name, "said to be kept, and Scheme::discrete_energy has none"));
+                }
                 (_, None) => {
                     if invariant == Invariant::Energy {
                         checks.push(Check::not_applicable(name, "the law does not conserve it"));
@@ -64,6 +67,12 @@ impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Trial<L, X, S> {
                 (Kept::Bounded, Some(measured)) => checks.push(self.bounded(measured, invariant, name)),
             }
         }
+    }
+
+    /// Whether the system has it and the scheme alone does not tell it.
+    fn is_missing(&self, invariant: Invariant) -> bool {
+        let of_the_scheme = invariant == Invariant::DiscreteEnergy;
+        of_the_scheme && self.stepper(self.dt(0)).is_ok_and(|stepper| stepper.system().conserves(invariant))
     }
 
     fn dt(&self, level: u32) -> f64 {

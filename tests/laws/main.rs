@@ -16,3 +16,4 @@ mod pairs;
 mod random;
 mod readme;
 mod verify;
+mod verify_seams;

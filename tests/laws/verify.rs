@@ -194,7 +194,7 @@ impl Field<1> for DragField<'_> {
 }
 
 /// Names of the checks with this outcome.
-fn with<Of>(report: &Verification<Of>, outcome: Outcome) -> Vec<&str> {
+pub(super) fn with<Of>(report: &Verification<Of>, outcome: Outcome) -> Vec<&str> {
     report.checks().iter().filter(|check| check.outcome() == outcome).map(|check| check.name()).collect()
 }
 
@@ -317,68 +317,6 @@ fn senseless_starts_fail_without_a_panic() {
     let report = verify(Quartic { k: 0.7, l: 0.4, mistake: Mistake::None }, State::new([0.0], [0.0]));
     println!("{report}");
     assert!(report.passed(), "{report}");
-}
-
-/// Laws with choices: some of them jump, in each of the ways in which a formula does.
-mod jumps {
-    macro_rules! laws {
-        ($($name:ident |$q:ident: $d:literal| $energy:expr;)*) => {$(
-            #[derive(Clone, Copy, Debug)]
-            pub(super) struct $name;
-
-            #[dmech::law]
-            impl $name {
-                #[potential]
-                fn energy(&self, $q: [f64; $d]) -> f64 {
-                    $energy
-                }
-            }
-        )*};
-    }
-
-    laws! {
-        Step |q: 1| 0.5 * q[0] * q[0] + if q[0] > 0.61 { 1.0 } else { 0.0 };
-        Low |q: 1| 20.0 * q[0].powi(4) + if q[0] > 0.43 { 1e-7 } else { 0.0 };
-        Disc |q: 2| { let s = q[0] * q[0] + q[1] * q[1]; s + if s < 0.5 { 0.3 } else { 0.0 } };
-        Rounded |q: 2| 0.5 * (q[0] - 0.4 * (q[0] / 0.4).round()) + 0.3 * q[1] * q[1];
-        Bound |q: 1| (q[0] * q[0]).max(if q[0] > 0.37 { 0.2 } else { 0.0 });
-
-        Kink |q: 2| (q[0] - 0.3).abs() + q[1].max(0.0) + 0.2 * (q[0] * q[0] + q[1] * q[1]);
-        Wall |q: 1| 0.5 * q[0] * q[0] + if q[0] > 0.4 { 1e8 * (q[0] - 0.4) * (q[0] - 0.4) } else { 0.0 };
-        Images |q: 2| 0.5 * (q[0] - 0.4 * (q[0] / 0.4).round()).powi(2) + 0.3 * q[1] * q[1];
-        Steep |q: 1| 0.5 * q[0] * q[0] + if q[0] > 0.2 { (1e9 * (q[0] - 0.2)).tanh() } else { 0.0 };
-        Root |q: 1| if q[0] > 0.1 { (q[0] - 0.1).sqrt() } else { 0.1 - q[0] };
-        Pole |q: 1| q[0] * q[0] + if q[0] > -0.7 { 1e-3 / (q[0] + 0.5).abs() } else { 5e-3 };
-        Far |q: 1| 1e9 + 0.5 * (q[0] - 0.2).max(0.0).powi(2);
-    }
-}
-
-#[test]
-fn a_potential_that_jumps_is_caught() {
-    fn continuity<L: Law<D>, const D: usize>(law: L) -> (Outcome, String) {
-        let report = verify(law, State::new([0.5; D], [0.3; D]));
-        let check = report.checks().iter().find(|check| check.name() == "continuity").unwrap();
-        (check.outcome(), check.note().to_owned())
-    }
-    macro_rules! all {
-        ($outcome:ident, $($law:ident),*) => {
-            [$((stringify!($law), continuity(jumps::$law), Outcome::$outcome)),*]
-        };
-    }
-    let caught = all!(Failed, Step, Low, Disc, Rounded, Bound);
-    let sound = all!(Passed, Kink, Wall, Images, Steep, Root, Pole, Far);
-    for (law, (outcome, note), expected) in caught.into_iter().chain(sound) {
-        assert_eq!(outcome, expected, "{law}: {note}");
-        assert_eq!(note.contains("jumps by"), expected == Outcome::Failed, "{law}: {note}");
-    }
-    assert_eq!(continuity(jumps::Step).1, "the potential jumps by 1.000e0 at q = [0.61000]: no scheme can step that");
-    // What has no choices does not jump, and nothing is said.
-    assert!(
-        verify(Kepler { gm: 1.3 }, State::new([0.9, 0.2], [-0.1, 1.1]))
-            .checks()
-            .iter()
-            .all(|check| check.name() != "continuity")
-    );
 }
 
 #[test]

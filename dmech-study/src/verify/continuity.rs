@@ -3,14 +3,15 @@
 use core::array::from_fn;
 
 use dmech_core::extend::vector::{difference, dot};
-use dmech_core::{Law, Potential};
+use dmech_core::{Explicit, Interrupted, Law, Potential, Simulation};
 
-use super::Subject;
 use super::derivatives::{ULPS, floor};
+use super::keeps::PER_TIME;
 use super::points::{Dice, norm};
 use super::report::Check;
+use super::{Borrowed, Subject};
 
-/// Straight lines across the region of the motion, and parts of each.
+/// Straight lines around the start, as many along the motion, and parts of each.
 const LINES: usize = 64;
 const PARTS: usize = 64;
 /// Halvings of a part, to where its ends are neighbours.
@@ -26,8 +27,8 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     let field = law.field(*mass, start.t);
     let (mut dice, moves) = (Dice::new(), subject.moves());
     let mut largest: Option<Jump<D>> = None;
-    for _ in 0..LINES {
-        let [a, b] = [(); 2].map(|()| dice.near(start.q, moves, 2.5 * scales.length));
+    let around = (0..LINES).map(|_| [(); 2].map(|()| dice.near(start.q, moves, 2.5 * scales.length)));
+    for [a, b] in around.chain(subject.chords()) {
         let line = Line { subject, field: &field, a, b };
         for part in line.uneven_parts() {
             let jump = line.jump_within(part);
@@ -46,6 +47,18 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
         "the largest jump of the potential, in units of rounding".to_owned()
     };
     checks.push(Check::at_most(NAME, jump.units, ULPS, note));
+}
+
+impl<L: Law<D>, const D: usize> Subject<L, D> {
+    /// Along the motion, which may lead beyond what lies around the start. Of the schemes for every law the explicit formulas solve no
+    /// equation, which at a jump may have no solution.
+    fn chords(&self) -> Vec<[[f64; D]; 2]> {
+        const STEPS: u64 = 32;
+        let Subject { law, start, mass, scales } = self;
+        let motion = Simulation::new(Borrowed(law), *start).mass(*mass).scheme(Explicit).dt(scales.time / PER_TIME);
+        let run = motion.record_every(STEPS).run(STEPS * LINES as u64).unwrap_or_else(Interrupted::into_run);
+        run.states().windows(2).map(|ends| [ends[0].q, ends[1].q]).filter(|[a, b]| a != b).collect()
+    }
 }
 
 struct Jump<const D: usize> {

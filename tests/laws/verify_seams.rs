@@ -1,9 +1,10 @@
-//! `verify` on laws with choices: potentials that jump.
+//! `verify` on laws with choices: potentials that jump, starts on a seam.
 
+use dmech::Conservative;
 use dmech::prelude::*;
 use dmech_study::verify::Outcome;
 
-use dmech_tests::laws::Kepler;
+use dmech_tests::laws::*;
 
 use super::verify::with;
 
@@ -71,4 +72,51 @@ fn a_potential_that_jumps_is_caught() {
             .iter()
             .all(|check| check.name() != "continuity")
     );
+}
+
+/// k max(−q, 0)²/2 + g q by hand, right or with a Hessian that is wrong below the floor.
+struct SoftFloor {
+    wrong: f64,
+}
+
+impl Conservative for SoftFloor {}
+impl Potential<1> for SoftFloor {
+    const PIECEWISE: bool = true;
+
+    fn potential(&self, [x]: [f64; 1]) -> f64 {
+        x + 50.0 * x.min(0.0) * x.min(0.0)
+    }
+    fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] {
+        [1.0 + 100.0 * x.min(0.0)]
+    }
+    fn hessian(&self, [x]: [f64; 1]) -> [[f64; 1]; 1] {
+        [[if x < 0.0 { 100.0 * self.wrong } else { 0.0 }]]
+    }
+    fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] {
+        match (a < 0.0, b < 0.0) {
+            (true, true) => [1.0 + 50.0 * (a + b)],
+            (false, false) => [1.0],
+            _ => [(self.potential([b]) - self.potential([a])) / (b - a)],
+        }
+    }
+    fn discrete_gradient_jacobian(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [[f64; 1]; 1] {
+        match (a < 0.0, b < 0.0) {
+            (true, true) => [[50.0]],
+            (false, false) => [[0.0]],
+            _ => [[(self.gradient([b])[0] - self.discrete_gradient([a], [b])[0]) / (b - a)]],
+        }
+    }
+}
+
+/// On a seam central differences have the mean of both sides; beside it they tell right from wrong.
+#[test]
+fn a_start_on_a_seam_is_compared_beside_it() {
+    for v in [0.0, -1.0] {
+        let report = verify(SoftFloor { wrong: 1.0 }, State::new([0.0], [v]));
+        assert!(!with(&report, Outcome::Failed).contains(&"Hessian"), "{report}");
+        assert!(with(&report, Outcome::Passed).contains(&"Hessian"), "{report}");
+        let report = verify(SoftFloor { wrong: 1.001 }, State::new([0.0], [v]));
+        assert!(with(&report, Outcome::Failed).contains(&"Hessian"), "{report}");
+    }
+    verify(Floor::new(), State::new([0.0], [-1.0])).with_half_step_schemes().assert();
 }

@@ -16,15 +16,20 @@ const ROWS: usize = 10;
 /// that neighbours share, so that ε|f|/h at the step in use is added: the condition of the quotient, with `size` in place of a
 /// smaller |f| that is a sum of parts of that size. Steps are what x ± h
 /// are after rounding; a quotient by 2h would magnify that rounding by x/h.
+///
+/// On a kink central differences have the mean of both sides, to all digits: there the error is infinite.
 pub(super) fn derivative(f: impl Fn(f64) -> f64, x: f64, h: f64, size: f64) -> Estimate {
     let mut table = [[0.0; ROWS]; ROWS];
     let mut best = Estimate { value: f64::NAN, error: f64::INFINITY };
+    let (middle, mut bends) = (f(x), [0.0; ROWS]);
     let mut step = h;
     for row in 0..ROWS {
         let (right, left) = (x + step, x - step);
         let (plus, minus) = (f(right), f(left));
         let noise = f64::EPSILON * (plus.abs() + minus.abs()).max(2.0 * size) / step;
         table[row][0] = (plus - minus) / (right - left);
+        let bend = (plus - middle) / (right - x) - (middle - minus) / (x - left);
+        bends[row] = if bend.abs() > 16.0 * noise { bend } else { 0.0 };
         let mut factor = 1.0;
         for k in 1..=row {
             factor *= 4.0;
@@ -36,7 +41,13 @@ pub(super) fn derivative(f: impl Fn(f64) -> f64, x: f64, h: f64, size: f64) -> E
         }
         step *= 0.5;
     }
-    best
+    if is_kink(bends) { Estimate { error: f64::INFINITY, ..best } } else { best }
+}
+
+/// Whether the slopes on both sides stay apart as the steps become small; otherwise what they differ by is halved with the step.
+fn is_kink(bends: [f64; ROWS]) -> bool {
+    let [.., before, last] = bends;
+    last != 0.0 && (0.75..1.5).contains(&(last / before))
 }
 
 /// Compares derivatives with their estimates and remembers the worst.

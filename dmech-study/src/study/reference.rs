@@ -40,8 +40,9 @@ impl Reference {
 
     /// How far q_h may be off at the end, the rounding of q included. Where the order shows it is |q_h − q_2h|, and the error of
     /// q_h is 255 times less. Where it does not, at the level of rounding and in motions that cross seams of their law, it
-    /// is the larger of the changes by the last two halvings, and the error is about this. Of a [precise](Reference::is_precise) one it is what a tolerance a thousand
-    /// times smaller has changed, so the error is about a thousand times less.
+    /// is the larger of the changes by the last two halvings, and the error is about this. Of a
+    /// [precise](Reference::is_precise) one it is what a tolerance a thousand times smaller has changed, so the error is about
+    /// a thousand times less.
     pub fn error(&self) -> f64 {
         self.error
     }

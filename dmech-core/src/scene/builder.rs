@@ -217,9 +217,9 @@ impl<const D: usize, P, L, X, B> Scene<D, P, (L, Linked<X, Pairs>), B> {
     /// Ends the law on pairs that was added last at the distance r: `.pairs(law).cutoff(r)`.
     ///
     /// A law that vanishes at r is taken as it is; any other is shifted by its value there, Φ(d) − Φ(r), so that the
-    /// energy is an invariant. Where the force does not vanish too it jumps at r: `DiscreteGradient` keeps the energy
-    /// all the same; with all other schemes what each passing through r leaves in it adds up as a walk, also where it is
-    /// said to be bounded. So it does in a box without a cut-off, where the nearest image changes.
+    /// energy is an invariant. Where the force does not vanish too it jumps at r: `DiscreteGradient`, its compositions
+    /// and `Relaxed` keep the energy all the same; with other schemes what each passing through r leaves in it adds up as a
+    /// walk, also where it is said to be bounded. So it does in a box without a cut-off, where the nearest image changes.
     ///
     /// Bodies within reach are found by cells, and remembered in lists until one of them has moved: time and memory are
     /// O(N), for N bodies of bounded density. The sums are formed in the order of the bodies, whatever the lists: they do

@@ -139,10 +139,11 @@ pub use crate::law::{Masses, Numbered};
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
 pub use crate::run::{
-    Attend, Attended, Blend, Columns, Observer, Passage, Quantity, Sink, Stream, Watch, Weights, Within,
+    After, Attend, Attended, Blend, Change, Changed, Columns, Observer, Passage, Quantity, Sink, Stream, Watch,
+    Weights, Within,
 };
 #[cfg(feature = "scene")]
-pub use crate::scene::Encounter;
+pub use crate::scene::{Collision, Encounter};
 pub use crate::scheme::{
     Adaptable, Adaptive, Effort, LinearVelocities, Method, OneStep, Reached, Scheme, Steps, WithoutVelocities,
 };

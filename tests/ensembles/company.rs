@@ -39,6 +39,16 @@ fn bound(k: usize) -> f64 {
     if k.is_multiple_of(4) { 0.05 + 0.01 * k as f64 } else { 1e9 }
 }
 
+/// By how much a member is beyond the distance from its start at which it is sent back, if it is.
+fn beyond<const D: usize>(k: usize, first: f64, state: &State<D>) -> f64 {
+    if k % 4 == 3 { (state.q[0] - first).abs() - 0.03 * (1 + k % 7) as f64 } else { -1.0 }
+}
+
+/// Sends it back, and not with all of its speed.
+fn back<const D: usize>(state: &mut State<D>) {
+    state.v = state.v.map(|v| -0.9 * v);
+}
+
 /// So many steps are observed before the observer has enough.
 fn enough(k: usize) -> u64 {
     if k % 6 == 1 { 3 + k as u64 / 2 } else { u64::MAX }
@@ -54,6 +64,7 @@ macro_rules! accompany {
             .event(move |state: &State<$d>| state.q[0] - place - 1e-4, Crossing::Any)
             .event(move |state: &State<$d>| state.q[0] - place + 1e-4, Crossing::Any)
             .stop_when(move |state: &State<$d>| bound(k) - (state.q[0] - first).abs(), Crossing::Falling)
+            .change_when(move |state: &State<$d>| beyond(k, first, state), Crossing::Rising, back)
             .watch("farthest", |state: &State<$d>| state.q[0] * state.q[0])
             .observe(3, move |state: &State<$d>| {
                 seen.see(state);
@@ -63,13 +74,13 @@ macro_rules! accompany {
     }};
 }
 
-/// Events, stops, observers: how many there were.
-fn as_alone<L, S, const D: usize>(scheme: S, dt: Option<f64>, end: f64, name: &str) -> [usize; 3]
+/// Events, stops, observers, changes: how many there were.
+fn as_alone<L, S, const D: usize>(scheme: S, dt: Option<f64>, end: f64, name: &str) -> [usize; 4]
 where
     L: Many<D> + Fields<D>,
     S: Rides<L, D> + Sync,
 {
-    let mut happened = [0; 3];
+    let mut happened = [0; 4];
     for recorded in [false, true] {
         let seen: Vec<Seen> = (0..MEMBERS).map(|_| Seen::default()).collect();
         let few: Vec<Seen> = (0..MEMBERS).map(|_| Seen::default()).collect();
@@ -86,9 +97,16 @@ where
             let alone = Simulation::new(L::member(k), L::start(k)).scheme(scheme);
             let alone = if let Some(dt) = dt { alone.dt(dt) } else { alone };
             let alone = if recorded { alone.record_dt(0.13) } else { alone.record_every(4) };
-            let alone = accompany!(alone, k, &by_itself, L, D).run_until(end).unwrap();
+            let alone = accompany!(alone, k, &by_itself, L, D).run_until(end);
+            let alone = alone.unwrap_or_else(|rests| {
+                assert!(matches!(rests.cause(), Error::ComesToRest { .. }), "{name}, member {k}: {rests}");
+                for member in runs.each_ref().map(|run| run.member(k).unwrap_err()) {
+                    assert_eq!(member.cause(), rests.cause(), "{name}, member {k}");
+                }
+                rests.into_run()
+            });
             for (run, seen) in runs.iter().zip([&seen, &few]) {
-                let member = run.member(k).unwrap();
+                let member = run.member(k).unwrap_or_else(|rests| rests.run());
                 let of = |run: &Run<State<D>>| (run.steps(), run.stopped(), *run.last(), run.events().to_vec());
                 assert_eq!(of(member), of(&alone), "{name}, member {k}");
                 assert_eq!(seen[k].sum(), by_itself.sum(), "{name}, member {k}");
@@ -109,6 +127,7 @@ where
             assert!(alone.events().windows(2).all(in_order), "{name}, member {k}");
             happened[0] += alone.events().len();
             happened[1] += usize::from(alone.stopped());
+            happened[3] += alone.events().iter().filter(|event| event.which() == 4).count();
             happened[2] += usize::from(by_itself.sum() != 0);
         }
     }
@@ -120,7 +139,8 @@ macro_rules! table {
         #[test]
         fn $test() {
             let happened = [$(as_alone::<$law, _, _>($scheme, $dt, $end, stringify!($test $law))),*];
-            let [events, stops, observed] = core::array::from_fn(|i| happened.iter().map(|all| all[i]).sum::<usize>());
+            let [events, stops, observed, changes] = core::array::from_fn(|i| happened.iter().map(|all| all[i]).sum::<usize>());
+            assert!(changes > 30, "{happened:?}");
             assert!(events > 20 && stops > 10 && observed > 2 * MEMBERS - 10, "{happened:?}");
         }
     )*};

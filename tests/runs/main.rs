@@ -1,5 +1,6 @@
 //! Runs: recorded, seen, changed, saved, resumed, shown.
 
+mod bounces;
 mod changes;
 mod checkpoint;
 mod events;

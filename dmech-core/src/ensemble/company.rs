@@ -1,6 +1,6 @@
 //! What accompanies each member.
 
-use crate::run::{Attend, Crossing, Observer, Passage, Quantity, Sink, Stream};
+use crate::run::{After, Attend, Changed, Crossing, Observer, Passage, Quantity, Sink, Stream};
 
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -30,12 +30,22 @@ impl<X, O> Company<X, O> {
 
     /// Passages of a function of the state through zero: [`Simulation::event`](crate::Simulation::event).
     pub fn event<F: FnMut(&X) -> f64>(self, function: F, crossing: Crossing) -> Joined<X, O, Passage<F>> {
-        self.and(Passage::new(function, crossing, false))
+        self.and(Passage::new(function, crossing, After::Nothing))
     }
 
     /// The same, and the member ends there: [`Simulation::stop_when`](crate::Simulation::stop_when).
     pub fn stop_when<F: FnMut(&X) -> f64>(self, function: F, crossing: Crossing) -> Joined<X, O, Passage<F>> {
-        self.and(Passage::new(function, crossing, true))
+        self.and(Passage::new(function, crossing, After::Stop))
+    }
+
+    /// The same, and the member goes on from another state: [`Simulation::change_when`](crate::Simulation::change_when).
+    pub fn change_when<F: FnMut(&X) -> f64, C: FnMut(&mut X)>(
+        self,
+        function: F,
+        crossing: Crossing,
+        change: C,
+    ) -> Joined<X, O, Passage<F, Changed<C>>> {
+        self.and(Passage::changing(function, crossing, change))
     }
 
     /// A quantity whose drift is looked at: [`Simulation::watch`](crate::Simulation::watch).

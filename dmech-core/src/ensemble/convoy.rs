@@ -26,6 +26,8 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
     all: S::All,
     /// Where each is, as far as events ask for it.
     now: States<D, W>,
+    /// Where those are whose motion was changed in the last step: where they were set, and not to rounding.
+    changed: Vec<(usize, State<D>)>,
     seen: Seen<D, W>,
     pub(super) counts: Counts,
     cost: Effort<Rows<W>>,
@@ -40,7 +42,7 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         let all = scheme.alike(&system, stepper);
         let seen = Seen::alike::<L>(&system, &stepper.start, log.watch.drifts());
         let (now, counts, cost) = (States::default(), Counts::default(), Effort::default());
-        let mut convoy = Convoy { scheme, numbers, system, all, now, seen, counts, cost };
+        let mut convoy = Convoy { scheme, numbers, system, all, now, changed: Vec::new(), seen, counts, cost };
         for (lane, member) in seats.iter().enumerate() {
             convoy.place(lane, member);
             convoy.count(lane, member);
@@ -92,8 +94,14 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
     /// Goes on from a step after which each was looked at by itself: all are where they were, and what was seen is theirs.
     pub(super) fn resume<O: Attend<State<D>>>(&mut self, seats: &[Member<L, S, O, D>]) {
         for (lane, member) in seats.iter().enumerate() {
+            if O::CHANGES {
+                self.place(lane, member);
+            }
             self.seen.take(lane, &member.log.watch);
             self.count(lane, member);
+        }
+        if O::CHANGES {
+            self.set_strides();
         }
         self.dismiss(seats);
     }
@@ -168,10 +176,14 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
             }
         }
         if O::EVENTS > 0 {
+            self.changed.clear();
             let after = self.states();
             let before = replace(&mut self.now, after);
             for (lane, member) in seats.iter_mut().enumerate() {
                 member.meet(before.t[lane], || before.lane(lane), &self.now.lane(lane));
+            }
+            if O::CHANGES {
+                self.change(seats);
             }
             self.dismiss(seats);
         }
@@ -187,6 +199,20 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         self.dismiss(seats);
     }
 
+    /// Goes on with those whose motion an event has changed.
+    fn change<O: Attend<State<D>>>(&mut self, seats: &mut [Member<L, S, O, D>]) {
+        for (lane, member) in seats.iter_mut().enumerate().filter(|(_, member)| member.log.is_changed()) {
+            self.land(lane, member);
+            member.change();
+            self.place(lane, member);
+            self.count(lane, member);
+            self.changed.push((lane, member.stepper.state()));
+        }
+        if !self.changed.is_empty() {
+            self.set_strides();
+        }
+    }
+
     /// Those who were stopped, or have failed, make no more steps.
     fn dismiss<O: Attend<State<D>>>(&mut self, seats: &[Member<L, S, O, D>]) {
         for (lane, member) in seats.iter().enumerate() {
@@ -198,7 +224,11 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
 
     fn states(&self) -> States<D, W> {
         let (t, [q, v]) = self.scheme.state(&self.system, &self.all);
-        States { t, q, v }
+        let mut states = States { t, q, v };
+        for (lane, state) in &self.changed {
+            states.set(*lane, state);
+        }
+        states
     }
 
     /// Looks at the invariants of those for whom it is time.

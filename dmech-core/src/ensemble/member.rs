@@ -30,16 +30,17 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
     pub(super) fn begin(block: &Block<'_, L, S, O, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
         let (simulation, attend) = (block.member)(k).apart();
         let run = simulation.empty_run();
-        let (mut stepper, Plan { steps: left, states, settings }) = match simulation.prepare(block.span) {
+        let (mut stepper, Plan { steps, until, states, settings }) = match simulation.prepare(block.span) {
             Ok(prepared) => prepared,
             Err(cause) => return Err(Interrupted::new(run, cause)),
         };
         let due = settings.due;
         let every = if let Due::Every(n) = due { Some(n) } else { None };
         stepper.scheme.watch(S::SEES_ROUGH || block.work, &mut stepper.workspace);
-        let (log, outcome) = begin_log(&stepper, run, due, attend, (states, block.work))?;
+        let (mut log, outcome) = begin_log(&stepper, run, due, attend, (states, block.work))?;
+        (log.until, log.ends_at) = (until, steps);
         // It may begin where it is to end.
-        let left = if stepper.arrived() { 0 } else { left };
+        let left = if stepper.arrived() { 0 } else { steps };
         Ok(Member { k, stepper, log, left, every, before: None, outcome })
     }
 
@@ -74,11 +75,22 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 
     /// So many steps alone, or fewer if it ends.
     pub(super) fn advance(&mut self, steps: u64) {
-        let (before, steps) = (self.stepper.steps(), steps.min(self.left));
         if !self.has_ended() {
             self.outcome = self.log.go(&mut self.stepper, steps, &mut Follow::nobody());
         }
-        self.left = if self.stepper.arrived() { 0 } else { self.left - (self.stepper.steps() - before) };
+        self.left = self.left();
+    }
+
+    fn left(&self) -> u64 {
+        if self.stepper.arrived() { 0 } else { self.log.ends_at - self.stepper.steps() }
+    }
+
+    /// Goes on from where an event has changed its motion in a lane.
+    pub(super) fn change(&mut self) {
+        match self.log.change(&mut self.stepper) {
+            Ok(_) => self.left = self.left(),
+            Err(cause) => self.outcome = Err(cause),
+        }
     }
 
     /// All its steps alone.
@@ -89,7 +101,10 @@ impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usiz
 
     /// Everything that follows a step that all have made.
     pub(super) fn look_back(&mut self) {
-        self.outcome = what_followed(&self.stepper, &mut self.log, self.before.take());
+        self.outcome = what_followed(&mut self.stepper, &mut self.log, self.before.take());
+        if O::CHANGES {
+            self.left = self.left();
+        }
     }
 
     /// Events of a step that was made in a lane.
@@ -153,7 +168,7 @@ fn begin_log<O: Attend<State<D>>, const D: usize>(
 
 /// What followed a step, from a state into which it is to be looked if there is one: where the member was stopped.
 fn what_followed<O: Attend<State<D>>, const D: usize>(
-    motion: &dyn Motion<State<D>, f64>,
+    motion: &mut dyn Motion<State<D>, f64>,
     log: &mut LogOf<O, D>,
     before: Option<State<D>>,
 ) -> Result<Option<State<D>>, Error> {
@@ -161,6 +176,9 @@ fn what_followed<O: Attend<State<D>>, const D: usize>(
         && let Some(stopped) = log.look_into_the_step(motion, before.t, &|| before, &motion.state())?
     {
         return Ok(Some(stopped));
+    }
+    if O::CHANGES {
+        log.change(motion)?;
     }
     log.count(motion, 0)?;
     Ok(log.observe(motion.steps(), &mut || motion.state()))

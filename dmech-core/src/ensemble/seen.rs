@@ -14,6 +14,9 @@ use crate::system::System;
 /// How the invariants of members side by side moved, whatever the scheme.
 pub(super) struct Seen<const D: usize, const W: usize> {
     first: State<D, Rows<W>>,
+    /// From where energies are counted, and what is to be added to the deviations of momenta.
+    energies: [Rows<W>; Invariant::ALL.len()],
+    carried: [Rows<W>; 2],
     drifts: [Option<Drift<Rows<W>>>; Invariant::ALL.len()],
     /// The work of the steps of each, where it is summed.
     pub(super) work: Option<Compensated<Rows<W>>>,
@@ -37,13 +40,17 @@ impl<const D: usize, const W: usize> Seen<D, W> {
             drifts[of as usize] = watched.or(may.then(|| Drift::new(0.0, 0.0))).as_ref().map(ByLane::alike);
         }
         let work = drifts[Invariant::WorkEnergy as usize].map(|_| Compensated::new(Rows::ZERO));
-        Seen { first, drifts, work }
+        let (energies, carried) = ([Rows::ZERO; Invariant::ALL.len()], [Rows::ZERO; 2]);
+        Seen { first, energies, carried, drifts, work }
     }
 
     /// Takes up a member in its lane.
     pub(super) fn seat(&mut self, lane: usize, start: &State<D>, watch: &Watch<State<D>>) {
         self.first.q.set(lane, &start.q);
         self.first.v.set(lane, &start.v);
+        let (energies, carried) = watch.counted_from();
+        self.energies.set(lane, &energies);
+        self.carried.set(lane, &carried);
         if let Some(work) = &mut self.work {
             let Compensated { hi, lo } = watch.work();
             (work.hi[lane], work.lo[lane]) = (hi, lo);
@@ -86,14 +93,15 @@ impl<const D: usize, const W: usize> Seen<D, W> {
         let (state, others) = (State::of(*q, *v), due.not());
         for invariant in Invariant::ALL {
             let Some(drift) = &mut self.drifts[invariant as usize] else { continue };
-            let start = drift.fields()[0];
-            let moved = |energy| (energy, energy - start);
+            let moved = |energy| (energy, energy - self.energies[invariant as usize]);
             let seen = match invariant {
                 Invariant::Energy => Some(moved(system.potential(*t, q) + system.kinetic_energy(v))),
                 Invariant::DiscreteEnergy => own(invariant).map(moved),
                 Invariant::WorkEnergy => self.work.and_then(|work| Some(moved((own(invariant)? - work.hi) - work.lo))),
                 Invariant::LinearMomentum | Invariant::AngularMomentum => {
-                    Some(system.momentum(invariant, &state, &self.first))
+                    let (momentum, deviation) = system.momentum(invariant, &state, &self.first);
+                    let carried = self.carried[usize::from(invariant == Invariant::AngularMomentum)];
+                    Some((momentum, carried + deviation))
                 }
             };
             if let Some((value, deviation)) = seen {

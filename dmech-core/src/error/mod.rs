@@ -299,6 +299,25 @@ pub enum Error {
         /// of rounding; of `Relaxed` the last |λ|. Infinite where that was no number.
         residual: f64,
     },
+    /// An event of [`change_when`](crate::Simulation::change_when) or [`change_at_encounter`](crate::Simulation::change_at_encounter) happens
+    /// again and again within a step, or where it has just been: what bounces so comes to rest.
+    #[error("{}", comes_to_rest(*event, *time, *since))]
+    ComesToRest {
+        /// Which of the events of the simulation, counted from 0.
+        event: usize,
+        /// The time.
+        time: f64,
+        /// The time since it has happened before; 0 where the motion has not left the place.
+        since: f64,
+    },
+    /// An event of [`change_when`](crate::Simulation::change_when) has changed the time, too.
+    #[error("an event at t = {} may change positions and velocities, not the time, to {}", Number(*time), Number(*changed))]
+    ChangedTime {
+        /// The time of the event.
+        time: f64,
+        /// What it was changed to.
+        changed: f64,
+    },
     /// A study that does not end after it starts, or at no finite time, or a run that is to end before.
     #[error("the end must be finite and come after the start: from t = {} to t = {}", Number(*start), Number(*end))]
     Span {
@@ -394,6 +413,22 @@ fn not_converged(iterations: u32, residual: f64) -> String {
         "did not converge: after {iterations} iterations the last correction was {}, as where bodies collide or the potential jumps \
             (`verify` looks for jumps); take shorter steps",
         Number(residual)
+    )
+}
+
+/// What becomes of what bounces with a loss.
+fn comes_to_rest(event: usize, time: f64, since: f64) -> String {
+    let at = Number(time);
+    if since == 0.0 {
+        return format!(
+            "the motion does not leave the place to which event {event} has changed it at t = {at}: it has come to rest, and no event holds \
+             it there; stop the run before, or let a law push back"
+        );
+    }
+    format!(
+        "event {event} changes the motion at t = {at} more than 64 times within a step, the last {} after another: what bounces ever sooner \
+         comes to rest, and no event holds it there; stop the run before, let a law push back, or take shorter steps",
+        Number(since)
     )
 }
 

@@ -31,6 +31,8 @@ fn all(x: f64) -> Vec<Error> {
         Error::NotFinite { step, time, dt },
         Error::NotConverged { step, time, dt, iterations: 12, residual: x },
         Error::Span { start: x, end },
+        Error::ComesToRest { event: 4, time, since: x },
+        Error::ChangedTime { time, changed: x },
     ];
     #[cfg(feature = "scene")]
     {
@@ -91,7 +93,7 @@ fn listed(error: &Error) -> bool {
         Underflow { .. } | Link { .. } | Body { .. } | Path { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
         RecordDt { .. } | RecordAt { .. } | Recording { .. } | OutsideStep { .. } | Stream(_) => true,
-        WatchedTwice { .. } => true,
+        WatchedTwice { .. } | ComesToRest { .. } | ChangedTime { .. } => true,
         #[cfg(feature = "scene")]
         Scene(_) => true,
         #[cfg(feature = "serde")]
@@ -119,7 +121,7 @@ fn numbers_in_messages_have_few_digits() {
     }
     let store = if cfg!(feature = "store") { 7 } else { 0 };
     let scene = if cfg!(feature = "scene") { 4 } else { 0 };
-    assert_eq!(numbers, 3 * (63 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
+    assert_eq!(numbers, 3 * (67 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
 }
 
 /// What was not said is not shown as a number; what has two names has both.

@@ -18,6 +18,8 @@ pub trait Attend<X> {
     const OBSERVES: bool = false;
     /// Whether it takes the recorded states.
     const STREAMS: bool = false;
+    /// Whether its events may change the state.
+    const CHANGES: bool = false;
 
     /// How many quantities it watches.
     const QUANTITIES: usize = 0;
@@ -42,6 +44,12 @@ pub trait Attend<X> {
     fn is_behind(&mut self, _which: usize, _event: &Event<X>, _state: &X) -> bool {
         false
     }
+
+    /// Changes the state at one of its events; the number of its first is `which`.
+    fn change(&mut self, _which: usize, _event: &Event<X>, _state: &mut X) {}
+
+    /// The motion goes on from a state that was changed.
+    fn turn(&mut self, _state: &X) {}
 
     /// After so many steps, may look at the state, and stop the run.
     fn observe(&mut self, _steps: u64, _now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
@@ -81,6 +89,7 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     const EVENTS: usize = A::EVENTS + B::EVENTS;
     const OBSERVES: bool = A::OBSERVES || B::OBSERVES;
     const STREAMS: bool = A::STREAMS || B::STREAMS;
+    const CHANGES: bool = A::CHANGES || B::CHANGES;
     const QUANTITIES: usize = A::QUANTITIES + B::QUANTITIES;
 
     fn begin(&mut self, start: &X) -> Result<(), Error> {
@@ -100,6 +109,20 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
         } else {
             self.1.is_behind(others, event, state)
         }
+    }
+
+    fn change(&mut self, which: usize, event: &Event<X>, state: &mut X) {
+        let others = which + A::EVENTS;
+        if event.which() < others {
+            self.0.change(which, event, state);
+        } else {
+            self.1.change(others, event, state);
+        }
+    }
+
+    fn turn(&mut self, state: &X) {
+        self.0.turn(state);
+        self.1.turn(state);
     }
 
     fn observe(&mut self, steps: u64, now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
@@ -145,10 +168,28 @@ pub struct Within<'a, X> {
     pub(super) happened: &'a mut Vec<Happened<X>>,
 }
 
-/// An event, and whether it ends the run.
+/// What comes after an event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum After {
+    /// The motion goes on as it is.
+    Nothing,
+    /// A change of the state, from which it goes on.
+    Change,
+    /// The end of the run.
+    Stop,
+}
+
+/// An event, and what comes after it.
 pub(super) struct Happened<X> {
-    pub(super) stops: bool,
+    pub(super) then: After,
     pub(super) event: Event<X>,
+}
+
+impl<X> Happened<X> {
+    /// Whether the motion does not go on through it.
+    pub(super) fn breaks(&self) -> bool {
+        self.then != After::Nothing
+    }
 }
 
 /// Puts what happened in a step in the order of its times; compiled once for all schemes.
@@ -163,7 +204,17 @@ impl<X: Clone> Within<'_, X> {
     /// # Errors
     /// [`Error`] of the shortened steps.
     pub fn zero(&mut self, values: [f64; 2], function: &mut impl FnMut(&X) -> f64) -> Result<X, Error> {
-        let [start, end] = self.times;
+        self.zero_from(self.times[0], values, function)
+    }
+
+    /// The same between a time and the end of the step.
+    pub(super) fn zero_from(
+        &mut self,
+        start: f64,
+        values: [f64; 2],
+        function: &mut impl FnMut(&X) -> f64,
+    ) -> Result<X, Error> {
+        let end = self.times[1];
         if values[1] == 0.0 {
             return Ok(self.end.clone());
         }
@@ -176,9 +227,9 @@ impl<X: Clone> Within<'_, X> {
         if time == end { Ok(self.end.clone()) } else { (self.at)(time) }
     }
 
-    /// Tells of an event, and whether it ends the run.
-    pub fn happened(&mut self, stops: bool, event: Event<X>) {
-        self.happened.push(Happened { stops, event });
+    /// Tells of an event, and what comes after it.
+    pub fn happened(&mut self, then: After, event: Event<X>) {
+        self.happened.push(Happened { then, event });
     }
 }
 

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use dmech_scalar::Real;
 
-use super::attend::{Attend, Happened, Within, in_order};
+use super::attend::{After, Attend, Happened, Within, in_order};
 use super::due::Due;
 use super::motion::Motion;
 use super::progress::Follow;
@@ -19,17 +19,18 @@ use crate::stepper::in_parts;
 pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
     motion: &mut dyn Motion<X, R>,
     run: Run<X>,
-    Plan { steps, states, settings: Settings { due, shown, .. } }: Plan,
+    Plan { steps, until, states, settings: Settings { due, shown, .. } }: Plan,
     attend: O,
 ) -> Result<Run<X>, Interrupted<X>> {
     let mut log = Log::new(motion, run, due, attend);
+    (log.until, log.ends_at) = (until, steps);
     #[cfg(feature = "plot")]
     log.watch.keep_histories(log.start);
     // A stream keeps none.
     if !O::STREAMS {
         log = log.with_room(motion, states)?;
     }
-    log.write(motion, steps, Follow::new(shown, steps))
+    log.write(motion, Follow::new(shown, steps))
 }
 
 /// What is written down of a motion.
@@ -47,8 +48,13 @@ pub(crate) struct Log<X, R: Real, O> {
     pub(crate) until_record: u64,
     /// The steps after which the invariants were looked at last.
     pub(crate) looked_at: u64,
+    /// The time to which the steps were counted, if they were, and the steps with which the run ends.
+    pub(crate) until: Option<f64>,
+    pub(crate) ends_at: u64,
     attend: O,
     happened: Vec<Happened<X>>,
+    /// Where an event has changed the motion: the state before and after.
+    changed: Option<[X; 2]>,
     /// What states between steps have cost.
     between: Spent,
 }
@@ -80,7 +86,23 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let (next, watch) = (due.time(t, 0), Watch::of(motion));
         let (happened, between, start) = (Vec::new(), Spent::default(), t);
         let (recorded, looked_at) = (0, 0);
-        Log { run, watch, time, due, start, next, recorded, until_record, looked_at, attend, happened, between }
+        Log {
+            run,
+            watch,
+            time,
+            due,
+            start,
+            next,
+            recorded,
+            until_record,
+            looked_at,
+            until: None,
+            ends_at: u64::MAX,
+            attend,
+            happened,
+            changed: None,
+            between,
+        }
     }
 
     /// With room for so many states: more than there is memory for are refused.
@@ -92,14 +114,9 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     }
 
     /// The whole run.
-    fn write(
-        mut self,
-        motion: &mut dyn Motion<X, R>,
-        steps: u64,
-        mut follow: Follow,
-    ) -> Result<Run<X>, Interrupted<X>> {
+    fn write(mut self, motion: &mut dyn Motion<X, R>, mut follow: Follow) -> Result<Run<X>, Interrupted<X>> {
         let clock = Instant::now();
-        let outcome = self.begin(motion).and_then(|()| self.go(motion, steps, &mut follow));
+        let outcome = self.begin(motion).and_then(|()| self.go(motion, u64::MAX, &mut follow));
         let outcome = outcome.and_then(|stopped| {
             if stopped.is_none() {
                 self.record_at_the_end(motion)?;
@@ -171,16 +188,18 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         twice.map_or(Ok(()), |name| Err(Error::WatchedTwice { name }))
     }
 
-    /// Makes so many steps, or fewer if the motion arrives; where the run was stopped, if it was.
+    /// Makes so many steps, or fewer if the motion arrives or the run ends; where it was stopped, if it was.
     pub(crate) fn go(
         &mut self,
         motion: &mut dyn Motion<X, R>,
         steps: u64,
         follow: &mut Follow,
     ) -> Result<Option<X>, Error> {
+        let last = motion.steps().saturating_add(steps);
+        let mut all = self.steps_to(last, motion);
         // Steps until a state is recorded or the bar is looked at, and how many of them are left.
-        let mut row = follow.look(0).min(self.until_record).min(steps);
-        let (mut left, mut all) = (row, steps);
+        let mut row = follow.look(0).min(self.until_record).min(all);
+        let mut left = row;
         while all > 0 && !motion.arrived() {
             let is_due = self.is_due_before(motion);
             let before = (O::EVENTS > 0 || is_due).then(|| motion.state());
@@ -193,6 +212,12 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
                 }
             }
             (left, all) = (left - made, all - made);
+            if O::CHANGES && self.change(motion)? {
+                // The steps begin anew where the change was.
+                self.count(motion, row - left)?;
+                all = self.steps_to(last, motion);
+                (row, left) = (0, 0);
+            }
             if left == 0 {
                 self.count(motion, row)?;
                 row = follow.look(motion.steps()).min(self.until_record).min(all);
@@ -203,6 +228,34 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             }
         }
         Ok(None)
+    }
+
+    /// How many steps are to be made until there are `last`, or until the run ends.
+    fn steps_to(&self, last: u64, motion: &dyn Motion<X, R>) -> u64 {
+        last.min(self.ends_at).saturating_sub(motion.steps())
+    }
+
+    /// Whether an event has changed the motion, which is to go on from there.
+    pub(crate) fn is_changed(&self) -> bool {
+        self.changed.is_some()
+    }
+
+    /// Goes on from where an event has changed the motion, if one has.
+    pub(crate) fn change(&mut self, motion: &mut dyn Motion<X, R>) -> Result<bool, Error> {
+        let Some([before, after]) = self.changed.take() else { return Ok(false) };
+        let [from, to] = [&before, &after].map(self.time);
+        if from != to {
+            return Err(Error::ChangedTime { time: from, changed: to });
+        }
+        let so_far = self.watch.deviations(motion, &before);
+        motion.set_state(after)?;
+        let state = motion.state();
+        self.watch.go_on(motion, &state, so_far);
+        self.attend.turn(&state);
+        if let Some(end) = self.until {
+            self.ends_at = motion.steps() + motion.steps_until(end)?;
+        }
+        Ok(true)
     }
 
     /// Shows the state to those who observe it; where they have stopped the run.
@@ -264,36 +317,44 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let Log { run, attend, happened, time, .. } = self;
         let time = *time;
         in_order(happened, time);
-        let stopped = happened.iter().find(|event| event.stops).map(|event| event.event.state().clone());
-        let mut passed = false;
-        for Happened { stops, event } in happened.drain(..) {
-            match &stopped {
-                // Found later by a rounding; a run that goes on from the stop would not pass it.
-                Some(stop) if passed => {
-                    if attend.is_behind(0, &event, stop) {
-                        run.happened(event.at(stop.clone()));
-                    }
+        let broken = happened.iter().find(|event| event.breaks()).map(|event| event.event.state().clone());
+        let (mut goes_on, mut passed, mut stops) = (broken.clone(), false, false);
+        for Happened { then, event } in happened.drain(..) {
+            let told = match &broken {
+                // Found later by a rounding; a motion that goes on from the break would not pass it.
+                Some(there) if passed => attend.is_behind(0, &event, there).then(|| event.at(there.clone())),
+                // Found earlier by a rounding, but the break is before it: a motion that goes on from there will pass it.
+                Some(there)
+                    if then == After::Nothing
+                        && is_rounding(event.state(), there, time)
+                        && !attend.is_behind(0, &event, there) =>
+                {
+                    None
                 }
-                // Found earlier by a rounding, but the stop is before it: a run that goes on from there will pass it.
-                Some(stop)
-                    if !stops && is_rounding(event.state(), stop, time) && !attend.is_behind(0, &event, stop) => {}
-                _ => {
-                    passed = stops;
-                    run.happened(event);
-                }
+                _ => Some(event),
+            };
+            let Some(event) = told else { continue };
+            passed |= then != After::Nothing;
+            stops |= then == After::Stop;
+            if let (After::Change, Some(state)) = (then, &mut goes_on) {
+                attend.change(0, &event, state);
             }
+            run.happened(event);
         }
-        let end = time(stopped.as_ref().unwrap_or(after));
+        let end = time(broken.as_ref().unwrap_or(after));
         let mut any = false;
         while let Some(t) = self.next.filter(|&t| t <= end) {
             let state = if t == time(after) { after.clone() } else { self.between.state(motion, &before(), t)? };
             self.record_due(state)?;
             any = true;
         }
-        if any && stopped.is_none() {
-            self.look_at(motion, after);
+        match (broken, goes_on) {
+            (Some(before), Some(after)) if !stops => self.changed = Some([before, after]),
+            (Some(_), stopped) => return Ok(stopped),
+            _ if any => self.look_at(motion, after),
+            _ => {}
         }
-        Ok(stopped)
+        Ok(None)
     }
 
     pub(crate) fn look_at(&mut self, motion: &dyn Motion<X, R>, state: &X) {

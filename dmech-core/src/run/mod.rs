@@ -2,6 +2,7 @@
 
 mod attend;
 mod between;
+mod change;
 mod csv;
 mod due;
 mod event;
@@ -30,8 +31,11 @@ mod tests;
 mod watch;
 mod zero;
 
-pub use attend::{Attend, Within};
+pub use attend::{After, Attend, Within};
 pub use between::{Blend, Weights};
+#[cfg(feature = "scene")]
+pub(crate) use change::Turned;
+pub use change::{Change, Changed};
 pub use csv::{Columns, Csv};
 pub(crate) use due::Due;
 pub use event::{Crossing, Event};
@@ -41,6 +45,8 @@ pub(crate) use motion::Motion;
 pub use npy::Npy;
 pub use observe::Observer;
 pub use passage::Passage;
+#[cfg(feature = "scene")]
+pub(crate) use passage::passes;
 pub(crate) use progress::{Follow, Shown};
 pub use quantity::Quantity;
 pub use report::Report;

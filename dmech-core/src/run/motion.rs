@@ -9,6 +9,7 @@ use super::report::Work;
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::scheme::Scheme;
+use crate::span::Span;
 use crate::stepper::Stepper;
 use crate::system::System;
 
@@ -35,6 +36,12 @@ pub(crate) trait Motion<X, R: Real> {
 
     /// So many steps, whose work is added, or fewer: until it arrives, or before a step that may reach a time. How many.
     fn go(&mut self, steps: u64, until: Option<f64>, watch: &mut Watch<X, R>) -> Result<u64, Error>;
+
+    /// Goes on from another state.
+    fn set_state(&mut self, state: X) -> Result<(), Error>;
+
+    /// How many steps it is to a time, none if it has passed.
+    fn steps_until(&self, end: f64) -> Result<u64, Error>;
 
     /// Whether the next step may reach a time.
     fn reaches(&self, t: f64) -> bool;
@@ -101,6 +108,14 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
             watch.step(self)?;
         }
         Ok(steps)
+    }
+
+    fn set_state(&mut self, state: Y::State) -> Result<(), Error> {
+        Stepper::set_state(self, state)
+    }
+
+    fn steps_until(&self, end: f64) -> Result<u64, Error> {
+        Span::Until(end.max(self.t())).steps(self.t(), self.dt, self.resolution())
     }
 
     fn reaches(&self, t: f64) -> bool {

@@ -1,6 +1,8 @@
 //! Events: where a function of the state passes through zero.
 
-use super::attend::{Attend, Within};
+use super::attend::{After, Attend, Within};
+use super::between::Blend;
+use super::change::{Change, Changed, Turned};
 use super::event::{Crossing, Event};
 use super::simulation::{Attended, Simulation};
 use crate::error::Error;
@@ -36,7 +38,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         function: F,
         crossing: Crossing,
     ) -> Attended<L, X, S, O, Passage<F>> {
-        self.attended(Passage::new(function, crossing, false))
+        self.attended(Passage::new(function, crossing, After::Nothing))
     }
 
     /// As [`event`](Simulation::event), and the run ends there: [`Run::last`](crate::Run::last) is the state at the event,
@@ -47,35 +49,57 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
         function: F,
         crossing: Crossing,
     ) -> Attended<L, X, S, O, Passage<F>> {
-        self.attended(Passage::new(function, crossing, true))
+        self.attended(Passage::new(function, crossing, After::Stop))
     }
 }
 
-/// A function of the state whose passages through zero are events.
+/// The direction in which a function passes through zero between two values, if it does and is asked for.
+pub(crate) fn passes([before, now]: [f64; 2], crossing: Crossing) -> Option<Crossing> {
+    let rising = before < 0.0 && now >= 0.0;
+    let passes = (rising || before > 0.0 && now <= 0.0) && crossing.admits(rising);
+    passes.then_some(if rising { Crossing::Rising } else { Crossing::Falling })
+}
+
+/// A function of the state whose passages through zero are events, and what they change.
 #[derive(Clone)]
-pub struct Passage<F> {
+pub struct Passage<F, C = ()> {
     function: F,
     crossing: Crossing,
-    stops: bool,
+    then: After,
     /// Its last value: the side on which the motion is.
     last: f64,
+    change: C,
+    turned: Turned,
 }
 
 impl<F> Passage<F> {
-    pub(crate) fn new(function: F, crossing: Crossing, stops: bool) -> Self {
-        Passage { function, crossing, stops, last: 0.0 }
+    pub(crate) fn new(function: F, crossing: Crossing, then: After) -> Self {
+        Passage::with(function, crossing, then, ())
     }
 }
 
-impl<F> core::fmt::Debug for Passage<F> {
+impl<F, C> Passage<F, Changed<C>> {
+    pub(crate) fn changing(function: F, crossing: Crossing, change: C) -> Self {
+        Passage::with(function, crossing, After::Change, Changed(change))
+    }
+}
+
+impl<F, C> Passage<F, C> {
+    fn with(function: F, crossing: Crossing, then: After, change: C) -> Self {
+        Passage { function, crossing, then, last: 0.0, change, turned: Turned::NEVER }
+    }
+}
+
+impl<F, C> core::fmt::Debug for Passage<F, C> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let Passage { crossing, stops, last, .. } = self;
-        f.debug_struct("Passage").field("crossing", crossing).field("stops", stops).field("last", last).finish()
+        let Passage { crossing, then, last, .. } = self;
+        f.debug_struct("Passage").field("crossing", crossing).field("then", then).field("last", last).finish()
     }
 }
 
-impl<X: Clone, F: FnMut(&X) -> f64> Attend<X> for Passage<F> {
+impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: Change<X>> Attend<X> for Passage<F, C> {
     const EVENTS: usize = 1;
+    const CHANGES: bool = C::CHANGES;
 
     fn begin(&mut self, start: &X) -> Result<(), Error> {
         self.last = (self.function)(start);
@@ -83,21 +107,35 @@ impl<X: Clone, F: FnMut(&X) -> f64> Attend<X> for Passage<F> {
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
-        let Passage { function, crossing, stops, last } = self;
+        let Passage { function, crossing, then, last, turned, .. } = self;
         let now = function(step.end);
-        let before = core::mem::replace(last, now);
-        let rising = before < 0.0 && now >= 0.0;
-        if !(rising || before > 0.0 && now <= 0.0) || !crossing.admits(rising) {
-            return Ok(());
+        let values = [core::mem::replace(last, now), now];
+        let (crossing, state) = if C::CHANGES && turned.waits {
+            let Some(state) = turned.returns(which, step, now, function)? else { return Ok(()) };
+            (turned.crossing(), state)
+        } else {
+            let Some(crossing) = passes(values, *crossing) else { return Ok(()) };
+            (crossing, step.zero(values, function)?)
+        };
+        if C::CHANGES {
+            turned.count(which, state.time(), step.times)?;
         }
-        let crossing = if rising { Crossing::Rising } else { Crossing::Falling };
-        let state = step.zero([before, now], function)?;
-        step.happened(*stops, Event::new(which, state, crossing, None));
+        step.happened(*then, Event::new(which, state, crossing, None));
         Ok(())
     }
 
     fn is_behind(&mut self, _: usize, event: &Event<X>, state: &X) -> bool {
         let value = (self.function)(state);
         if event.crossing() == Crossing::Rising { value >= 0.0 } else { value <= 0.0 }
+    }
+
+    fn change(&mut self, _: usize, event: &Event<X>, state: &mut X) {
+        let Passage { function, change, turned, .. } = self;
+        turned.change(event, state, change, function);
+    }
+
+    fn turn(&mut self, state: &X) {
+        self.last = (self.function)(state);
+        self.turned.turn(self.last);
     }
 }

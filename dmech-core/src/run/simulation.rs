@@ -372,7 +372,8 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
         let (t, dt) = (stepper.t(), stepper.dt);
         let steps = span.steps(t, dt, stepper.resolution())?;
         let states = settings.due.states(steps, span.time(t, steps, dt));
-        Ok((stepper, Plan { steps, states, settings }))
+        let until = if let (Span::Until(end), Some(_)) = (span, stepper.resolution()) { Some(end) } else { None };
+        Ok((stepper, Plan { steps, until, states, settings }))
     }
 }
 
@@ -380,6 +381,8 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
 pub(crate) struct Plan {
     /// Steps that it makes, or fewer if the motion arrives or is stopped before.
     pub(crate) steps: u64,
+    /// The time to which they were counted, if they were.
+    pub(crate) until: Option<f64>,
     /// States that it will record, as far as their number is known.
     pub(crate) states: u64,
     pub(crate) settings: Settings,

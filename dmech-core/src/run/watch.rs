@@ -35,6 +35,8 @@ pub struct Watch<X, R: Real = f64> {
     first: X,
     /// Energies at the start, by `Invariant as usize`; 0 where there is none.
     energies: [R; Invariant::ALL.len()],
+    /// What changes of the motion had come to in the deviations of the momenta before them.
+    carried: [f64; 2],
     work: Compensated<R>,
     drifts: Drifts,
     /// The law's own invariants at the start.
@@ -55,6 +57,7 @@ impl<X: Clone, R: Real> Watch<X, R> {
         let mut watch = Watch {
             first: motion.state(),
             energies: [R::ZERO; Invariant::ALL.len()],
+            carried: [0.0; 2],
             work: Compensated::new(R::ZERO),
             drifts: [None; Invariant::ALL.len()],
             own_start: [R::ZERO; MAX_OWN],
@@ -99,7 +102,7 @@ impl<X: Clone, R: Real> Watch<X, R> {
             // Before it is rounded to `f64`, which may have fewer digits.
             let energy = self.energy(invariant, &here);
             let seen = energy.map(|energy| [energy, energy - self.energies[invariant as usize]].map(R::to_f64));
-            let seen = seen.or(here.momentum(invariant));
+            let seen = seen.or_else(|| self.momentum(invariant, &here));
             if let (Some([value, deviation]), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
                 drift.observe(t, value, deviation);
                 #[cfg(feature = "plot")]
@@ -111,9 +114,49 @@ impl<X: Clone, R: Real> Watch<X, R> {
         self.see_own(motion, state);
     }
 
+    /// How far the invariants are from their start, before the motion is changed in a state.
+    pub(super) fn deviations(&self, motion: &dyn Motion<X, R>, state: &X) -> Deviations<R> {
+        let here = motion.invariants(state, &self.first);
+        let momenta = [Invariant::LinearMomentum, Invariant::AngularMomentum];
+        Deviations {
+            energies: Invariant::each(&mut |invariant| {
+                self.energy(invariant, &here).map_or(R::ZERO, |energy| energy - self.energies[invariant as usize])
+            }),
+            momenta: momenta.map(|of| self.momentum(of, &here).map_or(0.0, |[_, deviation]| deviation)),
+            own: core::array::from_fn(|k| {
+                if k < motion.own_names().len() { motion.own(k, state) - self.own_start[k] } else { R::ZERO }
+            }),
+        }
+    }
+
+    /// Goes on from a state to which the motion was changed: what the change has done to the invariants is not counted.
+    pub(super) fn go_on(&mut self, motion: &dyn Motion<X, R>, state: &X, so_far: Deviations<R>) {
+        let here = motion.invariants(state, state);
+        for invariant in Invariant::ALL {
+            if let Some(energy) = self.energy(invariant, &here) {
+                self.energies[invariant as usize] = energy - so_far.energies[invariant as usize];
+            }
+        }
+        for k in 0..motion.own_names().len().min(MAX_OWN) {
+            self.own_start[k] = motion.own(k, state) - so_far.own[k];
+        }
+        (self.first, self.carried) = (state.clone(), so_far.momenta);
+    }
+
+    /// How much there is of a momentum, and how far it is from that at the start.
+    fn momentum(&self, invariant: Invariant, here: &Invariants<R>) -> Option<[f64; 2]> {
+        let carried = self.carried[usize::from(invariant == Invariant::AngularMomentum)];
+        here.momentum(invariant).map(|[momentum, deviation]| [momentum, carried + deviation])
+    }
+
     /// Takes them from elsewhere; those of the law itself are looked at here.
     pub(crate) fn set_drifts(&mut self, drifts: Drifts) {
         self.drifts = drifts;
+    }
+
+    /// From where energies are counted, and what is to be added to the deviations of momenta.
+    pub(crate) fn counted_from(&self) -> ([R; Invariant::ALL.len()], [f64; 2]) {
+        (self.energies, self.carried)
     }
 
     /// The work of the steps so far.
@@ -179,6 +222,13 @@ impl<X: Clone, R: Real> Watch<X, R> {
             Invariant::LinearMomentum | Invariant::AngularMomentum => None,
         }
     }
+}
+
+/// How far invariants are from where they began: the energies by `Invariant as usize`, the momenta, and those of the law itself.
+pub(super) struct Deviations<R> {
+    energies: [R; Invariant::ALL.len()],
+    momenta: [f64; 2],
+    own: [R; MAX_OWN],
 }
 
 impl<R> Invariants<R> {

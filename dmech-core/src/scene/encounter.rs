@@ -4,7 +4,7 @@ use super::builder::Scene;
 use super::space::Space;
 use super::state::SceneState;
 use crate::error::{Error, SceneError};
-use crate::run::{Attend, Attended, Crossing, Event, Simulation, Within};
+use crate::run::{After, Attend, Attended, Change, Crossing, Event, Simulation, Turned, Within, passes};
 use crate::vector::{difference, dot};
 
 impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, S, O> {
@@ -27,7 +27,7 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Errors
     /// When run: [`SceneError::Encounter`] where the distance is not positive and finite.
     pub fn encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
-        self.watch_for(distance, false)
+        self.watch_for(distance, After::Nothing, ())
     }
 
     /// As [`encounter`](Simulation::encounter), and the run ends at the first, as at [`stop_when`](Simulation::stop_when): what goes on
@@ -45,22 +45,74 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Errors
     /// As [`encounter`](Simulation::encounter).
     pub fn stop_at_encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
-        self.watch_for(distance, true)
+        self.watch_for(distance, After::Stop, ())
     }
 
-    fn watch_for(self, distance: f64, stops: bool) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
+    /// As [`encounter`](Simulation::encounter), and the motion goes on from another state, as with
+    /// [`change_when`](Simulation::change_when): hard balls that collide. The function is given the state and the two bodies.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    /// // Balls of equal mass and diameter 1/2 on a line exchange their velocities.
+    /// let scene = Scene::<1>::new().body(1.0, [0.0], [1.0]).body(1.0, [2.0], [0.0]).body(1.0, [3.0], [0.0]);
+    /// let balls = Simulation::scene(scene).scheme(Leapfrog).dt(0.25);
+    /// let run = balls.change_at_encounter(0.5, |state, [a, b]| state.v.swap(a, b)).run_until(4.0)?;
+    /// let met: Vec<_> = run.events().iter().map(|event| (event.bodies().unwrap(), event.state().t)).collect();
+    /// assert!(met[0].0 == [0, 1] && (met[0].1 - 1.5).abs() < 1e-14);
+    /// assert!(met[1].0 == [1, 2] && (met[1].1 - 2.0).abs() < 1e-14);
+    /// assert_eq!(run.last().v, [[0.0], [0.0], [1.0]]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`encounter`](Simulation::encounter) and [`change_when`](Simulation::change_when).
+    pub fn change_at_encounter<C: FnMut(&mut SceneState<D>, [usize; 2])>(
+        self,
+        distance: f64,
+        change: C,
+    ) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B, Collision<C>>> {
+        self.watch_for(distance, After::Change, Collision(change))
+    }
+
+    fn watch_for<C>(
+        self,
+        distance: f64,
+        then: After,
+        change: C,
+    ) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B, C>> {
         let space = self.start.space;
-        self.attended(Encounter { distance, space, stops, excess: Vec::new() })
+        self.attended(Encounter { distance, space, then, excess: Vec::new(), change, turned: Vec::new() })
     }
 }
 
-/// The distance at which bodies meet, and by how much the squares of the distances of all pairs exceed its own.
+/// The distance at which bodies meet, by how much the squares of the distances of all pairs exceed its own, and what it changes.
 #[derive(Clone, Debug)]
-pub struct Encounter<B> {
+pub struct Encounter<B, C = ()> {
     distance: f64,
     space: B,
-    stops: bool,
+    then: After,
     excess: Vec<f64>,
+    change: C,
+    /// Pairs whose motion was changed.
+    turned: Vec<([usize; 2], Turned)>,
+}
+
+/// A function that changes the state where two bodies meet.
+#[derive(Clone, Copy)]
+pub struct Collision<C>(C);
+
+impl<C> core::fmt::Debug for Collision<C> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("Collision")
+    }
+}
+
+impl<X, C: FnMut(&mut X, [usize; 2])> Change<X> for Collision<C> {
+    fn change(&mut self, event: &Event<X>, state: &mut X) {
+        if let Some(bodies) = event.bodies() {
+            (self.0)(state, bodies);
+        }
+    }
 }
 
 /// |q_a − q_b|² − r², in a periodic box to the nearest image.
@@ -73,31 +125,78 @@ fn pairs(bodies: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..bodies).flat_map(move |b| (0..b).map(move |a| [a, b]))
 }
 
-impl<const D: usize, B: Space<D>> Attend<SceneState<D>> for Encounter<B> {
+impl<B, C> Encounter<B, C> {
+    fn excess<const D: usize>(&self, state: &SceneState<D>, pair: [usize; 2]) -> f64
+    where
+        B: Space<D>,
+    {
+        excess(state, pair, self.distance, &self.space)
+    }
+
+    /// Where a pair is whose motion is changed.
+    fn turned(&mut self, pair: [usize; 2]) -> usize {
+        self.turned.iter().position(|&(other, _)| other == pair).unwrap_or_else(|| {
+            self.turned.push((pair, Turned::NEVER));
+            self.turned.len() - 1
+        })
+    }
+}
+
+impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>> for Encounter<B, C> {
     const EVENTS: usize = 1;
+    const CHANGES: bool = C::CHANGES;
 
     fn begin(&mut self, start: &SceneState<D>) -> Result<(), Error> {
         if !(self.distance > 0.0 && self.distance.is_finite()) {
             return Err(SceneError::Encounter { distance: self.distance }.into());
         }
-        self.excess = pairs(start.q.len()).map(|pair| excess(start, pair, self.distance, &self.space)).collect();
+        self.excess = pairs(start.q.len()).map(|pair| self.excess(start, pair)).collect();
         Ok(())
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, SceneState<D>>) -> Result<(), Error> {
-        for (pair, last) in pairs(step.end.q.len()).zip(&mut self.excess) {
-            let now = excess(step.end, pair, self.distance, &self.space);
-            let before = core::mem::replace(last, now);
-            if before > 0.0 && now <= 0.0 {
-                let mut function = |state: &SceneState<D>| excess(state, pair, self.distance, &self.space);
-                let state = step.zero([before, now], &mut function)?;
-                step.happened(self.stops, Event::new(which, state, Crossing::Falling, Some(pair)));
+        for (k, pair) in pairs(step.end.q.len()).enumerate() {
+            let now = self.excess(step.end, pair);
+            let values = [core::mem::replace(&mut self.excess[k], now), now];
+            let (distance, space) = (self.distance, &self.space);
+            let mut function = |state: &SceneState<D>| excess(state, pair, distance, space);
+            let waits = self.turned.iter_mut().find(|(other, turned)| turned.waits && *other == pair);
+            let state = if let Some((_, turned)) = waits {
+                turned.returns(which, step, now, &mut function)?
+            } else if passes(values, Crossing::Falling).is_some() {
+                Some(step.zero(values, &mut function)?)
+            } else {
+                None
+            };
+            let Some(state) = state else { continue };
+            if C::CHANGES {
+                let k = self.turned(pair);
+                self.turned[k].1.count(which, state.t, step.times)?;
             }
+            step.happened(self.then, Event::new(which, state, Crossing::Falling, Some(pair)));
         }
         Ok(())
     }
 
     fn is_behind(&mut self, _: usize, event: &Event<SceneState<D>>, state: &SceneState<D>) -> bool {
-        event.bodies().is_some_and(|pair| excess(state, pair, self.distance, &self.space) <= 0.0)
+        event.bodies().is_some_and(|pair| self.excess(state, pair) <= 0.0)
+    }
+
+    fn change(&mut self, _: usize, event: &Event<SceneState<D>>, state: &mut SceneState<D>) {
+        let Some(pair) = event.bodies() else { return };
+        let k = self.turned(pair);
+        let Encounter { distance, space, change, turned, .. } = self;
+        let mut function = |state: &SceneState<D>| excess(state, pair, *distance, space);
+        turned[k].1.change(event, state, change, &mut function);
+    }
+
+    fn turn(&mut self, state: &SceneState<D>) {
+        for (k, pair) in pairs(state.q.len()).enumerate() {
+            self.excess[k] = self.excess(state, pair);
+        }
+        for k in 0..self.turned.len() {
+            let value = self.excess(state, self.turned[k].0);
+            self.turned[k].1.turn(value);
+        }
     }
 }

@@ -143,7 +143,7 @@ pub use crate::run::{
     Weights, Within,
 };
 #[cfg(feature = "scene")]
-pub use crate::scene::{Collision, Encounter};
+pub use crate::scene::{Collision, Encounter, Met};
 pub use crate::scheme::{
     Adaptable, Adaptive, Effort, LinearVelocities, Method, OneStep, Reached, Scheme, Steps, WithoutVelocities,
 };

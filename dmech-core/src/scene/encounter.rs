@@ -7,6 +7,9 @@ use crate::error::{Error, SceneError};
 use crate::run::{After, Attend, Attended, Change, Crossing, Event, Simulation, Turned, Within, passes};
 use crate::vector::{difference, dot};
 
+/// A simulation that looks for encounters of its bodies.
+pub type Met<const D: usize, P, L, B, S, O, C = ()> = Attended<(), Scene<D, P, L, B>, S, O, Encounter<B, C>>;
+
 impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, S, O> {
     /// Watches for pairs of bodies that come nearer to one another than a distance, which
     /// [`Run::events`](crate::Run::events) then has, with [`bodies`](crate::Event::bodies) and the state at that distance. Pairs
@@ -26,7 +29,7 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     ///
     /// # Errors
     /// When run: [`SceneError::Encounter`] where the distance is not positive and finite.
-    pub fn encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
+    pub fn encounter(self, distance: f64) -> Met<D, P, L, B, S, O> {
         self.watch_for(distance, After::Nothing, ())
     }
 
@@ -44,7 +47,7 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     ///
     /// # Errors
     /// As [`encounter`](Simulation::encounter).
-    pub fn stop_at_encounter(self, distance: f64) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B>> {
+    pub fn stop_at_encounter(self, distance: f64) -> Met<D, P, L, B, S, O> {
         self.watch_for(distance, After::Stop, ())
     }
 
@@ -70,16 +73,11 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
         self,
         distance: f64,
         change: C,
-    ) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B, Collision<C>>> {
+    ) -> Met<D, P, L, B, S, O, Collision<C>> {
         self.watch_for(distance, After::Change, Collision(change))
     }
 
-    fn watch_for<C>(
-        self,
-        distance: f64,
-        then: After,
-        change: C,
-    ) -> Attended<(), Scene<D, P, L, B>, S, O, Encounter<B, C>> {
+    fn watch_for<C>(self, distance: f64, then: After, change: C) -> Met<D, P, L, B, S, O, C> {
         let space = self.start.space;
         self.attended(Encounter { distance, space, then, excess: Vec::new(), change, turned: Vec::new() })
     }

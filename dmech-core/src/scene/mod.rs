@@ -29,7 +29,7 @@ pub use bodies::Bodies;
 pub use builder::{FieldLaw, Scene};
 pub use compensated::CompensatedVectors;
 pub use drives::Seen;
-pub use encounter::{Collision, Encounter};
+pub use encounter::{Collision, Encounter, Met};
 pub use few::{Among, AmongFew, FewBodies, Mutual, Places, Restricted, Sides, Whole};
 pub use matrix::Matrix;
 pub use space::{Open, Periodic, Space};

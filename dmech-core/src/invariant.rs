@@ -51,9 +51,11 @@ impl core::fmt::Display for Invariant {
 pub enum Kept {
     /// To round-off.
     Exact,
-    /// It deviates by a power of the step and does not drift. Where the force of a law has a kink, what each crossing
-    /// leaves adds up as a walk.
+    /// It deviates by a power of the step and does not drift.
     Bounded,
+    /// The same while nothing bends or jumps, and the law of the run does: what each crossing of a kink, a cut-off or the image in a box
+    /// leaves adds up as a walk.
+    BetweenSeams,
     /// Not at all, or there is none: the energy under a drag, the angular momentum where the law has none.
     No,
 }
@@ -63,6 +65,7 @@ impl core::fmt::Display for Kept {
         f.pad(match self {
             Kept::Exact => "exact",
             Kept::Bounded => "bounded",
+            Kept::BetweenSeams => "bounded between seams",
             Kept::No => "not kept",
         })
     }

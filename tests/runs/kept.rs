@@ -1,7 +1,8 @@
 //! What a run says that it must keep.
 
 use dmech::Kept;
-use dmech::models::{DampedPendulum, DrivenPendulum, Kepler};
+use dmech::models::pairs::LennardJones;
+use dmech::models::{DampedPendulum, DrivenPendulum, Kepler, Quartic, Wall};
 use dmech::prelude::*;
 
 /// What there is not is not kept, however well the scheme keeps it of other laws: alone, in a scene, before the first step.
@@ -26,4 +27,39 @@ fn nothing_is_claimed_of_what_there_is_not() -> Result<(), Box<dyn std::error::E
     let scene = || Scene::<1>::new().body(1.3, [0.4], [0.3]);
     consistent(&Simulation::scene(scene().field(drag)).scheme(DiscreteGradient).dt(0.1).run(10)?, Kept::No);
     Ok(())
+}
+
+/// Where the law bends or jumps a bounded energy walks, and the report says so: of a choice, of a cut-off, of the images in a box. What is
+/// exact is so over seams.
+#[test]
+fn bounded_is_said_of_smooth_laws_only() {
+    macro_rules! said {
+        ($simulation:expr) => {{
+            let bounded = $simulation.scheme(Leapfrog).dt(0.01).run(1).unwrap();
+            let exact = $simulation.scheme(DiscreteGradient).dt(0.01).run(1).unwrap();
+            assert_eq!(exact.kept(Invariant::Energy), Kept::Exact);
+            assert_eq!(bounded.kept(Invariant::WorkEnergy), Kept::Exact);
+            assert_eq!(
+                bounded.to_string().contains("bounded between seams"),
+                bounded.kept(Invariant::Energy) == Kept::BetweenSeams
+            );
+            bounded.kept(Invariant::Energy)
+        }};
+    }
+    let start = State::new([1.0], [0.3]);
+    let (wall, quartic) = (Wall::default(), Quartic { beta: 1.3 });
+    assert_eq!(said!(Simulation::new(wall, start)), Kept::BetweenSeams);
+    assert_eq!(said!(Simulation::new(quartic, start)), Kept::Bounded);
+    assert_eq!(said!(Simulation::new(Some(wall), start)), Kept::BetweenSeams);
+    assert_eq!(said!(Simulation::new(quartic, start).masses([1.3])), Kept::Bounded);
+    let scene = || Scene::<1>::new().body(1.3, [0.4], [0.3]).body(0.7, [1.6], [0.1]);
+    let pairs = LennardJones { epsilon: 0.3, sigma: 1.0 };
+    assert_eq!(said!(Simulation::scene(scene().field(quartic))), Kept::Bounded);
+    assert_eq!(said!(Simulation::scene(scene().field(quartic).field(wall))), Kept::BetweenSeams);
+    assert_eq!(said!(Simulation::scene(scene().pairs(pairs))), Kept::Bounded);
+    assert_eq!(said!(Simulation::scene(scene().pairs(pairs).cutoff(2.5))), Kept::BetweenSeams);
+    assert_eq!(said!(Simulation::scene(scene().pairs(pairs).periodic([9.0]))), Kept::BetweenSeams);
+    // Members of ensembles say the same.
+    let run = Ensemble::of(9).law(|_| wall).start(|_| start).scheme(Leapfrog).dt(0.01).run(1).unwrap();
+    assert!((0..9).all(|k| run.member(k).unwrap().kept(Invariant::Energy) == Kept::BetweenSeams));
 }

@@ -117,7 +117,7 @@ impl Tally {
                     self.worst_exact = self.worst_exact.max(worst);
                     self.exact += 1;
                 }
-                Kept::Bounded => {
+                Kept::Bounded | Kept::BetweenSeams => {
                     assert!(worst < 0.02, "{what}");
                     if smooth {
                         does_not_drift(run, invariant, &what);

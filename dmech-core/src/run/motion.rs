@@ -140,7 +140,10 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
     }
 
     fn kept(&self) -> [Kept; Invariant::ALL.len()] {
-        Invariant::each(&mut |invariant| S::kept(&self.system, invariant))
+        Invariant::each(&mut |invariant| match S::kept(&self.system, invariant) {
+            Kept::Bounded if Y::PIECEWISE => Kept::BetweenSeams,
+            kept => kept,
+        })
     }
 
     fn own_names(&self) -> &'static [&'static str] {

@@ -58,6 +58,8 @@ pub trait System: Sized {
     /// All that acts is a potential that is a polynomial of at most this degree in the coordinates:
     /// [`Potential::DEGREE`](crate::Potential::DEGREE). None where a force acts beside it.
     const DEGREE: Option<u32>;
+    /// What acts may bend or jump: [`Potential::PIECEWISE`](crate::Potential::PIECEWISE).
+    const PIECEWISE: bool;
 
     // The length of steps.
 

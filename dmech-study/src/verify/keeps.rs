@@ -64,7 +64,9 @@ impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Trial<L, X, S> {
                     let bound = 32.0 * f64::EPSILON * (steps as f64).sqrt();
                     checks.push(Check::at_most(name, measured, bound, format!("exact over {steps} steps, relative")));
                 }
-                (Kept::Bounded, Some(measured)) => checks.push(self.bounded(measured, invariant, name)),
+                (Kept::Bounded | Kept::BetweenSeams, Some(measured)) => {
+                    checks.push(self.bounded(measured, invariant, name))
+                }
             }
         }
     }

@@ -57,6 +57,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     const IN_REGISTERS: bool = false;
     const DIMENSION: usize = D;
     const DEGREE: Option<u32> = if A::FORCED { None } else { A::DEGREE };
+    const PIECEWISE: bool = A::PIECEWISE;
 
     fn stride(&self, dt: f64, share: f64) -> SceneStride<D> {
         let mut stride = SceneStride::new(dt, self.zero(), share);

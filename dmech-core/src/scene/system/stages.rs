@@ -44,8 +44,6 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
     type Pushes = Eights<D>;
     type Aim = SceneAim<D>;
 
-    const PIECEWISE: bool = A::PIECEWISE;
-
     fn pushes(&self, stride: &SceneStride<D>, slope: &Vectors<D>) -> Eights<D> {
         let mut pushes = Eights::zeros(slope.bodies());
         let weights = Lanes::row(&GAUSS.weights, 0);

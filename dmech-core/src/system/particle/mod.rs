@@ -84,6 +84,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
     const IN_REGISTERS: bool = true;
     const DIMENSION: usize = D;
     const DEGREE: Option<u32> = if L::Field::<'_>::FORCED { None } else { L::Field::<'_>::DEGREE };
+    const PIECEWISE: bool = L::Field::<'_>::PIECEWISE;
 
     #[inline(always)]
     fn stride(&self, dt: R, _: f64) -> Stride<R> {

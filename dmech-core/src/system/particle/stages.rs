@@ -6,7 +6,7 @@ use core::hint::black_box;
 use dmech_scalar::{CompensatedVector, DoubleDouble, Lanes, Mask, Real, Rows};
 
 use super::{Particle, Stride};
-use crate::law::{Field, Law, Potential};
+use crate::law::{Field, Law};
 use crate::system::stages::{self, Eight, Nearing, Part, Staged, Staging, Tableau, moves, times, weighed};
 use crate::vector::{by_component, weighted};
 
@@ -77,8 +77,6 @@ pub struct Aim<const D: usize, R: Staging> {
 impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R> {
     type Pushes = [R::Eight; D];
     type Aim = Aim<D, R>;
-
-    const PIECEWISE: bool = L::Field::<'_>::PIECEWISE;
 
     fn pushes(&self, stride: &Stride<R>, slope: &[R; D]) -> [R::Eight; D] {
         let weights = &crate::system::tableau::GAUSS.weights;

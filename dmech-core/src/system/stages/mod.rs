@@ -34,9 +34,6 @@ pub trait Staged: System<Scalar: Staging> {
     /// What stays the same from sweep to sweep.
     type Aim: Clone + core::fmt::Debug;
 
-    /// What acts may bend or jump.
-    const PIECEWISE: bool;
-
     /// The pushes of a force that does not change.
     fn pushes(&self, stride: &Self::Stride, slope: &Self::Vector) -> Self::Pushes;
     /// Room for [`aim`](Staged::aim).

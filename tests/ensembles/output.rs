@@ -123,6 +123,44 @@ fn members_are_written_as_a_table() {
     assert_eq!(run.failures().count(), 1);
 }
 
+/// With columns of one's own, and each state that was recorded; what is written of members is what their runs have.
+#[test]
+fn members_are_written_with_more() {
+    let start = |k: usize| if k == 5 { State::new([0.0; 2], [0.0; 2]) } else { Orbit::start(k) };
+    let ensemble = || Ensemble::of(12).law(Orbit::member).start(start).scheme(Leapfrog).dt(0.01);
+    let run = ensemble().record_dt(0.1).run(30).unwrap();
+    let beside = |k: usize, run: &Run<State<2>>| [0.5 * k as f64, run.steps() as f64];
+    let mut csv = Vec::new();
+    run.write_with(["half", "steps made"], beside, Csv::new(&mut csv)).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    let (head, rows) = csv.split_once('\n').unwrap();
+    assert_eq!((head, rows.lines().count()), ("k,half,steps made,t,q0,q1,v0,v1", 12));
+    for (k, row) in rows.lines().enumerate() {
+        let read: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
+        assert!(
+            read[..3] == [k as f64, 0.5 * k as f64, if k == 5 { 0.0 } else { 30.0 }] && (read[3].is_nan() == (k == 5))
+        );
+    }
+    for name in ["a,b", "a\"b", "a\nb"] {
+        let refused = run.write_with([name], |_, _| [0.0], Csv::new(Vec::new())).unwrap_err();
+        assert_eq!(refused.kind(), std::io::ErrorKind::InvalidInput);
+    }
+    let mut npy = std::io::Cursor::new(Vec::new());
+    run.write_states(Npy::new(&mut npy)).unwrap();
+    let npy = npy.into_inner();
+    let numbers: Vec<f64> = npy[128..].chunks(8).map(|x| f64::from_le_bytes(x.try_into().unwrap())).collect();
+    let states = run.members().enumerate().flat_map(|(k, member)| {
+        let states = member.unwrap_or_else(Interrupted::run).states();
+        states.iter().map(move |state| [k as f64, state.t, state.q[0], state.q[1], state.v[0], state.v[1]])
+    });
+    let states: Vec<f64> = states.flatten().collect();
+    assert!(states.len() >= 11 * 3 * 6 && numbers == states, "{}", states.len());
+    // Nothing was recorded, and nothing is written.
+    let mut nothing = Vec::new();
+    ensemble().run(3).unwrap().write_states(Csv::new(&mut nothing)).unwrap();
+    assert!(nothing.is_empty());
+}
+
 /// A bar counts members, also where some are in a store.
 #[test]
 fn a_bar_counts_members() {

@@ -363,6 +363,12 @@ fn what_is_let_through_goes_on() {
     assert!((5..9).contains(&run.events().len()), "{:?}", run.events());
     let run = pendulum(0.0).change_when(|s| s.q[0], Crossing::Falling, |s| s.q[0] += 0.5).run_until(2.0).unwrap();
     assert!((1..4).contains(&run.events().len()), "{:?}", run.events());
+    // Of the velocity, with a change of the place; to behind, from where it comes back.
+    let run = pendulum(0.0).change_when(|s| s.v[0], Crossing::Falling, |s| s.q[0] -= 1e-3).run_until(20.0).unwrap();
+    assert!((2..5).contains(&run.events().len()), "{:?}", run.events());
+    let back = |s: &mut State<1>| (s.q[0], s.v[0]) = (s.q[0] - 0.1, -s.v[0]);
+    let run = pendulum(0.0).change_when(|s| s.q[0], Crossing::Falling, back).run_until(20.0).unwrap();
+    assert!((3..9).contains(&run.events().len()), "{:?}", run.events());
     // A clock does not turn back.
     let ticks = Cell::new(0);
     let clock = |s: &State<1>| (TAU * s.t).sin();

@@ -30,6 +30,7 @@ pub(crate) const GROUPS: [(&str, &[Example]); 4] = [
             ),
             ("magnetic", &[("shared/gyration.rs", "impl Graded"), ("magnetic.rs", "fn simulate")]),
             ("section", &[("section.rs", "fn motion"), ("section.rs", "fn section")]),
+            ("billiard", &[("billiard.rs", "fn bounce"), ("billiard.rs", "fn motion")]),
             (
                 "comet",
                 &[

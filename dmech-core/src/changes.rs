@@ -66,6 +66,11 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
 pub trait Holds<X> {
     /// The law, if there is one; the first, if there are several.
     fn law_mut(&mut self) -> Option<&mut X>;
+
+    /// The law of a body, where each body has its own.
+    fn law_of_mut(&mut self, _body: usize) -> Option<&mut X> {
+        None
+    }
 }
 
 impl<L: Law<D, R>, const D: usize, R: Real> Holds<L> for Particle<L, D, R> {
@@ -81,7 +86,7 @@ impl<L: Law<D, R> + Clone, S: Scheme<Particle<L, D, R>>, const D: usize, R: Real
     /// stands in the way of the next step.
     pub fn law_mut(&mut self) -> LawMut<'_, Particle<L, D, R>, S, L> {
         let law = self.law().clone();
-        LawMut { stepper: self, law, changed: false }
+        LawMut { stepper: self, law, on: None, changed: false }
     }
 }
 
@@ -89,6 +94,8 @@ impl<L: Law<D, R> + Clone, S: Scheme<Particle<L, D, R>>, const D: usize, R: Real
 pub struct LawMut<'a, Y: System + Holds<X>, S: Scheme<Y>, X: Clone> {
     pub(crate) stepper: &'a mut Stepper<Y, S>,
     pub(crate) law: X,
+    /// Of this body.
+    pub(crate) on: Option<usize>,
     pub(crate) changed: bool,
 }
 
@@ -113,7 +120,12 @@ impl<Y: System + Holds<X>, S: Scheme<Y>, X: Clone> Drop for LawMut<'_, Y, S, X> 
             return;
         }
         let state = self.stepper.state();
-        if let Some(law) = self.stepper.system.law_mut() {
+        let system = &mut self.stepper.system;
+        let law = match self.on {
+            None => system.law_mut(),
+            Some(body) => system.law_of_mut(body),
+        };
+        if let Some(law) = law {
             law.clone_from(&self.law);
         }
         self.stepper.begin_or_wait_at(state);

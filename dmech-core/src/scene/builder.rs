@@ -1,11 +1,11 @@
 //! Setting up a scene.
 
-use super::OnNear;
 use super::bodies::Bodies;
 use super::drives::Drives;
 use super::space::{Open, Periodic};
 use super::state::SceneState;
-use super::terms::{Bonds, Chain, Each, Linked, Near, Pairs};
+use super::terms::{Bonds, Chain, Each, Linked, Near, One, Own, Pairs};
+use super::{OnEach, OnEachOwn, OnNear};
 use crate::law::Law;
 use crate::law::{CutOff, LinkLaw, Symmetric};
 
@@ -20,7 +20,7 @@ use crate::law::{CutOff, LinkLaw, Symmetric};
 /// assert_eq!(scene.bodies(), 2);
 /// ```
 ///
-/// Laws are added by where they act: [`field`](Scene::field) on each body, [`pairs`](Scene::pairs) between any two,
+/// Laws are added by where they act: [`field`](Scene::field) on each body, [`field_of`](Scene::field_of) on each its own, [`pairs`](Scene::pairs) between any two,
 /// [`chain`](Scene::chain) between neighbours, [`bonds`](Scene::bonds) between those of a list. Any number of them act
 /// together; they are composed in the type, and each is compiled for itself, once for all numbers of bodies.
 #[derive(Clone, Debug)]
@@ -92,7 +92,7 @@ impl<const D: usize, L, B> Scene<D, (), L, B> {
 }
 
 impl<const D: usize, P, L, B> Scene<D, P, L, B> {
-    /// Adds a body that carries data for the laws between bodies, such as a charge.
+    /// Adds a body that carries data for the laws, such as a charge.
     pub fn body_with(mut self, mass: f64, q: [f64; D], v: [f64; D], data: P) -> Self {
         self.bodies.masses.push(mass);
         self.bodies.q.push(q);
@@ -101,7 +101,7 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
         self
     }
 
-    /// Adds a [test body](Scene::test_body) that carries data for the laws between bodies.
+    /// Adds a [test body](Scene::test_body) that carries data for the laws.
     pub fn test_body_with(mut self, mass: f64, q: [f64; D], v: [f64; D], data: P) -> Self {
         self.bodies.tests.push(self.bodies.masses.len());
         self.body_with(mass, q, v, data)
@@ -173,10 +173,55 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
         Scene { bodies: self.bodies, laws: self.laws, space: Periodic::new(lengths) }
     }
 
-    /// A law that acts on each body by itself. Its `#[invariant]`s are those of one body, and a scene does not watch them: what is to be
-    /// followed of all bodies is a [`watch`](crate::Simulation::watch).
-    pub fn field<X: FieldLaw<D>>(self, law: X) -> Scene<D, P, (L, Each<X>), B> {
-        self.with(Each { law })
+    /// A law that acts on each body by itself, one for all: [`field_of`](Scene::field_of) gives each its own. Its `#[invariant]`s are those
+    /// of one body, and a scene does not watch them: what is to be followed of all bodies is a [`watch`](crate::Simulation::watch).
+    pub fn field<X: FieldLaw<D>>(self, law: X) -> Scene<D, P, (L, OnEach<X>), B> {
+        self.with(Each { laws: One(law) })
+    }
+
+    /// A law of its own on each body, by the number of the body, counted from 0, and the data that it carries: charges in a magnetic
+    /// field, drags, tethers.
+    ///
+    /// ```text
+    /// Φ = Σ φ_i(q_i),   m_i q_i″ = −∂φ_i/∂q_i + F_i
+    /// ```
+    ///
+    /// All are of one type, of which a law may name the mass `m`. The function is called for every body when the scene is set up, pins, driven
+    /// and test bodies too, and not again. A body on which nothing is to act has `None` of laws that are `Option`s. On the way the law of a
+    /// body is changed by [`law_of_mut`](crate::Stepper::law_of_mut).
+    ///
+    /// ```
+    /// # use dmech_core::prelude::*;
+    /// # use dmech_core::Scene;
+    /// # #[derive(Clone, Copy)]
+    /// # struct Tether { k: f64, to: f64 }
+    /// # impl Conservative for Tether {}
+    /// # impl Potential<1> for Tether {
+    /// #     fn potential(&self, [x]: [f64; 1]) -> f64 { 0.5 * self.k * (x - self.to).powi(2) }
+    /// #     fn gradient(&self, [x]: [f64; 1]) -> [f64; 1] { [self.k * (x - self.to)] }
+    /// #     fn hessian(&self, _: [f64; 1]) -> [[f64; 1]; 1] { [[self.k]] }
+    /// #     fn discrete_gradient(&self, [a]: [f64; 1], [b]: [f64; 1]) -> [f64; 1] { [self.k * (0.5 * (a + b) - self.to)] }
+    /// #     fn discrete_gradient_jacobian(&self, _: [f64; 1], _: [f64; 1]) -> [[f64; 1]; 1] { [[0.5 * self.k]] }
+    /// # }
+    /// // k (x − i)²/2, with the stiffness k that each body carries.
+    /// let scene = Scene::new()
+    ///     .body_with(1.0, [0.1], [0.0], 4.0)
+    ///     .body_with(1.0, [0.9], [0.0], 9.0)
+    ///     .field_of(|i, &k| Tether { k, to: i as f64 });
+    /// let run = Simulation::scene(scene).scheme(Nystrom::order6()).dt(0.01).run_until(1.0)?;
+    /// assert!((run.last().q[0][0] - 0.1 * 2.0_f64.cos()).abs() < 1e-12);
+    /// assert!((run.last().q[1][0] - 1.0 + 0.1 * 3.0_f64.cos()).abs() < 1e-12);
+    /// # Ok::<(), Interrupted<SceneState<1>>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When run: [`Error::Body`](crate::Error::Body) names the first body whose law is not finite where it is, and
+    /// [`Error::NotAsWritten`](crate::Error::NotAsWritten) the first whose law is not what its method computes.
+    pub fn field_of<X: FieldLaw<D>>(
+        self,
+        law: impl Fn(usize, &P) -> X + Send + Sync + 'static,
+    ) -> Scene<D, P, (L, OnEachOwn<X, P>), B> {
+        self.with(Each { laws: Own::new(law) })
     }
 
     /// A law that acts between any two bodies.

@@ -11,7 +11,11 @@ use crate::stepper::Stepper;
 
 impl<X: 'static, const D: usize, A: Laws> Holds<X> for SceneSystem<D, A> {
     fn law_mut(&mut self) -> Option<&mut X> {
-        self.acts.law(TypeId::of::<X>())?.downcast_mut()
+        self.acts.law(TypeId::of::<X>(), None)?.downcast_mut()
+    }
+
+    fn law_of_mut(&mut self, body: usize) -> Option<&mut X> {
+        self.acts.law(TypeId::of::<X>(), Some(body))?.downcast_mut()
     }
 }
 
@@ -37,7 +41,8 @@ impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSyst
         self.set_state(state)
     }
 
-    /// The first law of the type X, to be changed: `stepper.law_mut::<Wind>()`; `None` if no law of the scene is one.
+    /// The first law of the type X, to be changed: `stepper.law_mut::<Wind>()`; `None` if no law of the scene is one. Laws that each body
+    /// has of its own are reached body by body: [`law_of_mut`](Stepper::law_of_mut).
     ///
     /// The change counts when what this returns goes out of scope.
     pub fn law_mut<X: Clone + 'static>(&mut self) -> Option<LawMut<'_, SceneSystem<D, A>, S, X>>
@@ -45,6 +50,20 @@ impl<const D: usize, A: Acts<D>, S: Scheme<SceneSystem<D, A>>> Stepper<SceneSyst
         A: Laws,
     {
         let law = Holds::<X>::law_mut(&mut self.system)?.clone();
-        Some(LawMut { stepper: self, law, changed: false })
+        Some(LawMut { stepper: self, law, on: None, changed: false })
+    }
+
+    /// The law of body i, to be changed, of the first [`field_of`](crate::Scene::field_of) with laws of the type X:
+    /// `stepper.law_of_mut::<Drag>(3)`; `None` if there is none, or no body i. A law that is one for all is changed for all:
+    /// [`law_mut`](Stepper::law_mut).
+    ///
+    /// The change counts when what this returns goes out of scope. What the scheme carries of all bodies is begun anew then, as by
+    /// [`set_body`](Stepper::set_body).
+    pub fn law_of_mut<X: Clone + 'static>(&mut self, i: usize) -> Option<LawMut<'_, SceneSystem<D, A>, S, X>>
+    where
+        A: Laws,
+    {
+        let law = Holds::<X>::law_of_mut(&mut self.system, i)?.clone();
+        Some(LawMut { stepper: self, law, on: Some(i), changed: false })
     }
 }

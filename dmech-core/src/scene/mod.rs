@@ -36,7 +36,7 @@ pub use space::{Open, Periodic, Space};
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
 pub use table::LongCsv;
-pub use terms::{Acts, Bonds, Chain, Driven, Each, Fault, Kicked, Laws, Linked, Moving, Near, Pairs, Term};
+pub use terms::{Acts, Bonds, Chain, Driven, Each, Fault, Kicked, Laws, Linked, Moving, Near, One, Own, Pairs, Term};
 pub use topology::Topology;
 pub use vectors::Vectors;
 
@@ -47,7 +47,9 @@ use crate::setup::Setup;
 use crate::stepper::Stepper;
 
 /// A law on each body, as a type: [`Scene::field`] adds one.
-pub type OnEach<X> = Each<X>;
+pub type OnEach<X> = Each<One<X>>;
+/// A law on each body of its own, as a type, where bodies carry a `P`: [`Scene::field_of`] adds them.
+pub type OnEachOwn<X, P = ()> = Each<Own<X, P>>;
 /// A law between any two bodies, as a type: [`Scene::pairs`] adds one.
 pub type OnPairs<X> = Linked<X, Pairs>;
 /// A law between bodies nearer than its cut-off, as a type: [`Scene::pairs`] and [`Scene::cutoff`] add one.

@@ -9,44 +9,90 @@ use super::among::{Among, AmongFew, Places};
 use super::links::{Always, Presence};
 use super::sides::{Sides, WhoActs};
 use super::sums::{add, add_block, moving};
-use crate::law::{Field, Fields, Potential};
+use crate::law::{Field, Fields, Numbers, Potential};
 use crate::look::{Course, Frequency, Stiffness};
-use crate::scene::terms::EachReady;
+use crate::scene::terms::{EachReady, List, OfBodies, One};
 
-impl<const D: usize, const N: usize, S: Sides, X: Fields<D>> AmongFew<D, N, S> for EachReady<X> {
-    type Numbers = (X::Numbers, [f64; N]);
-    type Moment<R: Real> = OnEachOfFew<X, S::WhoActs<N, R>, D, N, R>;
+/// Laws on each of N bodies as numbers, so that those of many members may stand side by side.
+pub trait OfFewBodies<const D: usize, const N: usize>: OfBodies<Law: Fields<D>> {
+    /// Of all of them.
+    type Numbers: Numbers;
 
-    fn numbers(&self) -> Self::Numbers {
-        (self.law.numbers(), from_fn(|i| self.masses[i]))
+    /// What is read of the laws.
+    fn numbers(&self) -> Self::Numbers;
+    /// The names of these numbers, in their order.
+    fn names(see: &mut dyn FnMut(&'static str));
+    /// Those of the law on body i.
+    fn on<R: Real>(numbers: &Of<Self::Numbers, R>, i: usize) -> Of<<Self::Law as Fields<D>>::Numbers, R>;
+}
+
+impl<const D: usize, const N: usize, X: Fields<D>> OfFewBodies<D, N> for One<X> {
+    type Numbers = X::Numbers;
+
+    fn numbers(&self) -> X::Numbers {
+        self.0.numbers()
     }
     fn names(see: &mut dyn FnMut(&'static str)) {
         X::names(see);
+    }
+    #[inline(always)]
+    fn on<R: Real>(numbers: &Of<X::Numbers, R>, _: usize) -> Of<X::Numbers, R> {
+        *numbers
+    }
+}
+
+impl<const D: usize, const N: usize, X: Fields<D>> OfFewBodies<D, N> for List<X> {
+    type Numbers = [X::Numbers; N];
+
+    fn numbers(&self) -> [X::Numbers; N] {
+        from_fn(|i| self.of(i).numbers())
+    }
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        (0..N).for_each(|_| X::names(see));
+    }
+    #[inline(always)]
+    fn on<R: Real>(numbers: &[Of<X::Numbers, R>; N], i: usize) -> Of<X::Numbers, R> {
+        numbers[i]
+    }
+}
+
+impl<const D: usize, const N: usize, S: Sides, L: OfFewBodies<D, N>> AmongFew<D, N, S> for EachReady<L> {
+    type Numbers = (L::Numbers, [f64; N]);
+    type Moment<R: Real> = OnEachOfFew<L, S::WhoActs<N, R>, D, N, R>;
+
+    fn numbers(&self) -> Self::Numbers {
+        (self.laws.numbers(), from_fn(|i| self.masses[i]))
+    }
+    fn names(see: &mut dyn FnMut(&'static str)) {
+        L::names(see);
         (0..N).for_each(|_| see("masses"));
     }
     #[inline(always)]
-    fn moment<R: Real>((law, masses): (Of<X::Numbers, R>, [R; N]), acting: S::WhoActs<N, R>, t: R) -> Self::Moment<R> {
-        OnEachOfFew { law, masses, acting, t }
+    fn moment<R: Real>((laws, masses): (Of<L::Numbers, R>, [R; N]), acting: S::WhoActs<N, R>, t: R) -> Self::Moment<R> {
+        OnEachOfFew { laws, masses, acting, t }
     }
 }
 
 /// A law on each body at one moment.
-pub struct OnEachOfFew<X: Fields<D>, W, const D: usize, const N: usize, R: Real> {
-    law: Of<X::Numbers, R>,
+pub struct OnEachOfFew<L: OfFewBodies<D, N>, W, const D: usize, const N: usize, R: Real> {
+    laws: Of<L::Numbers, R>,
     masses: [R; N],
     acting: W,
     t: R,
 }
 
-impl<X: Fields<D>, W, const D: usize, const N: usize, R: Real> OnEachOfFew<X, W, D, N, R> {
+/// What acts on a body at one moment.
+type OnOne<L, const D: usize, R> = <<L as OfBodies>::Law as Fields<D>>::Moment<R>;
+
+impl<L: OfFewBodies<D, N>, W, const D: usize, const N: usize, R: Real> OnEachOfFew<L, W, D, N, R> {
     #[inline(always)]
-    fn on(&self, i: usize) -> X::Moment<R> {
-        X::moment(self.law, self.masses[i], self.t)
+    fn on(&self, i: usize) -> OnOne<L, D, R> {
+        <L::Law as Fields<D>>::moment(L::on(&self.laws, i), self.masses[i], self.t)
     }
 }
 
-impl<X: Fields<D>, W: WhoActs<R>, const D: usize, const N: usize, R: Real> Among<D, N, R>
-    for OnEachOfFew<X, W, D, N, R>
+impl<L: OfFewBodies<D, N>, W: WhoActs<R>, const D: usize, const N: usize, R: Real> Among<D, N, R>
+    for OnEachOfFew<L, W, D, N, R>
 {
     #[inline(always)]
     fn potential(&self, q: &Places<D, N, R>) -> R {
@@ -79,7 +125,7 @@ impl<X: Fields<D>, W: WhoActs<R>, const D: usize, const N: usize, R: Real> Among
     }
     #[inline(always)]
     fn add_force(&self, q: &Places<D, N, R>, v: &Places<D, N, R>, t: R, out: &mut Places<D, N, R>) {
-        if X::Moment::<R>::FORCED {
+        if OnOne::<L, D, R>::FORCED {
             for i in 0..N {
                 add(&mut out[i], self.on(i).force(q[i], v[i], t), Always);
             }
@@ -93,7 +139,7 @@ impl<X: Fields<D>, W: WhoActs<R>, const D: usize, const N: usize, R: Real> Among
         t: R,
         [by_q, by_v]: [&mut [[R; K]; K]; 2],
     ) {
-        if X::Moment::<R>::FORCED {
+        if OnOne::<L, D, R>::FORCED {
             for i in 0..N {
                 add_block(by_q, [i, i], &self.on(i).force_dq(q[i], v[i], t), Always);
                 add_block(by_v, [i, i], &self.on(i).force_dv(q[i], v[i], t), Always);

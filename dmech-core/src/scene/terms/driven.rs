@@ -59,8 +59,8 @@ impl<const D: usize, A: WithoutVelocities> WithoutVelocities for Driven<D, A> {}
 impl<const D: usize, A: LinearVelocities> LinearVelocities for Driven<D, A> {}
 
 impl<const D: usize, A: Laws> Laws for Driven<D, A> {
-    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
-        self.acts.law(of)
+    fn law(&mut self, of: TypeId, on: Option<usize>) -> Option<&mut dyn Any> {
+        self.acts.law(of, on)
     }
 }
 

@@ -3,6 +3,7 @@
 use core::any::{Any, TypeId};
 
 use super::stencil::{Stencil, block};
+use super::whose::{Given, OfBodies};
 use super::{Acts, Fault, Laws, Moving, Term, if_of};
 use crate::error::{Culprit, Error, Place};
 use crate::law::written::{Probe, agree};
@@ -16,55 +17,67 @@ use crate::scene::vectors::Vectors;
 use crate::system::{Frequency, LinearVelocities, Stiffness, WithoutVelocities};
 use crate::vector::{difference, scaled, sum};
 
-/// A law that acts on each body by itself.
+/// What acts on a body at one moment.
+type OnBody<'a, const D: usize, W> = <<W as OfBodies>::Law as Law<D>>::Field<'a>;
+
+/// A law that acts on each body by itself, one for all or each its own.
 #[derive(Clone, Copy, Debug)]
-pub struct Each<X> {
-    pub(crate) law: X,
+pub struct Each<W> {
+    pub(crate) laws: W,
 }
 
 /// A law that acts on each body, with their masses.
 #[derive(Clone, Debug)]
-pub struct EachReady<X> {
-    pub(in crate::scene) law: X,
+pub struct EachReady<W> {
+    pub(in crate::scene) laws: W,
     pub(in crate::scene) masses: Vec<f64>,
     acting: Acting,
 }
 
-impl<X: VelocityIndependent> WithoutVelocities for EachReady<X> {}
-impl<X: LinearInVelocity> LinearVelocities for EachReady<X> {}
+impl<W: OfBodies<Law: VelocityIndependent>> WithoutVelocities for EachReady<W> {}
+impl<W: OfBodies<Law: LinearInVelocity>> LinearVelocities for EachReady<W> {}
 
-impl<const D: usize, P, X: Law<D>, B> Term<D, P, B> for Each<X> {
-    type Ready = EachReady<X>;
+impl<const D: usize, P, W: Given<P, Laws: OfBodies<Law: Law<D>>>, B> Term<D, P, B> for Each<W> {
+    type Ready = EachReady<W::Laws>;
 
-    fn prepare(self, bodies: &Bodies<D, P>, _: B) -> Result<EachReady<X>, Error> {
-        Ok(EachReady { law: self.law, masses: bodies.masses.clone(), acting: bodies.acting() })
+    fn prepare(self, bodies: &Bodies<D, P>, _: B) -> Result<EachReady<W::Laws>, Error> {
+        Ok(EachReady { laws: self.laws.laws(&bodies.data), masses: bodies.masses.clone(), acting: bodies.acting() })
     }
 }
 
-impl<X: 'static> Laws for EachReady<X> {
-    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
-        if_of(&mut self.law, of)
+impl<W: OfBodies<Law: 'static>> Laws for EachReady<W> {
+    fn law(&mut self, of: TypeId, on: Option<usize>) -> Option<&mut dyn Any> {
+        if_of(self.laws.of_mut(on)?, of)
     }
 }
 
-impl<X> EachReady<X> {
-    fn fields<const D: usize>(&self, t: f64) -> impl Iterator<Item = (usize, X::Field<'_>)>
+impl<W: OfBodies> EachReady<W> {
+    /// What acts on body i.
+    #[inline(always)]
+    fn field<const D: usize>(&self, i: usize, t: f64) -> OnBody<'_, D, W>
     where
-        X: Law<D>,
+        W::Law: Law<D>,
     {
-        self.masses.iter().enumerate().map(move |(i, &mass)| (i, self.law.field(mass, t)))
+        self.laws.of(i).field(self.masses[i], t)
+    }
+
+    fn fields<const D: usize>(&self, t: f64) -> impl Iterator<Item = (usize, OnBody<'_, D, W>)>
+    where
+        W::Law: Law<D>,
+    {
+        self.masses.iter().enumerate().map(move |(i, &mass)| (i, self.laws.of(i).field(mass, t)))
     }
 }
 
-impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
-    const FORCED: bool = X::Field::<'_>::FORCED;
-    const CONSERVES_ENERGY: bool = X::Field::<'_>::CONSERVES_ENERGY;
-    const AUTONOMOUS: bool = X::AUTONOMOUS;
+impl<const D: usize, W: OfBodies<Law: Law<D>>> Acts<D> for EachReady<W> {
+    const FORCED: bool = OnBody::<D, W>::FORCED;
+    const CONSERVES_ENERGY: bool = OnBody::<D, W>::CONSERVES_ENERGY;
+    const AUTONOMOUS: bool = <W::Law as Law<D>>::AUTONOMOUS;
     const LINEAR_MOMENTUM: bool = false;
-    const ANGULAR_MOMENTUM: bool = X::Field::<'_>::CENTRAL;
-    const LINEAR: bool = X::Field::<'_>::LINEAR;
-    const PIECEWISE: bool = X::Field::<'_>::PIECEWISE;
-    const DEGREE: Option<u32> = X::Field::<'_>::DEGREE;
+    const ANGULAR_MOMENTUM: bool = OnBody::<D, W>::CENTRAL;
+    const LINEAR: bool = OnBody::<D, W>::LINEAR;
+    const PIECEWISE: bool = OnBody::<D, W>::PIECEWISE;
+    const DEGREE: Option<u32> = OnBody::<D, W>::DEGREE;
     const CHAIN: bool = true;
 
     fn potential(&self, q: &Vectors<D>, t: f64) -> f64 {
@@ -142,7 +155,7 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     #[inline(always)]
     fn add_stencil(&self, q: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
         for i in block(first, q.bodies()) {
-            let (field, q) = (self.law.field(self.masses[i], t), q.get(i));
+            let (field, q) = (self.field(i, t), q.get(i));
             out.add_own(i - first, field.gradient(q), field.hessian(q));
         }
     }
@@ -150,7 +163,7 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     #[inline(always)]
     fn add_discrete_stencil(&self, a: &Vectors<D>, b: &Vectors<D>, t: f64, first: usize, out: &mut Stencil<D>) {
         for i in block(first, b.bodies()) {
-            let (field, a, b) = (self.law.field(self.masses[i], t), a.get(i), b.get(i));
+            let (field, a, b) = (self.field(i, t), a.get(i), b.get(i));
             out.add_own(i - first, field.discrete_gradient(a, b), field.discrete_gradient_jacobian(a, b));
         }
     }
@@ -158,9 +171,7 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     fn frequency(&self, at: &Moving<'_, D>) -> Frequency {
         let moving = self.masses.iter().enumerate().filter(|&(i, _)| at.per_mass[i] != 0.0);
         moving.fold(at.nothing(), |all, (i, &mass)| {
-            all.and(Frequency::of(at.body(i), |s, q, v| {
-                Stiffness::of(&self.law.field(mass, at.t + s), mass, at.t + s, q, v)
-            }))
+            all.and(Frequency::of(at.body(i), |s, q, v| Stiffness::of(&self.field(i, at.t + s), mass, at.t + s, q, v)))
         })
     }
 
@@ -169,15 +180,16 @@ impl<const D: usize, X: Law<D>> Acts<D> for EachReady<X> {
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        self.law.tell(see);
+        self.laws.tell(see);
     }
 
     fn as_written(&self, bodies: &dyn Fn(usize) -> [[f64; D]; 2], t: f64) -> Result<(), Error> {
-        let Some(law) = self.law.written() else { return Ok(()) };
         self.masses.iter().enumerate().try_for_each(|(body, &mass)| {
+            let Some(law) = self.laws.of(body).written() else { return Ok(()) };
             let [q, v] = bodies(body);
             let place = Probe { q, v: [v; 2], m: [mass; 2], t };
-            agree(law, &place, body == 0).map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Body(body))))
+            let agreed = agree(law, &place, W::OWN || body == 0);
+            agreed.map_err(|difference| Error::NotAsWritten(difference.on(Culprit::Body(body))))
         })
     }
 

@@ -77,8 +77,12 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Term<D, P, B> f
 }
 
 impl<X: Reads<P> + 'static, T, P, B> Laws for LinkedReady<X, T, P, B> {
-    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
-        if TypeId::of::<X>() == of { Some(&mut self.law) } else { self.law.inner(of) }
+    fn law(&mut self, of: TypeId, on: Option<usize>) -> Option<&mut dyn Any> {
+        match on {
+            Some(_) => None,
+            None if TypeId::of::<X>() == of => Some(&mut self.law),
+            None => self.law.inner(of),
+        }
     }
 }
 

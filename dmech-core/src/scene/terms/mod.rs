@@ -19,6 +19,7 @@ mod stiffness;
 mod sum;
 mod sweep;
 mod way;
+mod whose;
 
 #[cfg(test)]
 mod tests;
@@ -37,6 +38,8 @@ pub(in crate::scene) use staged::{ActsAtStages, BodyAtStages, Moments};
 pub(in crate::scene) use stiffness::link_stiffness;
 pub use sweep::Kicked;
 pub(in crate::scene) use way::Way;
+pub(in crate::scene) use whose::{List, OfBodies};
+pub use whose::{One, Own};
 
 use core::any::{Any, TypeId};
 
@@ -164,8 +167,8 @@ pub trait Acts<const D: usize> {
 
 /// Terms whose laws can be found by their type.
 pub trait Laws {
-    /// The first law of a type.
-    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any>;
+    /// The first law of a type: of those that are one for all, or, on a body, of those that each body has of its own.
+    fn law(&mut self, of: TypeId, on: Option<usize>) -> Option<&mut dyn Any>;
 }
 
 /// The law, if it is of the type.

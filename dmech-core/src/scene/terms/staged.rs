@@ -5,8 +5,9 @@ use dmech_scalar::{Lanes, Real};
 use super::each::EachReady;
 use super::linked::{LinkedReady, OnLink};
 use super::links::Links;
+use super::whose::OfBodies;
 use super::{Acts, Driven};
-use crate::law::{Between, Law, LinkLaw, PairLaw, Potential};
+use crate::law::{Between, LinkLaw, PairLaw, Potential};
 use crate::scene::eights::Eights;
 use crate::scene::space::Space;
 use crate::scene::vectors::Vectors;
@@ -120,7 +121,7 @@ impl<const D: usize, A: ActsAtStages<D>> ActsAtStages<D> for Driven<D, A> {
     }
 }
 
-impl<const D: usize, X: Law<D> + AtStages<D, f64>> ActsAtStages<D> for EachReady<X> {
+impl<const D: usize, W: OfBodies<Law: AtStages<D, f64>>> ActsAtStages<D> for EachReady<W> {
     const OF_DISTANCE: bool = false;
     type Felt = ();
     const UNFELT: () = ();
@@ -135,7 +136,7 @@ impl<const D: usize, X: Law<D> + AtStages<D, f64>> ActsAtStages<D> for EachReady
 
     #[inline(always)]
     fn slope(&self, t: Lanes, body: usize, at: &BodyAtStages<D>, _: [&(); 2]) -> [Lanes; D] {
-        self.law.slopes(self.masses[body], t, at.q, at.v)
+        self.laws.of(body).slopes(self.masses[body], t, at.q, at.v)
     }
 }
 

@@ -23,16 +23,16 @@ impl<const D: usize, P, B> Term<D, P, B> for () {
 }
 
 impl Laws for () {
-    fn law(&mut self, _: TypeId) -> Option<&mut dyn Any> {
+    fn law(&mut self, _: TypeId, _: Option<usize>) -> Option<&mut dyn Any> {
         None
     }
 }
 
 impl<A: Laws, B: Laws> Laws for (A, B) {
-    fn law(&mut self, of: TypeId) -> Option<&mut dyn Any> {
-        match self.0.law(of) {
+    fn law(&mut self, of: TypeId, on: Option<usize>) -> Option<&mut dyn Any> {
+        match self.0.law(of, on) {
             Some(law) => Some(law),
-            None => self.1.law(of),
+            None => self.1.law(of, on),
         }
     }
 }

@@ -67,6 +67,7 @@
 //! | method | the law acts |
 //! |---|---|
 //! | [`.field(law)`](Scene::field) | on each body by itself: a `#[potential]` or a `#[force]` |
+//! | [`.field_of(\|i, data\| law)`](Scene::field_of) | on each body by itself, on each its own: charges in a magnetic field |
 //! | [`.pairs(law)`](Scene::pairs) | between any two bodies; its energy does not depend on which comes first |
 //! | [`.chain(law)`](Scene::chain) | between consecutive bodies: a is body j, b is body j + 1 |
 //! | [`.bonds(law, list)`](Scene::bonds) | between the bodies of each `(a, b)` in a list |

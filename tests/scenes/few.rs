@@ -266,7 +266,7 @@ pub(crate) fn derivatives<A: AmongFew<D, N, S>, S: Sides, const D: usize, const 
 }
 
 #[test]
-fn derivatives_are_those_of_the_sums() {
+pub(crate) fn derivatives_are_those_of_the_sums() {
     let compared = [
         derivatives(&stars(1).as_law::<3, 6>()),
         derivatives(&rope(2).as_law::<4, 4>()),

@@ -6,6 +6,7 @@ mod driven;
 mod few;
 mod magnetic;
 mod optional;
+mod own_laws;
 mod pair_models;
 mod restricted;
 mod stops;

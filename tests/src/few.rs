@@ -1,7 +1,7 @@
 //! Few bodies, as a scene and as one law: laws of every kind that a scene tells apart.
 
 use dmech::models::pairs::{Charge, Coulomb, LennardJones, Spring};
-use dmech::scene::{FewBodies, OnBonds, OnChain, OnEach, OnNear, OnPairs, Periodic, Scene, Term};
+use dmech::scene::{FewBodies, OnBonds, OnChain, OnEach, OnEachOwn, OnNear, OnPairs, Periodic, Scene, Term};
 
 /// What the terms `L` make of N bodies in D dimensions, which carry `P`.
 pub type Few<L, P, const D: usize, const N: usize, const K: usize> = FewBodies<<L as Term<D, P>>::Ready, D, N, K>;
@@ -168,6 +168,26 @@ pub fn ions(k: usize) -> Scene<2, Charge, OfIons> {
         .body_with(0.8, [-0.5, -0.9], [0.0, -0.2], Charge { q: 1.2 + 0.1 * a })
         .field(Trap { k: 1.1 + 0.2 * a, b: 0.9 })
         .pairs(Coulomb { k: 0.8 })
+}
+
+type OfPlasma = (((), OnEachOwn<Trap, Charge>), OnPairs<Pull>);
+
+pub type Plasma = Few<OfPlasma, Charge, 2, 3, 6>;
+
+/// Three ions, each in a well of its own, whose charges turn either way; one may be pinned.
+pub fn plasma(k: usize) -> Scene<2, Charge, OfPlasma> {
+    let (a, held) = (part(k, 0.23), k % 4);
+    let bodies = [
+        (1.0, [0.9, 0.0], [0.0, 0.3 * a], 1.0),
+        (1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], -0.7),
+        (0.8, [-0.5, -0.9], [0.0, -0.2], 1.2 + 0.1 * a),
+    ];
+    let scene = bodies.into_iter().enumerate().fold(Scene::new(), |scene, (i, (mass, q, v, charge))| {
+        scene.body_with(mass, q, if i == held { [0.0; 2] } else { v }, Charge { q: charge })
+    });
+    let scene = if held < 3 { scene.pin(held) } else { scene };
+    let well = move |i: usize, &Charge { q }: &Charge| Trap { k: 1.1 + 0.3 * a + 0.2 * i as f64, b: 0.9 * q };
+    scene.field_of(well).pairs(Pull { g: 0.3, eps: 0.4 })
 }
 
 /// A well that grows and shrinks, steeper for what is heavy, in a wind that turns.

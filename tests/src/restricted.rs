@@ -1,7 +1,9 @@
 //! Few bodies of which some are test bodies, as a scene and as one law.
 
 use dmech::models::pairs::{Charge, Coulomb, Gravity, LennardJones};
-use dmech::scene::{FewBodies, OnBonds, OnChain, OnEach, OnNear, OnPairs, Periodic, Restricted, Scene, Term};
+use dmech::scene::{
+    FewBodies, OnBonds, OnChain, OnEach, OnEachOwn, OnNear, OnPairs, Periodic, Restricted, Scene, Term,
+};
 
 use crate::few::{Bond, Chase, Creature, Floor, LISTS, Link, Pull, Trap, part};
 
@@ -98,6 +100,23 @@ pub fn traps(k: usize) -> Scene<2, Charge, OfTraps> {
     ];
     let scene = bodies.into_iter().enumerate().fold(Scene::new(), |scene, (i, body)| add(scene, (k, i), body));
     scene.field(Trap { k: 1.1 + 0.2 * a, b: 0.9 }).pairs(Coulomb { k: 0.8 })
+}
+
+type OfSprays = (((), OnEachOwn<Trap, Charge>), OnPairs<Coulomb>);
+
+pub type Sprays = Few<OfSprays, Charge, 2, 3, 6>;
+
+/// Three ions, each in a trap of its own.
+pub fn sprays(k: usize) -> Scene<2, Charge, OfSprays> {
+    let a = part(k, 0.23);
+    let bodies = [
+        (1.0, [0.9, 0.0], [0.0, 0.3 * a], Charge { q: 1.0 }),
+        (1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], Charge { q: 0.7 }),
+        (0.8, [-0.5, -0.9], [0.0, -0.2], Charge { q: 1.2 + 0.1 * a }),
+    ];
+    let scene = bodies.into_iter().enumerate().fold(Scene::new(), |scene, (i, body)| add(scene, (k, i), body));
+    let trap = move |i: usize, charge: &Charge| Trap { k: 1.1 + 0.2 * a + 0.3 * i as f64, b: 0.9 * charge.q };
+    scene.field_of(trap).pairs(Coulomb { k: 0.8 })
 }
 
 type OfVapours = (((), OnNear<LennardJones>), OnPairs<Pull>);

@@ -63,8 +63,11 @@ impl<X> OfBodies for One<X> {
     }
 }
 
+/// What makes the law of a body, of its number and of what it carries.
+type Maker<X, P> = dyn Fn(usize, &P) -> X + Send + Sync;
+
 /// A law on each body of its own, by the number of the body and what it carries.
-pub struct Own<X, P>(Arc<dyn Fn(usize, &P) -> X + Send + Sync>);
+pub struct Own<X, P>(Arc<Maker<X, P>>);
 
 impl<X, P> Own<X, P> {
     pub(in crate::scene) fn new(law: impl Fn(usize, &P) -> X + Send + Sync + 'static) -> Self {

@@ -4,10 +4,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use dmech::SceneError;
-use dmech::extend::{Adaptive, Difference};
+use dmech::extend::{Adaptive, Difference, VelocityIndependent};
 use dmech::models::pairs::{Charge, Coulomb, Spring};
 use dmech::prelude::*;
-use dmech::scene::{OnEachOwn, SceneStepper, SceneSystem, Term};
+use dmech::scene::{OnChain, OnEach, OnEachOwn, SceneStepper, SceneSystem, Term};
 use dmech_tests::few::plasma;
 use dmech_tests::restricted::sprays;
 
@@ -143,7 +143,7 @@ where
     B: Term<2, Charge>,
     S: Scheme<SceneSystem<2, A::Ready>> + Scheme<SceneSystem<2, B::Ready>>,
 {
-    let own = Simulation::scene(own).scheme(scheme.clone()).dt(0.02).run(40).unwrap();
+    let own = Simulation::scene(own).scheme(scheme).dt(0.02).run(40).unwrap();
     let one = Simulation::scene(one).scheme(scheme).dt(0.02).run(40).unwrap();
     let name = own.report().scheme();
     assert_eq!(own.states(), one.states(), "{name}, {what}");
@@ -437,12 +437,10 @@ fn some_bodies_have_none() {
 /// A checkpoint is resumed with the list that it was made of, to the bit, and with no other.
 #[test]
 fn a_checkpoint_is_that_of_a_list() {
-    fn with<X: Law<2> + 'static>(
+    type Wells<X> = Scene<2, Charge, ((), OnEachOwn<X, Charge>)>;
+    fn with<X: Law<2> + VelocityIndependent>(
         law: impl Fn(usize, &Charge) -> X + Send + Sync + 'static,
-    ) -> Simulation<(), Scene<2, Charge, ((), OnEachOwn<X, Charge>)>, Leapfrog>
-    where
-        X: dmech::extend::VelocityIndependent,
-    {
+    ) -> Simulation<(), Wells<X>, Leapfrog> {
         Simulation::scene(bodies(ROLES[1]).field_of(law)).scheme(Leapfrog).dt(0.02)
     }
     let mut stepper = with(well).stepper().unwrap();
@@ -472,6 +470,16 @@ fn a_checkpoint_is_that_of_a_list() {
     assert!(with(idle(1)).resume(&saved).is_ok());
     assert_eq!(with(idle(2)).resume(&saved).err(), refused(Difference::Field { name: "bodies with a law" }));
     assert_eq!(with(idle(9)).resume(&saved).err(), refused(Difference::Laws));
+
+    // So it is of the scene as one law.
+    let law = |last: f64| {
+        let scene = (0..3).fold(Scene::new(), |scene, i| scene.body(MASSES[i], place(i).0, place(i).1));
+        scene.field_of(move |i, ()| Storm { c: if i == 2 { last } else { 0.5 } }).as_law::<3, 6>()
+    };
+    let simulation = |last| Simulation::new(law(last), law(last).start()).scheme(Boris).dt(0.02);
+    let saved = simulation(0.7).stepper().unwrap().checkpoint();
+    assert!(simulation(0.7).resume(&saved).is_ok());
+    assert_eq!(simulation(0.8).resume(&saved).err(), refused(Difference::Field { name: "c" }));
 }
 
 /// The law of one body is changed on the way: from then on it is the motion of a new simulation with the other list.
@@ -499,13 +507,15 @@ fn laws_change_on_the_way() {
     change!(Leapfrog, Nystrom::order6(), Implicit, DiscreteGradient, Kanatani, Gauss::order16());
 
     // What is one for all is reached as such, and what each has of its own body by body; to look changes nothing.
-    type Laws = (((), OnEachOwn<Well, Charge>), dmech::scene::OnEach<WellByMass>);
-    let scene: Scene<2, Charge, Laws> = bodies(ROLES[0]).field_of(well).field(WellByMass { x: 0.1 });
+    type Laws = ((((), OnEachOwn<Well, Charge>), OnEach<WellByMass>), OnChain<Spring>);
+    let chain = Spring { k: 0.1, length: 0.0 };
+    let scene: Scene<2, Charge, Laws> = bodies(ROLES[0]).field_of(well).field(WellByMass { x: 0.1 }).chain(chain);
     let simulation = Simulation::scene(scene).scheme(Leapfrog).dt(0.02);
     let mut stepper: SceneStepper<2, Laws, Leapfrog, Charge> = simulation.stepper().unwrap();
     assert!(stepper.law_of_mut::<Well>(5).is_none() && stepper.law_of_mut::<Well>(usize::MAX).is_none());
     assert!(stepper.law_mut::<Well>().is_none() && stepper.law_of_mut::<WellByMass>(0).is_none());
     assert!(stepper.law_mut::<WellByMass>().is_some() && stepper.law_of_mut::<Storm>(0).is_none());
+    assert!(stepper.law_mut::<Spring>().is_some() && stepper.law_of_mut::<Spring>(0).is_none());
     let mut same = stepper.clone();
     assert_eq!(stepper.law_of_mut::<Well>(3).unwrap().k, MASSES[3]);
     stepper.advance(10).unwrap();

@@ -172,8 +172,6 @@ pub fn ions(k: usize) -> Scene<2, Charge, OfIons> {
 
 type OfPlasma = (((), OnEachOwn<Trap, Charge>), OnPairs<Pull>);
 
-pub type Plasma = Few<OfPlasma, Charge, 2, 3, 6>;
-
 /// Three ions, each in a well of its own, whose charges turn either way; one may be pinned.
 pub fn plasma(k: usize) -> Scene<2, Charge, OfPlasma> {
     let (a, held) = (part(k, 0.23), k % 4);

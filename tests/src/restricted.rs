@@ -104,8 +104,6 @@ pub fn traps(k: usize) -> Scene<2, Charge, OfTraps> {
 
 type OfSprays = (((), OnEachOwn<Trap, Charge>), OnPairs<Coulomb>);
 
-pub type Sprays = Few<OfSprays, Charge, 2, 3, 6>;
-
 /// Three ions, each in a trap of its own.
 pub fn sprays(k: usize) -> Scene<2, Charge, OfSprays> {
     let a = part(k, 0.23);

@@ -216,7 +216,8 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
     ///
     /// # Errors
     /// When run: [`Error::Body`](crate::Error::Body) names the first body whose law is not finite where it is, and
-    /// [`Error::NotAsWritten`](crate::Error::NotAsWritten) the first whose law is not what its method computes.
+    /// [`Error::NotAsWritten`](crate::Error::NotAsWritten) the first whose law is not what its method computes: each is compared where its
+    /// body is and at eight places around it, as their numbers differ.
     pub fn field_of<X: FieldLaw<D>>(
         self,
         law: impl Fn(usize, &P) -> X + Send + Sync + 'static,

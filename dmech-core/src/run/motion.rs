@@ -140,10 +140,7 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
     }
 
     fn kept(&self) -> [Kept; Invariant::ALL.len()] {
-        Invariant::each(&mut |invariant| match S::kept(&self.system, invariant) {
-            Kept::Bounded if Y::PIECEWISE => Kept::BetweenSeams,
-            kept => kept,
-        })
+        kept::<Y, S>(&self.system)
     }
 
     fn own_names(&self) -> &'static [&'static str] {
@@ -159,6 +156,14 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
         let (steps, evaluations, iterations) = (Stepper::steps(self), self.evaluations(), self.iterations());
         Work { steps, evaluations, iterations, rough, elapsed: Duration::ZERO, range }
     }
+}
+
+/// How well a scheme keeps each invariant of a system: where that bends or jumps, what is bounded elsewhere walks.
+pub(super) fn kept<Y: System, S: Scheme<Y>>(system: &Y) -> [Kept; Invariant::ALL.len()] {
+    Invariant::each(&mut |invariant| match S::kept(system, invariant) {
+        Kept::Bounded if Y::PIECEWISE => Kept::BetweenSeams,
+        kept => kept,
+    })
 }
 
 /// What no scheme has a part in.

@@ -1,5 +1,6 @@
 //! Runs that were made before, put together again.
 
+use super::motion::kept;
 use super::report::Work;
 use super::{Event, Run, Simulation};
 use crate::drift::{Drifts, OwnDrifts};
@@ -55,7 +56,7 @@ impl<L, X: Setup<L>, S> Simulation<L, X, S> {
         let Simulation { law, start, scheme, settings, .. } = self;
         let mut run = before.run(&scheme, settings.dt, start.whole_mass(settings.mass));
         let system = start.system(law, settings.mass, length)?;
-        run.report.keep(Invariant::each(&mut |invariant| S::kept(&system, invariant)));
+        run.report.keep(kept::<X::System, S>(&system));
         Ok(run)
     }
 }

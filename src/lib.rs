@@ -258,8 +258,8 @@ pub use dmech_core::Checkpoint;
 pub use dmech_core::StoreError;
 #[doc(inline)]
 pub use dmech_core::{
-    Conservative, Crossing, Csv, Derivation, DoubleDouble, Drift, Ensemble, EnsembleRun, Error, Event, Force,
-    Interrupted, Invariant, Kept, Law, Npy, Potential, Report, Run, Simulation, State, Stepper,
+    Conservative, Crossing, Csv, Derivation, DoubleDouble, Drift, Ensemble, EnsembleRun, Error, Event, Force, History,
+    HistoryPart, Interrupted, Invariant, Kept, Law, Npy, Potential, Report, Run, Simulation, State, Stepper,
 };
 #[cfg(feature = "scene")]
 #[doc(inline)]

@@ -65,7 +65,7 @@ pub use law::{
 pub use law::{CutOff, LinkLaw};
 #[doc(hidden)]
 pub use law::{rotation, written};
-pub use run::{Columns, Crossing, Csv, Event, Interrupted, Npy, Report, Run, Simulation};
+pub use run::{Columns, Crossing, Csv, Event, History, HistoryPart, Interrupted, Npy, Report, Run, Simulation};
 #[cfg(feature = "scene")]
 pub use scene::{Scene, SceneState};
 pub use scheme::NoScheme;

@@ -4,6 +4,7 @@ mod bounces;
 mod changes;
 mod checkpoint;
 mod events;
+mod history;
 mod kept;
 mod output;
 mod own_invariants;

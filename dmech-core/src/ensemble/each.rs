@@ -138,7 +138,7 @@ impl<L, X: Setup<L>, S: Scheme<X::System>, O: Attend<X::State>> Plan<X::State> f
     }
 
     fn go(&self, members: Range<usize>) -> Vec<Outcome<X::State>> {
-        members.map(|k| (self.member)(k).record(self.span)).collect()
+        members.map(|k| (self.member)(k).record(self.span, false)).collect()
     }
 }
 

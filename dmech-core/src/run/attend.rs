@@ -3,8 +3,6 @@
 use core::ops::ControlFlow;
 
 use super::event::Event;
-#[cfg(feature = "plot")]
-use super::history::History;
 use super::zero::zero;
 use crate::drift::Drift;
 use crate::error::Error;
@@ -56,15 +54,12 @@ pub trait Attend<X> {
         ControlFlow::Continue(())
     }
 
-    /// Looks at a state as the invariants are looked at: the first, the recorded and the last.
-    fn look(&mut self, _t: f64, _state: &X) {}
+    /// Looks at a state as the invariants are looked at: the first, the recorded and the last; tells how far each watched quantity is
+    /// from its value at the start.
+    fn look(&mut self, _t: f64, _state: &X, _see: &mut dyn FnMut(f64)) {}
 
     /// How the watched quantities moved.
     fn drifts(&self, _see: &mut dyn FnMut(&'static str, Drift)) {}
-
-    /// The history of each, in the same order.
-    #[cfg(feature = "plot")]
-    fn histories(&self, _see: &mut dyn FnMut(&History)) {}
 
     /// Takes a recorded state, which the run then does not keep.
     ///
@@ -133,20 +128,14 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
         }
     }
 
-    fn look(&mut self, t: f64, state: &X) {
-        self.0.look(t, state);
-        self.1.look(t, state);
+    fn look(&mut self, t: f64, state: &X, see: &mut dyn FnMut(f64)) {
+        self.0.look(t, state, see);
+        self.1.look(t, state, see);
     }
 
     fn drifts(&self, see: &mut dyn FnMut(&'static str, Drift)) {
         self.0.drifts(see);
         self.1.drifts(see);
-    }
-
-    #[cfg(feature = "plot")]
-    fn histories(&self, see: &mut dyn FnMut(&History)) {
-        self.0.histories(see);
-        self.1.histories(see);
     }
 
     fn take(&mut self, state: &X) -> Result<bool, Error> {

@@ -20,12 +20,13 @@ pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
     motion: &mut dyn Motion<X, R>,
     run: Run<X>,
     Plan { steps, until, states, settings: Settings { due, shown, .. } }: Plan,
-    attend: O,
+    (attend, histories): (O, bool),
 ) -> Result<Run<X>, Interrupted<X>> {
     let mut log = Log::new(motion, run, due, attend);
     (log.until, log.ends_at) = (until, steps);
-    #[cfg(feature = "plot")]
-    log.watch.keep_histories(log.start);
+    if histories {
+        log.watch.keep_histories(log.start);
+    }
     // A stream keeps none.
     if !O::STREAMS {
         log = log.with_room(motion, states)?;
@@ -140,16 +141,8 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| motion.state());
             self.look_at(motion, &last);
         }
-        #[cfg(feature = "plot")]
-        {
-            let (mut histories, mut k) = (self.watch.take_histories(), self.watch.own_drifts().iter().count());
-            self.attend.histories(&mut |history| {
-                histories.add(k, history.clone());
-                k += 1;
-            });
-            self.run.histories = histories;
-        }
-        let Log { mut run, watch, attend, between: Spent([evaluations, iterations]), .. } = self;
+        let Log { mut run, mut watch, attend, between: Spent([evaluations, iterations]), .. } = self;
+        run.histories = watch.take_histories();
         let work = motion.work();
         let (evaluations, iterations) = (evaluations + work.evaluations, iterations + work.iterations);
         let work = Work { evaluations, iterations, elapsed, ..work };
@@ -171,7 +164,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let state = motion.state();
         const { assert!(O::QUANTITIES <= MAX_OWN, "a run watches eight quantities at most") };
         self.attend.begin(&state)?;
-        self.attend.look((self.time)(&state), &state);
+        self.look_as_well(&state);
         if O::QUANTITIES > 0 {
             self.check_names()?;
         }
@@ -278,7 +271,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     /// What is left of a look where the invariants of all laws were seen elsewhere.
     pub(crate) fn look_beside(&mut self, motion: &dyn Motion<X, R>, state: X) -> Result<(), Error> {
         self.watch.see_own(motion, &state);
-        self.attend.look((self.time)(&state), &state);
+        self.look_as_well(&state);
         self.keep(state)
     }
 
@@ -359,8 +352,14 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
 
     pub(crate) fn look_at(&mut self, motion: &dyn Motion<X, R>, state: &X) {
         self.watch.see(motion, state);
-        self.attend.look((self.time)(state), state);
+        self.look_as_well(state);
         self.looked_at = motion.steps();
+    }
+
+    /// The quantities of the run, beside the invariants.
+    fn look_as_well(&mut self, state: &X) {
+        let t = (self.time)(state);
+        self.attend.look(t, state, &mut self.watch.beside(t));
     }
 
     /// A state that is due by its time is recorded, and the next one follows.

@@ -6,7 +6,6 @@ mod change;
 mod csv;
 mod due;
 mod event;
-#[cfg(feature = "plot")]
 mod history;
 mod interrupted;
 mod log;
@@ -39,6 +38,7 @@ pub use change::{Change, Changed};
 pub use csv::{Columns, Csv};
 pub(crate) use due::Due;
 pub use event::{Crossing, Event};
+pub use history::{History, HistoryPart};
 pub use interrupted::Interrupted;
 pub(crate) use log::Log;
 pub(crate) use motion::Motion;
@@ -75,8 +75,8 @@ use report::Work;
 /// It does not name the law or the scheme in its type, so runs of different schemes fit into one array.
 ///
 /// With the feature `serde` it can be written and read. JSON gives back every bit through `serde_json` with its feature
-/// `float_roundtrip`; it has no NaN and no infinity, which become `null` and are then refused. The history of its invariants, for
-/// pictures, is not written.
+/// `float_roundtrip`; it has no NaN and no infinity, which become `null` and are then refused. The [history](Run::history) of its
+/// invariants is not written.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run<X> {
@@ -85,10 +85,9 @@ pub struct Run<X> {
     events: Vec<Event<X>>,
     stopped: bool,
     report: Report,
-    // Not written: what a file holds does not depend on a feature for pictures.
-    #[cfg(feature = "plot")]
+    /// Not of members of ensembles, nor of runs that were read.
     #[cfg_attr(feature = "serde", serde(skip))]
-    histories: history::Histories,
+    histories: Option<Box<history::Histories>>,
 }
 
 /// States to make room for in advance, whatever the machine.
@@ -98,15 +97,7 @@ impl<X> Run<X> {
     pub(crate) fn empty<M: Method>(start: X, scheme: &M, dt: f64, mass: f64) -> Self {
         let kept = Invariant::each(&mut M::keeps);
         let report = Report::new(scheme, dt, mass, kept);
-        Run {
-            states: Vec::new(),
-            last: start,
-            events: Vec::new(),
-            stopped: false,
-            report,
-            #[cfg(feature = "plot")]
-            histories: history::Histories::default(),
-        }
+        Run { states: Vec::new(), last: start, events: Vec::new(), stopped: false, report, histories: None }
     }
 
     /// Refuses more states, each of so many bytes, than there is memory for, before the run and not when it is full.
@@ -156,6 +147,19 @@ impl<X> Run<X> {
     /// [watched](crate::Simulation::watch); `None` where there is none of this name.
     pub fn drift_of(&self, name: &str) -> Option<Drift> {
         self.report.drift_of(name)
+    }
+
+    /// How an invariant moved, in numbers over time; what `plot_drift` draws. `None` where there is no such invariant, of members of an
+    /// [`Ensemble`](crate::Ensemble), which may be many, and of runs that were written and read.
+    pub fn history(&self, invariant: Invariant) -> Option<&History> {
+        self.histories.as_ref()?.of(invariant)
+    }
+
+    /// The same of an invariant that the law declares itself, or of a quantity that was [watched](crate::Simulation::watch), by its
+    /// name.
+    pub fn history_of(&self, name: &str) -> Option<&History> {
+        let k = self.report.own_drifts().position(|(own, _)| own == name)?;
+        self.histories.as_ref()?.of_own(k)
     }
 
     /// How well the scheme must keep an invariant; [`Kept::No`] where [`drift`](Run::drift) is `None`, as that of the energy is under a

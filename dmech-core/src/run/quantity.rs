@@ -1,8 +1,6 @@
 //! Quantities of the state that a run watches.
 
 use super::attend::Attend;
-#[cfg(feature = "plot")]
-use super::history::History;
 use super::simulation::{Attended, Simulation};
 use crate::drift::Drift;
 use crate::setup::Setup;
@@ -44,19 +42,11 @@ pub struct Quantity<F> {
     name: &'static str,
     function: F,
     drift: Option<Drift>,
-    #[cfg(feature = "plot")]
-    history: History,
 }
 
 impl<F> Quantity<F> {
     pub(crate) fn new(name: &'static str, function: F) -> Self {
-        Quantity {
-            name,
-            function,
-            drift: None,
-            #[cfg(feature = "plot")]
-            history: History::new(),
-        }
+        Quantity { name, function, drift: None }
     }
 }
 
@@ -69,12 +59,12 @@ impl<F> core::fmt::Debug for Quantity<F> {
 impl<X, F: FnMut(&X) -> f64> Attend<X> for Quantity<F> {
     const QUANTITIES: usize = 1;
 
-    fn look(&mut self, t: f64, state: &X) {
+    fn look(&mut self, t: f64, state: &X, see: &mut dyn FnMut(f64)) {
         let value = (self.function)(state);
-        #[cfg(feature = "plot")]
-        self.history.see(t, self.drift.map_or(0.0, |drift| value - drift.start()));
+        let deviation = value - self.drift.map_or(value, |drift| drift.start());
+        see(deviation);
         match &mut self.drift {
-            Some(drift) => drift.observe(t, value, value - drift.start()),
+            Some(drift) => drift.observe(t, value, deviation),
             None => self.drift = Some(Drift::new(t, value)),
         }
     }
@@ -82,13 +72,6 @@ impl<X, F: FnMut(&X) -> f64> Attend<X> for Quantity<F> {
     fn drifts(&self, see: &mut dyn FnMut(&'static str, Drift)) {
         if let Some(drift) = self.drift {
             see(self.name, drift);
-        }
-    }
-
-    #[cfg(feature = "plot")]
-    fn histories(&self, see: &mut dyn FnMut(&History)) {
-        if self.drift.is_some() {
-            see(&self.history);
         }
     }
 }

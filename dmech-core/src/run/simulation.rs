@@ -319,7 +319,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
-        self.record(Span::Steps(steps))
+        self.record(Span::Steps(steps), true)
     }
 
     /// Makes as many steps as it takes to reach the time `end`: ⌈n⌉ with n = (end − t₀)/dt, where an n that is a whole
@@ -334,10 +334,11 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         S: Scheme<X::System>,
         O: Attend<X::State>,
     {
-        self.record(Span::Until(end))
+        self.record(Span::Until(end), true)
     }
 
-    pub(crate) fn record(self, span: Span) -> Result<Run<X::State>, Interrupted<X::State>>
+    /// Runs it, and keeps the histories of its invariants or not.
+    pub(crate) fn record(self, span: Span, histories: bool) -> Result<Run<X::State>, Interrupted<X::State>>
     where
         X: Setup<L>,
         S: Scheme<X::System>,
@@ -348,7 +349,7 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         match bare.prepare(span) {
             Ok((mut stepper, plan)) => {
                 stepper.scheme.watch(true, &mut stepper.workspace);
-                record(&mut stepper, run, plan, attend)
+                record(&mut stepper, run, plan, (attend, histories))
             }
             Err(cause) => Err(Interrupted::new(run, cause)),
         }

@@ -2,7 +2,6 @@
 
 use dmech_scalar::{Compensated, Real};
 
-#[cfg(feature = "plot")]
 use super::history::Histories;
 use super::motion::{Invariants, Motion};
 use crate::drift::{Drift, Drifts, MAX_OWN, OwnDrifts};
@@ -43,8 +42,7 @@ pub struct Watch<X, R: Real = f64> {
     own_start: [R; MAX_OWN],
     own: OwnDrifts,
     /// Their history, where it is kept.
-    #[cfg(feature = "plot")]
-    histories: Option<Histories>,
+    histories: Option<Box<Histories>>,
 }
 
 impl<X: Clone, R: Real> Watch<X, R> {
@@ -62,7 +60,6 @@ impl<X: Clone, R: Real> Watch<X, R> {
             drifts: [None; Invariant::ALL.len()],
             own_start: [R::ZERO; MAX_OWN],
             own: OwnDrifts::default(),
-            #[cfg(feature = "plot")]
             histories: None,
         };
         let state = &watch.first;
@@ -98,6 +95,7 @@ impl<X: Clone, R: Real> Watch<X, R> {
 
     pub(super) fn see(&mut self, motion: &dyn Motion<X, R>, state: &X) {
         let (t, here) = (motion.clock()(state), motion.invariants(state, &self.first));
+        let mut deviations = [f64::NAN; Invariant::ALL.len()];
         for invariant in Invariant::ALL {
             // Before it is rounded to `f64`, which may have fewer digits.
             let energy = self.energy(invariant, &here);
@@ -105,11 +103,11 @@ impl<X: Clone, R: Real> Watch<X, R> {
             let seen = seen.or_else(|| self.momentum(invariant, &here));
             if let (Some([value, deviation]), Some(drift)) = (seen, &mut self.drifts[invariant as usize]) {
                 drift.observe(t, value, deviation);
-                #[cfg(feature = "plot")]
-                if let Some(histories) = &mut self.histories {
-                    histories.see(invariant, t, deviation);
-                }
+                deviations[invariant as usize] = deviation;
             }
+        }
+        if let Some(histories) = &mut self.histories {
+            histories.see(t, &deviations);
         }
         self.see_own(motion, state);
     }
@@ -180,7 +178,6 @@ impl<X: Clone, R: Real> Watch<X, R> {
             let value = motion.own(k, state);
             let (t, deviation) = (motion.clock()(state), (value - self.own_start[k]).to_f64());
             drift.observe(t, value.to_f64(), deviation);
-            #[cfg(feature = "plot")]
             if let Some(histories) = &mut self.histories {
                 histories.see_own(k, t, deviation);
             }
@@ -188,20 +185,29 @@ impl<X: Clone, R: Real> Watch<X, R> {
     }
 
     /// Keeps their history from here on, which is the start.
-    #[cfg(feature = "plot")]
     pub(super) fn keep_histories(&mut self, t: f64) {
-        let mut histories = Histories::default();
-        Invariant::ALL
-            .into_iter()
-            .filter(|&invariant| self.drifts[invariant as usize].is_some())
-            .for_each(|invariant| histories.see(invariant, t, 0.0));
-        (0..self.own.iter().count()).for_each(|k| histories.see_own(k, t, 0.0));
-        self.histories = Some(histories);
+        let mut histories = Histories::of_those(&self.drifts);
+        // What is no number at the start is not 0 from it.
+        let none = |drift: Drift| drift.start() - drift.start();
+        histories.see(t, &self.drifts.map(|drift| drift.map_or(f64::NAN, none)));
+        self.own.iter().enumerate().for_each(|(k, (_, drift))| histories.see_own(k, t, none(drift)));
+        self.histories = Some(Box::new(histories));
     }
 
-    #[cfg(feature = "plot")]
-    pub(super) fn take_histories(&mut self) -> Histories {
-        self.histories.take().unwrap_or_default()
+    pub(super) fn take_histories(&mut self) -> Option<Box<Histories>> {
+        self.histories.take()
+    }
+
+    /// Takes the deviations of the quantities of a run, one after another.
+    #[inline]
+    pub(super) fn beside(&mut self, t: f64) -> impl FnMut(f64) + use<'_, X, R> {
+        let mut k = self.own.iter().count();
+        move |deviation| {
+            if let Some(histories) = &mut self.histories {
+                histories.see_own(k, t, deviation);
+                k += 1;
+            }
+        }
     }
 
     /// How they moved.

@@ -4,7 +4,7 @@ use std::io;
 
 use dmech_plot::{Area, Axis, BLUE, Drawn, Fit, INK, chart, dots, draw, headed, label_beside, line, rough};
 
-use super::super::history::{History, Part};
+use super::super::history::History;
 use super::Run;
 use crate::drift::Drift;
 
@@ -27,9 +27,13 @@ pub(super) fn svg<X>(
     let start = drift.start();
     let relative = start != 0.0 && start.is_finite();
     let unit = if relative { start.abs() } else { 1.0 };
-    let parts: Vec<_> =
-        history.parts().iter().map(|part| Part { least: part.least / unit, most: part.most / unit, ..*part }).collect();
-    let ends = history.ends().map(|(t, x)| (t, x / unit));
+    let parts: Vec<_> = history
+        .parts()
+        .iter()
+        .map(|part| Part { times: part.times(), least: part.least() / unit, most: part.most() / unit })
+        .collect();
+    let [first, last] = [history.points().next(), history.points().last()];
+    let ends = [first, last].map(|end| end.map_or((f64::NAN, f64::NAN), |(t, x)| (t, x / unit)));
     let times =
         [parts.first().map_or(f64::NAN, |part| part.times[0]), parts.last().map_or(f64::NAN, |part| part.times[1])];
     let grows = grows(&parts, parts.iter().map(size).fold(0.0, f64::max));
@@ -43,13 +47,20 @@ pub(super) fn svg<X>(
     let largest = parts.iter().map(size).fold(0.0, f64::max);
     let mut words =
         format!("I: {name}, {} at the start; largest change drawn {}{kept}", rough(start, 8), rough(largest, 3));
-    if parts.iter().any(|part| part.lost) {
+    if history.parts().iter().any(|part| !part.is_finite()) {
         words += "; not finite in places, which are left out";
     }
     draw([900, 480], |area| {
         let area = headed(area, &capital(&title), &words)?;
         if grows { powers(&area, &parts, ends, what) } else { plain(&area, &parts, ends, what) }
     })
+}
+
+/// A part of the history, in the unit of the picture.
+struct Part {
+    times: [f64; 2],
+    least: f64,
+    most: f64,
 }
 
 fn capital(words: &str) -> String {

@@ -76,15 +76,15 @@ impl<X> Run<X> {
     /// Draws how an invariant moved over the recorded states, as SVG into a file: (I − I₀)/|I₀| over time, or I − I₀ where
     /// I₀ = 0; on a logarithmic axis where it grows, or has peaks, by more than two powers of ten.
     ///
-    /// A run keeps the least and the largest value in each of at most 2048 parts of it, which takes this feature. Streams
-    /// keep it as well, members of an ensemble do not.
+    /// It is drawn from the [`history`](Run::history) of the invariant, which runs with a stream have as well and members of an ensemble
+    /// have not.
     ///
     /// # Errors
     /// [`Unsupported`](io::ErrorKind::Unsupported) where the law, or the scheme, has no such invariant, or the run did not keep
     /// its history; those of the file.
     pub fn plot_drift(&self, invariant: Invariant, path: impl AsRef<Path>) -> io::Result<()> {
         let name = invariant.to_string();
-        let (drift, history) = (self.drift(invariant), self.histories.of(invariant));
+        let (drift, history) = (self.drift(invariant), self.history(invariant));
         let kept = format!("; must be: {}", self.kept(invariant));
         let drift = drift.ok_or_else(|| format!("this law and {} have no invariant \"{name}\"", self.report.scheme()));
         save(path, &drift::svg(self, &name, drift, history, &kept)?)
@@ -96,7 +96,6 @@ impl<X> Run<X> {
     /// # Errors
     /// Likewise.
     pub fn plot_drift_of(&self, name: &str, path: impl AsRef<Path>) -> io::Result<()> {
-        let own = self.report.own_drifts().enumerate().find(|(_, (own, _))| *own == name);
         let none = || {
             let others: Vec<_> = self.report.own_drifts().map(|(own, _)| format!("\"{own}\"")).collect();
             match &*others.join(", ") {
@@ -106,9 +105,8 @@ impl<X> Run<X> {
                 others => format!("this run follows no \"{name}\": there is {others}"),
             }
         };
-        let history = own.and_then(|(k, _)| self.histories.of_own(k));
-        let drift = own.map(|(_, (_, drift))| drift).ok_or_else(none);
-        save(path, &drift::svg(self, &name.replace('_', " "), drift, history, "")?)
+        let drift = self.drift_of(name).ok_or_else(none);
+        save(path, &drift::svg(self, &name.replace('_', " "), drift, self.history_of(name), "")?)
     }
 
     /// The scheme, its steps, and the times from and to.

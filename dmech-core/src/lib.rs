@@ -25,6 +25,8 @@ mod law;
 mod look;
 mod method;
 mod name;
+#[doc(hidden)]
+pub mod off;
 #[cfg(feature = "serde")]
 mod resume;
 mod run;

@@ -6,6 +6,8 @@ mod entrant;
 mod extrapolation;
 mod interpolate;
 mod ladder;
+#[cfg(not(feature = "plot"))]
+mod off;
 #[cfg(feature = "plot")]
 mod picture;
 mod precise;

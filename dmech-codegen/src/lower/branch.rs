@@ -1,12 +1,12 @@
 //! `if`, comparisons, `&&`, `||`.
 
 use dmech_symbolic::expression::{Condition, Relation};
-use syn::{Expr, ExprBinary, ExprIf, ExprPath};
+use syn::{Expr, ExprBinary, ExprIf, ExprPath, ExprRange, RangeLimits};
 
 use crate::diagnostics::body;
 
 use super::budget::MAX_COMPARISONS;
-use super::code::result_of;
+use super::code::{bare, result_of};
 use super::interpreter::Interpreter;
 use super::merge::unknown_if_changed;
 use super::name::float_constant;
@@ -18,8 +18,12 @@ impl<'m> Interpreter<'m> {
         if let Some((field, variant)) = self.with_a_variant(&binary.left, &binary.right) {
             return self.refuse(body::field_and_variant(e, field, variant));
         }
-        let (left, right) = (self.value(&binary.left), self.value(&binary.right));
-        match (left, right) {
+        let sides = (self.value(&binary.left), self.value(&binary.right));
+        self.compared(comparison, sides, (&binary.left, &binary.right), e)
+    }
+
+    fn compared(&mut self, comparison: Comparison, sides: (Value, Value), at: (&Expr, &Expr), e: &Expr) -> Value {
+        match sides {
             (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
             (Value::Integer(m), Value::Integer(n)) => Value::known(comparison.holds(m, n)),
             (Value::Truth(one), Value::Truth(two)) => match (one, two, comparison) {
@@ -27,7 +31,7 @@ impl<'m> Interpreter<'m> {
                 _ => self.refuse(body::compared_conditions(e)),
             },
             (left, right) => {
-                let (left, right) = (self.number(left, &*binary.left), self.number(right, &*binary.right));
+                let (left, right) = (self.number(left, at.0), self.number(right, at.1));
                 let (Some(left), Some(right)) = (left, right) else { return Value::Unknown };
                 if let (Some(left), Some(right)) = (self.graph.as_number(left), self.graph.as_number(right)) {
                     return Value::known(comparison.holds(left, right));
@@ -42,6 +46,23 @@ impl<'m> Interpreter<'m> {
                 };
                 Value::Truth(Truth::When(condition))
             }
+        }
+    }
+
+    /// `(a..b).contains(&x)`: a <= x && x < b.
+    pub(super) fn contains(&mut self, range: &'m ExprRange, x: &'m Expr, e: &'m Expr) -> Value {
+        let [low, high] = [&range.start, &range.end].map(|end| end.as_deref().map(|at| (self.value(at), at)));
+        let (value, x) = (self.value(x), bare(x));
+        let below = if let RangeLimits::Closed(_) = range.limits { Comparison::LessOrEqual } else { Comparison::Less };
+        let low = low.map(|(a, at)| self.compared(Comparison::LessOrEqual, (a, value.clone()), (at, x), e));
+        let high = high.map(|(b, at)| self.compared(below, (value, b), (x, at), e));
+        match (low, high) {
+            (Some(low), Some(high)) => {
+                let both = [low, high].map(|value| self.truth(value, e));
+                self.connected(false, both, e)
+            }
+            (Some(one), None) | (None, Some(one)) => one,
+            (None, None) => self.refuse(body::contains_everything(e)),
         }
     }
 
@@ -71,7 +92,13 @@ impl<'m> Interpreter<'m> {
         {
             return Value::known(decides);
         }
-        match (one, self.condition(right)) {
+        let two = self.condition(right);
+        self.connected(decides, [one, two], e)
+    }
+
+    fn connected(&mut self, decides: bool, [one, two]: [Option<Truth>; 2], e: &Expr) -> Value {
+        match (one, two) {
+            (Some(Truth::Known(known)), Some(_)) if known == decides => Value::known(decides),
             (Some(Truth::Known(_)), Some(two)) => Value::Truth(two),
             (Some(_), Some(Truth::Known(known))) if known == decides => Value::known(decides),
             (Some(one), Some(Truth::Known(_))) => Value::Truth(one),

@@ -14,13 +14,8 @@ use super::value::{At, Given, Owner, Value};
 
 impl<'m> Interpreter<'m> {
     pub(super) fn method_call(&mut self, call: &'m ExprMethodCall, e: &'m Expr) -> Value {
-        if let (Expr::Range(range), "contains", Some(x)) =
-            (bare(&call.receiver), call.method.to_string().as_str(), call.args.first())
-        {
-            for part in [range.start.as_deref(), range.end.as_deref(), Some(x)].into_iter().flatten() {
-                self.value(part);
-            }
-            return self.refuse(body::range_contains(e, range, bare(x)));
+        if let (Expr::Range(range), true, 1) = (bare(&call.receiver), call.method == "contains", call.args.len()) {
+            return self.contains(range, &call.args[0], e);
         }
         let receiver = self.value(&call.receiver);
         if let Value::Law = receiver {

@@ -57,6 +57,13 @@ edges! {
     less_or_equal: LessOrEqual(x, y, edge) x <= edge;
     greater: Greater(x, y, edge) x > edge;
     greater_or_equal: GreaterOrEqual(x, y, edge) x >= edge;
+    range: Range(x, y, edge) (0.0..edge).contains(&x);
+    closed_range: ClosedRange(x, y, edge) (0.0..=edge).contains(&x);
+    range_from: RangeFrom(x, y, edge) (edge..).contains(&x);
+    range_to: RangeTo(x, y, edge) (..edge).contains(&x);
+    closed_range_to: ClosedRangeTo(x, y, edge) (..=edge).contains(&x);
+    beside_a_range: BesideARange(x, y, edge) !(0.0..=edge).contains(&x);
+    between_others: BetweenOthers(x, y, edge) (-edge..=y).contains(&(x - edge));
     equal: Equal(x, y, edge) x == edge;
     unequal: Unequal(x, y, edge) x != edge;
     less_than_zero: LessThanZero(x, y, _edge) x < 0.0;
@@ -160,4 +167,59 @@ fn functions_that_choose() {
             assert!((generated - declared).abs() < 1e-12, "{generated} for {declared} at {x}, {y}");
         }
     }
+}
+
+/// Between two walls: the same law in both spellings.
+#[derive(Clone, Copy, Debug)]
+struct Trough {
+    low: f64,
+    high: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct ByComparisons {
+    low: f64,
+    high: f64,
+}
+
+#[dmech::law]
+impl Trough {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let [x, y] = q;
+        let wall = if (self.low..=self.high).contains(&x) { 0.0 } else { (x - self.low) * (x - self.high) };
+        wall * wall.abs() + 0.5 * y * y * (1.0 + x * x)
+    }
+}
+
+#[dmech::law]
+#[allow(clippy::manual_range_contains)]
+impl ByComparisons {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let [x, y] = q;
+        let wall = if self.low <= x && x <= self.high { 0.0 } else { (x - self.low) * (x - self.high) };
+        wall * wall.abs() + 0.5 * y * y * (1.0 + x * x)
+    }
+}
+
+#[test]
+fn a_range_is_what_its_comparisons_are() {
+    let (range, other) = (Trough { low: -0.5, high: 1.0 }, ByComparisons { low: -0.5, high: 1.0 });
+    let places = [-2.0, -0.5_f64.next_up(), -0.5, 0.3, 1.0, 1.0_f64.next_up(), 4.0, f64::NAN];
+    let mut taken = [0, 0];
+    for a in places.into_iter().flat_map(|x| [[x, 0.7], [x, -1.1]]) {
+        taken[usize::from(a[0] < -0.5 || a[0] > 1.0)] += 1;
+        let bits = |q: [f64; 2]| q.map(f64::to_bits);
+        assert_eq!(range.potential(a).to_bits(), range.energy(a).to_bits());
+        assert_eq!(range.potential(a).to_bits(), other.potential(a).to_bits());
+        assert_eq!(bits(range.gradient(a)), bits(other.gradient(a)));
+        assert_eq!(range.hessian(a).map(bits), other.hessian(a).map(bits));
+        for b in places.map(|x| [x, 0.4]) {
+            assert_eq!(bits(range.discrete_gradient(a, b)), bits(other.discrete_gradient(a, b)), "{a:?} {b:?}");
+        }
+    }
+    assert!(taken[0] > 4 && taken[1] > 4);
+    assert!(range.derivation() == other.derivation().replace("ByComparisons", "Trough"), "{}", range.derivation());
+    verify(range, State::new([0.3, 0.7], [0.9, 0.2])).assert();
 }

@@ -67,6 +67,24 @@ branches! {
     nested(x, y) { if x >= 0.5 { if y > x { 1.0 } else { 2.0 } } else if y <= 0.0 { 3.0 } else { 4.0 } }
     least_and_greatest(x, y) { x.min(0.5) + 3.0 * x.max(y) + 7.0 * y.clamp(0.0, 0.5) + 11.0 * (x - 0.5).abs() }
 
+    // Ranges: each form, with ends that are known and that are not, negated, joined, and of no number at all.
+    within_a_range(x, y) { if (0.0..0.5).contains(&x) { 1.0 } else { 2.0 } }
+    within_a_closed_range(x, y) { if (0.0..=0.5).contains(&x) { 1.0 } else { 2.0 } }
+    within_a_range_from(x, y) { if (0.5..).contains(&x) { 1.0 } else { 2.0 } }
+    within_a_range_to(x, y) { if (..0.5).contains(&x) { 1.0 } else { 2.0 } }
+    within_a_closed_range_to(x, y) { if (..=0.5).contains(&x) { 1.0 } else { 2.0 } }
+    beside_a_range(x, y) { if !(0.0..=0.5).contains(&x) { 1.0 } else { 2.0 } }
+    within_another(x, y) { if (y..=0.5).contains(&x) { 1.0 } else { 2.0 } }
+    within_turned_round(x, y) { if (0.5..y).contains(&x) { 1.0 } else { if (0.5..=y).contains(&x) { 2.0 } else { 3.0 } } }
+    within_two_ranges(x, y) { if (0.0..0.5).contains(&x) && (0.0..=0.5).contains(&y) { 1.0 } else { 2.0 } }
+    a_range_of_computed_ends(x, y) { let c = (x - 1.0..=x + 0.5).contains(&(2.0 * y)); if c { 1.0 } else { 2.0 } }
+    a_range_that_is_known(x, y) {
+        (if (0.0..0.5).contains(&0.5) { 1.0 } else { 2.0 }) + (if (0.0..=0.5).contains(&0.5) { 4.0 } else { 8.0 })
+            + (if (0.5..=0.0).contains(&0.25) { 16.0 } else { 32.0 }) + (if (0.5..).contains(&0.5) { 64.0 } else { 128.0 })
+            + (if (1.0..x).contains(&0.5) { 256.0 } else { 512.0 }) + (if (x..0.5).contains(&1.0) { 1024.0 } else { 2048.0 })
+            + (if (0.0..x).contains(&0.5) { 4096.0 } else { 8192.0 })
+    }
+
     // A condition joined with one that is known: each way round, both values.
     or_true(x, y) { (if x > 0.5 || true { 1.0 } else { 2.0 }) + (if true || x > 0.5 { 4.0 } else { 8.0 }) + x }
     or_false(x, y) { (if x > 0.5 || false { 1.0 } else { 2.0 }) + (if false || x > 0.5 { 4.0 } else { 8.0 }) }
@@ -117,6 +135,39 @@ branches! {
 }
 
 /// Whole numbers, as `i64` in Rust and as the lowered law has them.
+/// No number lies within no range, and a range whose end is none has nothing in it.
+#[test]
+fn no_number_lies_in_a_range() {
+    fn check(text: &str, rust: fn(f64, f64) -> f64) {
+        let lowered = lower_text(&body("[f64; 2]", &format!("let [x, y] = q; {text}"))).unwrap();
+        let numbers = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.25];
+        for q in numbers.into_iter().flat_map(|x| numbers.map(|y| [x, y])) {
+            assert_eq!(value(&lowered, &q, 1.0, 0.0, &|_| None), rust(q[0], q[1]), "{text} at {q:?}");
+        }
+    }
+    macro_rules! check {
+        ($($range:expr, $x:ident, $y:ident;)*) => { $(
+            check(
+                concat!("if ", stringify!($range), ".contains(&x) { 1.0 } else { 2.0 }"),
+                |$x, $y| if $range.contains(&$x) { 1.0 } else { 2.0 },
+            );
+            check(
+                concat!("if !", stringify!($range), ".contains(&x) { 1.0 } else { 2.0 }"),
+                |$x, $y| if !$range.contains(&$x) { 1.0 } else { 2.0 },
+            );
+        )* };
+    }
+    check! {
+        (0.0..1.0), x, _y;
+        (0.0..=1.0), x, _y;
+        (0.0..), x, _y;
+        (..1.0), x, _y;
+        (..=1.0), x, _y;
+        (y..1.0), x, y;
+        (0.0..=y), x, y;
+    }
+}
+
 macro_rules! whole_numbers {
     ($($e:expr),* $(,)?) => { [$((stringify!($e), $e as i64)),*] };
 }
@@ -165,6 +216,10 @@ fn integers_are_those_of_rust() {
         if 3 >= 3 { 1 } else { 2 },
         if 3 == 3 { 1 } else { 2 },
         if 3 != 3 { 1 } else { 2 },
+        if (0..3).contains(&3) { 1 } else { 2 },
+        if (0..=3).contains(&3) { 1 } else { 2 },
+        if (-1..).contains(&-1) { 1 } else { 2 },
+        if (..3).contains(&3) { 1 } else { 2 },
     ];
     let mut wrong = vec![];
     for (text, rust) in expressions {

@@ -1,8 +1,11 @@
 //! How invariants moved.
 
+use core::fmt;
+
 use dmech_scalar::{Mask, Real};
 
 use crate::invariant::Invariant;
+use crate::text::Number;
 use crate::words::Word;
 
 /// The drift of each invariant, by `Invariant as usize`.
@@ -50,6 +53,20 @@ impl OwnDrifts {
 ///
 /// For the angular momentum of more than two coordinates the values are norms of a tensor, and deviations the norm of
 /// the difference from the start.
+///
+/// `Display` shows it in a line, with the numbers of a report:
+///
+/// ```
+/// use dmech_core::prelude::*;
+#[doc = include_str!("examples/spring.md")]
+/// let spring = Simulation::new(Spring { k: 4.0 }, State::new([1.0], [0.0]));
+/// let run = spring.scheme(Leapfrog).dt(0.1).run(100)?;
+/// println!("{}", run.drift(Invariant::Energy).unwrap());
+/// // 2.000000000000000 at the start, moved by 2.00e-2 at most, relative 9.99e-3, per time +3.8e-5
+/// # let line = run.drift(Invariant::Energy).unwrap().to_string();
+/// # assert!(line.starts_with("2.000000000000000 at the start, moved by 2.00e-2 at most, relative 9.99e-3, per time "), "{line}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drift<R = f64> {
@@ -146,11 +163,47 @@ impl Drift {
     pub fn samples(&self) -> u64 {
         self.samples as u64
     }
+
+    /// As a report shows it: the start, the largest deviation, the same relative to the start, the slope.
+    pub(crate) fn figures(&self) -> [String; 4] {
+        let relative = self.max_relative();
+        [
+            format!("{:.15}", Number(self.start)),
+            format!("{:.2e}", self.max_abs),
+            // Nothing is relative to 0, where bodies at rest and closed systems start.
+            if relative.is_finite() { format!("{relative:.2e}") } else { "–".to_owned() },
+            format!("{:+.1e}", self.slope()),
+        ]
+    }
+}
+
+impl fmt::Display for Drift {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [start, largest, relative, slope] = self.figures();
+        f.pad(&format!("{start} at the start, moved by {largest} at most, relative {relative}, per time {slope}"))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// In a line, and in as many places as it is asked for; nothing is relative to 0, and no number is told as none.
+    #[test]
+    fn a_drift_is_a_line() {
+        let mut moved = Drift::new(0.0, -2.5e7);
+        moved.observe(1.0, -2.5e7 - 1.0, -1.0);
+        let line = "-2.500000000000000e7 at the start, moved by 1.00e0 at most, relative 4.00e-8, per time -1.0e0";
+        assert_eq!(moved.to_string(), line);
+        assert_eq!(format!("{moved:>110}"), format!("{line:>110}"));
+        let mut closed = Drift::new(0.0, 0.0);
+        let still = "0.000000000000000 at the start, moved by 0.00e0 at most, relative 0.00e0, per time +0.0e0";
+        assert_eq!(closed.to_string(), still);
+        closed.observe(1.0, 1e-16, 1e-16);
+        assert!(closed.to_string().contains("moved by 1.00e-16 at most, relative –"), "{closed}");
+        let lost = Drift::new(0.0, f64::NAN).to_string();
+        assert_eq!(lost, "NaN at the start, moved by NaN at most, relative –, per time +0.0e0");
+    }
 
     /// A line comes back exactly, a symmetric wave has no slope, and a NaN is not lost.
     #[test]

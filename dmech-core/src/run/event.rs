@@ -22,6 +22,16 @@ impl Crossing {
     }
 }
 
+impl core::fmt::Display for Crossing {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(match self {
+            Crossing::Rising => "rising",
+            Crossing::Falling => "falling",
+            Crossing::Any => "either way",
+        })
+    }
+}
+
 /// Something that happened in a run.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -60,5 +70,17 @@ impl<X> Event<X> {
     /// The two bodies of an encounter.
     pub fn bodies(&self) -> Option<[usize; 2]> {
         self.bodies
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Crossing;
+
+    /// Words that stand in a line, as wide as they are asked for.
+    #[test]
+    fn directions_have_words() {
+        let words = [Crossing::Rising, Crossing::Falling, Crossing::Any].map(|crossing| format!("{crossing:>10}"));
+        assert_eq!(words, ["    rising", "   falling", "either way"]);
     }
 }

@@ -234,7 +234,7 @@ mod tests {
             (0..states).for_each(|k| history.see(f64::from(k), value(k)));
             let each = history.states_in_a_part() as usize;
             let mut expected: Vec<u32> = (0..states).step_by(each).collect();
-            if states > 0 && (states as usize - 1) % each != 0 {
+            if states > 0 && !(states as usize - 1).is_multiple_of(each) {
                 expected.push(states - 1);
             }
             let expected: Vec<_> = expected.into_iter().map(|k| (f64::from(k), value(k))).collect();

@@ -169,14 +169,8 @@ impl fmt::Display for Report {
         // What a scheme does with a quantity that it does not know is for the run to show.
         let own = self.own.iter().map(|(name, drift)| (name.replace('_', " "), drift, "–".to_owned()));
         for (name, drift, kept) in known.chain(own) {
-            writeln!(
-                f,
-                "  {name:<22} {:>22} {:>12} {:>12} {:>12}  {kept}",
-                format!("{:.15}", Number(drift.start())),
-                format!("{:.2e}", drift.max_abs()),
-                relative(&drift),
-                format!("{:+.1e}", drift.slope()),
-            )?;
+            let [start, largest, relative, slope] = drift.figures();
+            writeln!(f, "  {name:<22} {start:>22} {largest:>12} {relative:>12} {slope:>12}  {kept}")?;
         }
         writeln!(f, "  {:<22} {evaluations:>22} {:>12.2} per step", "force evaluations", per_step(evaluations as f64))?;
         writeln!(f, "  {:<22} {iterations:>22} {:>12.2} per step", "Newton iterations", per_step(iterations as f64))?;
@@ -203,10 +197,4 @@ mod missing {
     pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
         Option::deserialize(deserializer).map(|number| number.unwrap_or(f64::NAN))
     }
-}
-
-/// Nothing is relative to 0, where bodies at rest and closed systems start.
-fn relative(drift: &Drift) -> String {
-    let relative = drift.max_relative();
-    if relative.is_finite() { format!("{relative:.2e}") } else { "–".to_owned() }
 }

@@ -1,5 +1,6 @@
 //! Bodies that move along given paths.
 
+use dmech::SceneError;
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech_tests::few::Damper;
@@ -39,9 +40,14 @@ const HUNG: Hung = Hung { k: 7.0, length: 0.8, a: AMPLITUDE, w: RATES };
 const MASS: f64 = 1.3;
 const START: ([f64; 2], [f64; 2]) = ([0.4, -0.1], [-0.3, 0.2]);
 
+/// Two bodies, of which the first is in no place of its own.
+fn two() -> Scene<2> {
+    Scene::new().body(5.0, [9.0, 9.0], [4.0, 4.0]).body(MASS, START.0, START.1)
+}
+
 /// A body that is linked to a driven one, which is given in a wrong place.
 fn bodies() -> Scene<2> {
-    Scene::new().body(5.0, [9.0, 9.0], [4.0, 4.0]).body(MASS, START.0, START.1).drive(0, hand)
+    two().drive(0, hand)
 }
 
 fn apart(x: &[f64], y: &[f64]) -> f64 {
@@ -228,6 +234,18 @@ fn it_is_carried_on() {
     assert_eq!(error.to_string(), "body 7 cannot be pinned or driven: the bodies are 0 to 1");
 }
 
+/// Of two paths of a body one would not be walked; other bodies have their own, and a pin beside a path says the same.
+#[test]
+fn a_body_has_one_path() {
+    let still = |t: f64| ([0.0, t], [0.0, 1.0]);
+    let set_up =
+        |scene: Scene<2>| Simulation::scene(scene.pairs(SPRING)).scheme(Leapfrog).dt(0.01).stepper().map(|_| ());
+    assert_eq!(set_up(bodies().drive(0, still)), Err(SceneError::DrivenTwice { body: 0 }.into()));
+    assert_eq!(set_up(bodies().drive(1, hand).drive(0, hand)), Err(SceneError::DrivenTwice { body: 0 }.into()));
+    assert_eq!(set_up(bodies().drive(7, hand).drive(7, still)), Err(SceneError::Pin { body: 7, bodies: 2 }.into()));
+    assert_eq!(set_up(bodies().body(1.0, [2.0; 2], [0.0; 2]).drive(1, still).pin(0)), Ok(()));
+}
+
 /// A path that leads nowhere is named, when it is lost.
 #[test]
 fn a_path_that_is_lost_is_named() {
@@ -235,7 +253,7 @@ fn a_path_that_is_lost_is_named() {
         ($($scheme:expr),*) => {$({
             for from in [0.0, 0.25] {
                 let path = move |t: f64| ([if t >= from { f64::NAN } else { 0.1 * t }, 0.0], [0.1, 0.0]);
-                let scene = bodies().drive(0, path).chain(SPRING);
+                let scene = two().drive(0, path).chain(SPRING);
                 let told = match Simulation::scene(scene).scheme($scheme).dt(0.1).run(100) {
                     Ok(_) => panic!("{} follows a path that is lost", stringify!($scheme)),
                     Err(interrupted) => interrupted.to_string(),
@@ -345,7 +363,7 @@ fn a_path_with_a_gap() {
             for linked in [false, true] {
                 let motion = |from: f64, to: f64| {
                     let links = if linked { vec![(0, 1)] } else { Vec::new() };
-                    let scene = bodies().drive(0, gap(from, to)).bonds(SPRING, links);
+                    let scene = two().drive(0, gap(from, to)).bonds(SPRING, links);
                     Simulation::scene(scene).scheme($scheme).dt(0.1)
                 };
                 // At the end of the fourth step.

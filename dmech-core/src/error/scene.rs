@@ -65,6 +65,12 @@ pub enum SceneError {
         /// The body.
         body: usize,
     },
+    /// Two given paths of a body.
+    #[error("body {body} is driven along two paths: a body has one `.drive({body}, …)`")]
+    DrivenTwice {
+        /// The body.
+        body: usize,
+    },
     /// A bond with a body that is not there.
     #[error("no bond between {a} and {b}: the bodies are 0 to {}", bodies - 1)]
     Bond {

@@ -45,6 +45,7 @@ fn all(x: f64) -> Vec<Error> {
             SceneError::Encounter { distance: x },
             SceneError::PinnedMoves { body, speed: x },
             SceneError::Driven { body },
+            SceneError::DrivenTwice { body },
             SceneError::Bond { a: 1, b: 5, bodies: 3 },
             SceneError::SelfBond { body },
             SceneError::DuplicateBond { a: 1, b: 2 },

@@ -6,13 +6,18 @@ use super::simulation::Simulation;
 impl<L, X, S, O> Simulation<L, X, S, O> {
     /// Records the state after every n-th step (default 1). The first state is always recorded.
     ///
+    /// A run has one rule of what it records: of `record_every`, [`record_at`](Simulation::record_at) and
+    /// [`record_dt`](Simulation::record_dt) the last that was said, as of [`dt`](Simulation::dt) and all that is set by a number. Then a
+    /// simulation that is cloned can be given another.
+    ///
     /// A state takes 8 (1 + 2 D) bytes, of a scene 16 D a body: a run of 10⁷ steps in the plane 400 MB. More than there is memory
     /// for is refused before the run, with [`Error::Recording`](crate::Error::Recording).
     pub fn record_every(self, n: u64) -> Self {
         self.with(|settings| settings.due = Due::Every(n))
     }
 
-    /// Records the states at these times and no others, in the order of time. The steps do not move: a state between two of them
+    /// Records the states at these times and no others, in the order of time; what was said before of what is recorded
+    /// does not count. The steps do not move: a state between two of them
     /// is the end of a shortened step of the same scheme, made from the last, and has its order. Each costs about a step.
     ///
     /// Times that the run does not reach are not recorded; the invariants are looked at after the steps in which something is
@@ -38,7 +43,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         self.with(|settings| settings.due = Due::At(times))
     }
 
-    /// Records the states at the times t₀ + k dt, as [`record_at`](Simulation::record_at), for as long as the run goes.
+    /// Records the states at the times t₀ + k dt, as [`record_at`](Simulation::record_at), for as long as the run goes; what
+    /// was said before of what is recorded does not count.
     ///
     /// # Errors
     /// When run: [`Error::RecordDt`](crate::Error::RecordDt) where dt is not positive and finite.

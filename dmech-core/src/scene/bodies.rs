@@ -43,6 +43,12 @@ impl<const D: usize, P> Bodies<D, P> {
                 return Err(SceneError::Mass { body, mass }.into());
             }
         }
+        let mut driven = vec![false; n];
+        for body in self.drives.bodies() {
+            if driven.get_mut(body).is_some_and(|driven| core::mem::replace(driven, true)) {
+                return Err(SceneError::DrivenTwice { body }.into());
+            }
+        }
         check_state([&self.q, &self.v], self.t, n, &self.pins, &self.drives)
     }
 }

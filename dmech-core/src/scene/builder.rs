@@ -119,8 +119,7 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
     /// What acts on the others depends on the time then, which every scheme takes as it takes a law that names the time, with
     /// its order; the energy is no invariant. v is what laws of the velocity feel. A path that bends, as one that stops, is
     /// best made to bend between two steps; it must be finite at all times, or the run ends with
-    /// [`Error::Path`](crate::Error::Path). That v is the velocity of q is not checked; of two paths of a body the later
-    /// counts. A path that depends on the motion, as of a hand in
+    /// [`Error::Path`](crate::Error::Path). That v is the velocity of q is not checked. A path that depends on the motion, as of a hand in
     /// a game, is [`set_body`](crate::Stepper::set_body) between steps.
     ///
     /// ```
@@ -133,6 +132,9 @@ impl<const D: usize, P, L, B> Scene<D, P, L, B> {
     ///     .drive(0, |t: f64| ([0.1 * (3.0 * t).sin()], [0.3 * (3.0 * t).cos()]));
     /// # let _ = scene;
     /// ```
+    ///
+    /// # Errors
+    /// When the scene is set up: [`SceneError::DrivenTwice`](crate::SceneError::DrivenTwice) for two paths of a body.
     pub fn drive(mut self, i: usize, path: impl Fn(f64) -> ([f64; D], [f64; D]) + Send + Sync + 'static) -> Self {
         self.bodies.drives.push(i, path);
         self.pin(i)

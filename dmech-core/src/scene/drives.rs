@@ -40,7 +40,7 @@ impl<const D: usize> Drives<D> {
         self.bodies().any(|driven| driven == body)
     }
 
-    /// Bodies, places and velocities at t. Of two paths of a body it is the later.
+    /// Bodies, places and velocities at t.
     pub(super) fn at(&self, t: f64) -> impl Iterator<Item = (usize, [[f64; D]; 2])> {
         self.paths.iter().map(move |(body, path)| (*body, path(t)))
     }

@@ -12,23 +12,24 @@ use dmech::verify_scheme;
 
 use super::wrapped::{own, until};
 
-/// The scheme of the page for schemes of one's own.
+/// One kick, after so many halves of the drift: after one it is the scheme of the page for schemes of one's own, after none or both it
+/// is of order 1.
 #[derive(Clone, Copy, Debug)]
-struct DriftKickDrift;
+pub(super) struct KickAfter<const HALVES: u32>;
 
-impl OneStep for DriftKickDrift {}
+impl<const HALVES: u32> OneStep for KickAfter<HALVES> {}
 
-impl Method for DriftKickDrift {
-    const NAME: &'static str = "DriftKickDrift";
-    const ORDER: u32 = 2;
-    const SYMMETRIC: bool = true;
+impl<const HALVES: u32> Method for KickAfter<HALVES> {
+    const NAME: &'static str = ["KickDrift", "DriftKickDrift", "DriftKick"][HALVES as usize];
+    const ORDER: u32 = 1 + HALVES % 2;
+    const SYMMETRIC: bool = HALVES == 1;
 
     fn keeps(invariant: Invariant) -> Kept {
         Leapfrog::keeps(invariant)
     }
 }
 
-impl<Y: System + WithoutVelocities> Scheme<Y> for DriftKickDrift {
+impl<Y: System + WithoutVelocities, const HALVES: u32> Scheme<Y> for KickAfter<HALVES> {
     type Memory = [Y::Vector; 3];
     type Workspace = Y::Room;
 
@@ -53,10 +54,11 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for DriftKickDrift {
         room: &mut Y::Room,
     ) -> Result<Effort<Y::Scalar>, NotConverged> {
         let half = Y::Scalar::from_f64(0.5) * Y::dt(stride);
+        let [first, second] = [HALVES, 2 - HALVES].map(|halves| Y::Scalar::from_f64(f64::from(halves)) * half);
         core::mem::swap(v, before);
-        Y::drift(q, half, before);
-        system.kick(room, stride, Kick { t: t + half, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
-        Y::drift(q, half, v);
+        Y::drift(q, first, before);
+        system.kick(room, stride, Kick { t: t + first, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
+        Y::drift(q, second, v);
         Ok(Effort::of(1))
     }
     fn position<'m>(&self, [q, _, _]: &'m Self::Memory) -> &'m Y::Vector {
@@ -78,7 +80,7 @@ impl<Y: System + WithoutVelocities> Scheme<Y> for DriftKickDrift {
     }
 }
 
-impl<L: Fields<D> + VelocityIndependent, const D: usize> Rides<L, D> for DriftKickDrift {}
+impl<L: Fields<D> + VelocityIndependent, const D: usize, const HALVES: u32> Rides<L, D> for KickAfter<HALVES> {}
 
 fn name<S: Method>(_: &S) -> &'static str {
     S::NAME
@@ -87,17 +89,17 @@ fn name<S: Method>(_: &S) -> &'static str {
 /// One's own scheme alone and in compositions: order, invariants and the way back on laws and on a scene.
 #[test]
 fn a_scheme_of_ones_own_composes() {
-    verify_scheme(DriftKickDrift).assert();
-    let fourth = verify_scheme(Composed::order4(Steps(DriftKickDrift)));
+    verify_scheme(KickAfter::<1>).assert();
+    let fourth = verify_scheme(Composed::order4(Steps(KickAfter::<1>)));
     fourth.assert();
     let orders = fourth.checks().iter().filter(|check| check.name().ends_with("order") && check.measured().is_some());
     assert_eq!(orders.count(), 3);
-    verify_scheme(Composed::order6(Steps(DriftKickDrift))).assert();
-    assert_eq!(name(&Composed::order4(Steps(DriftKickDrift))), "Composed(DriftKickDrift, Suzuki4S7)");
+    verify_scheme(Composed::order6(Steps(KickAfter::<1>))).assert();
+    assert_eq!(name(&Composed::order4(Steps(KickAfter::<1>))), "Composed(DriftKickDrift, Suzuki4S7)");
     // Steps in a row, of which nobody asks the work, are those of a run.
     let law = Spring { k: 1.3, length: 0.9 };
     let scene = Scene::new().body(1.0, [0.4, 0.0], [0.0, 0.3]).body(0.6, [-0.9, 0.1], [0.2, 0.0]).pairs(law);
-    let motion = Simulation::scene(scene).scheme(Composed::order4(Steps(DriftKickDrift))).dt(0.05);
+    let motion = Simulation::scene(scene).scheme(Composed::order4(Steps(KickAfter::<1>))).dt(0.05);
     let run = motion.clone().run(200).unwrap();
     let mut stepper = motion.stepper().unwrap();
     stepper.advance(200).unwrap();
@@ -109,9 +111,9 @@ fn a_scheme_of_ones_own_composes() {
 #[test]
 fn a_scheme_of_ones_own_moves_an_ensemble() {
     let (law, start) = (Pendulum { k: 1.3 }, |k: usize| State::new([0.1 + 0.2 * k as f64], [0.0]));
-    let run = Ensemble::of(11).law(|_| law).start(start).scheme(DriftKickDrift).dt(0.05).run(200).unwrap();
+    let run = Ensemble::of(11).law(|_| law).start(start).scheme(KickAfter::<1>).dt(0.05).run(200).unwrap();
     for k in 0..11 {
-        let alone = Simulation::new(law, start(k)).scheme(DriftKickDrift).dt(0.05).run(200).unwrap();
+        let alone = Simulation::new(law, start(k)).scheme(KickAfter::<1>).dt(0.05).run(200).unwrap();
         assert_eq!(run.last(k).unwrap(), *alone.last());
     }
 }

@@ -1,12 +1,13 @@
 //! `verify_scheme` passes every scheme and catches those that promise too much; a study of a scene is one of its law.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use dmech::extend::{Beginning, Effort, Kept, Kick, Method, NotConverged, Real, Scheme, System, WithoutVelocities};
+use dmech::extend::{Kept, Method};
 use dmech::models::pairs::Spring;
 use dmech::prelude::*;
 use dmech::{StudyError, verify_scheme};
 use dmech_study::verify::Outcome;
 
+use super::own::KickAfter;
 use super::wrapped::{Honest, Promise, promising};
 
 /// Every scheme passes, on laws and on the scene, and each has something to show.
@@ -72,68 +73,6 @@ fn promises_that_are_not_kept_are_found() {
     assert_eq!(failed::<EnergyOfItsOwn>(), on_all("discrete energy"));
 }
 
-/// The kick, and then the drift: of order 1, and its energy is bounded.
-#[derive(Clone, Copy, Debug)]
-struct KickDrift;
-
-impl Method for KickDrift {
-    const NAME: &'static str = "KickDrift";
-    const ORDER: u32 = 1;
-    const SYMMETRIC: bool = false;
-
-    fn keeps(invariant: Invariant) -> Kept {
-        Leapfrog::keeps(invariant)
-    }
-}
-
-impl<Y: System + WithoutVelocities> Scheme<Y> for KickDrift {
-    type Memory = [Y::Vector; 3];
-    type Workspace = Y::Room;
-
-    fn workspace(&self, system: &Y, _: &Y::Stride) -> Y::Room {
-        system.room()
-    }
-    fn begin(
-        &self,
-        _: &Y,
-        _: &Y::Stride,
-        start: &Beginning<'_, Y>,
-        _: &mut Y::Room,
-    ) -> Result<Self::Memory, NotConverged> {
-        Ok([start.q, start.v, start.v].map(Clone::clone))
-    }
-    fn step(
-        &self,
-        system: &Y,
-        stride: &Y::Stride,
-        t: Y::Scalar,
-        [q, v, before]: &mut Self::Memory,
-        room: &mut Y::Room,
-    ) -> Result<Effort<Y::Scalar>, NotConverged> {
-        core::mem::swap(v, before);
-        system.kick(room, stride, Kick { t, b: Y::Scalar::ONE, e: 0.0 }, q, before, v);
-        Y::drift(q, Y::dt(stride), v);
-        Ok(Effort::of(1))
-    }
-    fn position<'m>(&self, [q, _, _]: &'m Self::Memory) -> &'m Y::Vector {
-        q
-    }
-    fn velocity(&self, _: &Y, _: &Y::Stride, _: Y::Scalar, [_, v, _]: &Self::Memory) -> Y::Vector {
-        v.clone()
-    }
-    fn finite(&self, [q, v, _]: &Self::Memory) -> bool {
-        Y::is_finite(q) && Y::is_finite(v)
-    }
-    fn kinetic_energy(&self, system: &Y, [_, v, _]: &Self::Memory) -> Y::Scalar {
-        system.kinetic_energy(v)
-    }
-    fn work(&self, system: &Y, _: &Y::Stride, _: &Self::Memory, [_, v, before]: &Self::Memory) -> Y::Scalar {
-        let mut work = system.no_work();
-        system.add_work(&mut work, before, v);
-        system.total(&work)
-    }
-}
-
 #[derive(Clone, Copy, Debug)]
 struct BoundedEnergy;
 impl<S: Method> Promise<S> for BoundedEnergy {
@@ -142,10 +81,12 @@ impl<S: Method> Promise<S> for BoundedEnergy {
     }
 }
 
-/// Of order 1 what is bounded deviates by the step itself, as a drift does; a drift grows with the time.
+/// Of order 1 what is bounded deviates by the step itself, as a drift does; a drift grows with the time. The kick, and then the drift, or
+/// the other way round, have a bounded energy.
 #[test]
 fn a_bound_of_first_order_is_no_drift() {
-    verify_scheme(KickDrift).assert();
+    verify_scheme(KickAfter::<0>).assert();
+    verify_scheme(KickAfter::<2>).assert();
     let report = verify_scheme(promising::<BoundedEnergy, _>(Explicit));
     let energies = report.checks().iter().filter(|check| check.name().ends_with(": energy"));
     assert_eq!(energies.filter(|check| check.outcome() == Outcome::Failed).count(), 3, "{report}");

@@ -12,6 +12,9 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// value there, only when: a scene is set up again as it was, and its bodies move to where they were. Checkpoints are of
     /// motions in `f64`.
     ///
+    /// It is a stepper and not a run: a loop records its states, and a [`Watch`](crate::extend::Watch) its invariants, counted from
+    /// here. A run that need not go on bit for bit begins from a state, [`starting_from`](Simulation::starting_from).
+    ///
     /// # Errors
     /// [`Error::Checkpoint`] says what differs: the number of bodies, the scheme, dt, a mass, a pin, a law. Otherwise as
     /// [`stepper`](Simulation::stepper).

@@ -199,8 +199,11 @@ fn output_and_end_are_kept() {
             let run = $simulation
                 .change_when(|state| state.q[0], Crossing::Falling, |state| state.v[0] = -state.v[0])
                 .record_at(times.iter().copied())
+                .watch("depth", |state| state.q[0].min(0.0))
                 .run_until(20.0)
                 .unwrap();
+            // Nobody has seen where it would be without the wall.
+            assert!(run.drift_of("depth").unwrap().max_abs() < 1e-14);
             assert_eq!(run.states().len(), times.len());
             for (state, &t) in run.states().iter().zip(&times) {
                 assert!(state.t == t && (state.q[0] - (k.sqrt() * t).cos().abs()).abs() < 1e-7, "{state:?}");

@@ -139,7 +139,7 @@ pub use crate::law::{Masses, Numbered};
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
 pub use crate::run::{
-    After, Attend, Attended, Blend, Change, Changed, Columns, Observer, Passage, Quantity, Sink, Stream, Watch,
+    After, Attend, Attended, Blend, Bounce, Change, Changed, Columns, Observer, Passage, Quantity, Sink, Stream, Watch,
     Weights, Within,
 };
 #[cfg(feature = "scene")]

@@ -57,7 +57,7 @@ impl Ball {
             .mass(1.7)
             .scheme(scheme)
             .dt(dt)
-            .change_when(move |state| state.q[1] - floor, Crossing::Falling, move |state| state.v[1] *= -e)
+            .bounce_off(move |state| state.q[1] - floor, move |state| state.v[1] *= -e)
             .run_until(end)
     }
 
@@ -197,7 +197,7 @@ fn output_and_end_are_kept() {
     macro_rules! run {
         ($simulation:expr) => {{
             let run = $simulation
-                .change_when(|state| state.q[0], Crossing::Falling, |state| state.v[0] = -state.v[0])
+                .bounce_off(|state| state.q[0], |state| state.v[0] = -state.v[0])
                 .record_at(times.iter().copied())
                 .watch("depth", |state| state.q[0].min(0.0))
                 .run_until(20.0)
@@ -220,7 +220,7 @@ fn output_and_end_are_kept() {
         .scheme(Leapfrog)
         .dt(0.1)
         .record_every(7)
-        .change_when(|state| state.q[0], Crossing::Falling, |state| state.v[0] = -state.v[0])
+        .bounce_off(|state| state.q[0], |state| state.v[0] = -state.v[0])
         .run(70)
         .unwrap();
     assert_eq!((run.steps(), run.states().len()), (70, 11));
@@ -336,8 +336,8 @@ fn what_happens_together_changes_together() {
         Simulation::new(Slope { g: 0.0, k: 0.0 }, State::new([1.0, 1.0], [-1.0, -1.0]))
             .scheme(Leapfrog)
             .dt(0.3)
-            .change_when(|state| state.q[0], Crossing::Falling, |state| state.v[0] *= -1.0)
-            .change_when(|state| state.q[1], Crossing::Falling, |state| state.v[1] *= -1.0)
+            .bounce_off(|state| state.q[0], |state| state.v[0] *= -1.0)
+            .bounce_off(|state| state.q[1], |state| state.v[1] *= -1.0)
     };
     let run = flight().run_until(2.5).unwrap();
     assert_eq!(run.events().iter().map(Event::which).collect::<Vec<_>>(), [0, 1]);
@@ -410,7 +410,7 @@ fn changes_that_are_refused() {
     let bad: [fn(&mut SceneState<1>, [usize; 2]); 3] =
         [|state, _| state.q.truncate(2), |state, [a, _]| state.v[a][0] = f64::NAN, |state, _| state.v[2][0] = 1.0];
     for change in bad {
-        let balls = Simulation::scene(scene()).scheme(Leapfrog).dt(0.3).change_at_encounter(0.5, change);
+        let balls = Simulation::scene(scene()).scheme(Leapfrog).dt(0.3).collide_at(0.5, change);
         let failed = balls.run_until(10.0).unwrap_err();
         assert!(matches!(failed.cause(), Error::Scene(_)), "{failed}");
         assert!(failed.run().events().len() == 1 && failed.run().last().q.len() == 3);
@@ -434,9 +434,9 @@ fn hard_balls_collide() {
         let run = Simulation::scene(scene)
             .scheme(Leapfrog)
             .dt(dt)
-            .change_at_encounter(size, collide)
-            .change_when(|state| state.q[0][0] + 1.0, Crossing::Falling, |state| state.v[0][0] *= -1.0)
-            .change_when(|state| state.q[3][0] - 4.0, Crossing::Rising, |state| state.v[3][0] *= -1.0)
+            .collide_at(size, collide)
+            .bounce_off(|state| state.q[0][0] + 1.0, |state| state.v[0][0] *= -1.0)
+            .bounce_off(|state| 4.0 - state.q[3][0], |state| state.v[3][0] *= -1.0)
             .run_until(40.0)
             .unwrap();
         for state in run.states() {
@@ -464,7 +464,7 @@ fn collisions_under_forces_have_the_order_of_the_scheme() {
         Simulation::scene(scene)
             .scheme(Nystrom::order6())
             .dt(dt)
-            .change_at_encounter(0.6, |state, [a, b]| state.v.swap(a, b))
+            .collide_at(0.6, |state, [a, b]| state.v.swap(a, b))
             .record_at([12.0])
             .run_until(12.0)
             .unwrap()
@@ -484,7 +484,7 @@ fn members_bounce() {
         Simulation::new(Slope { g: 1.3, k: 0.4 }, State::new([0.3, 1.0], [0.2, 0.0]))
             .scheme(Leapfrog)
             .dt(0.01)
-            .change_when(|state| state.q[1], Crossing::Falling, move |state| state.v[1] *= -1.0 + 0.05 * k as f64)
+            .bounce_off(|state| state.q[1], move |state| state.v[1] *= -1.0 + 0.05 * k as f64)
     };
     let run = Ensemble::each(9, member).run_until(6.0).unwrap();
     for k in 0..9 {

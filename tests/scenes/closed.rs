@@ -240,17 +240,17 @@ fn wrong_scenes_are_refused() {
         "the mass of body 2 must be positive and finite, not -3"
     );
     assert_eq!(words(two().body(f64::NAN, [2.0], [0.0])), "the mass of body 2 must be positive and finite, not NaN");
-    assert_eq!(words(two().body(1.0, [f64::NAN], [0.0])), "body 2 must start from a finite state: q = NaN");
-    assert_eq!(words(two().body(1.0, [0.0], [f64::INFINITY])), "body 2 must start from a finite state: v = inf");
+    assert_eq!(words(two().body(1.0, [f64::NAN], [0.0])), "body 2 must have a finite state: q = NaN");
+    assert_eq!(words(two().body(1.0, [0.0], [f64::INFINITY])), "body 2 must have a finite state: v = inf");
     assert_eq!(words(two().pin(2)), "body 2 cannot be pinned or driven: the bodies are 0 to 1");
     assert_eq!(
         words(two().body(1.0, [2.0], [0.25]).pin(2)),
-        "body 2 is pinned and must start at rest: a component of its velocity is 0.25"
+        "body 2 is pinned and must be at rest: a component of its velocity is 0.25"
     );
     assert_eq!(words(two().bonds(spring, [(0, 7)])), "no bond between 0 and 7: the bodies are 0 to 1");
     assert_eq!(words(two().bonds(spring, [(1, 1)])), "body 1 is bonded to itself");
     assert_eq!(words(two().bonds(spring, [(0, 1), (1, 0)])), "the bond between bodies 1 and 0 is listed twice");
-    assert_eq!(words(two().at_time(f64::NAN)), "the initial state must be finite: t = NaN");
+    assert_eq!(words(two().at_time(f64::NAN)), "the state must be finite: t = NaN");
     // Under a regular law bodies may coincide, under a singular one not.
     assert!(Simulation::scene(two().body(1.0, [1.5], [0.0]).chain(spring)).scheme(Leapfrog).dt(0.1).run(3).is_ok());
     assert_eq!(

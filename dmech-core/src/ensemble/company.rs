@@ -1,6 +1,6 @@
 //! What accompanies each member.
 
-use crate::run::{After, Attend, Changed, Crossing, Observer, Passage, Quantity, Sink, Stream};
+use crate::run::{After, Attend, Bounce, Changed, Crossing, Observer, Passage, Quantity, Sink, Stream};
 
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -46,6 +46,15 @@ impl<X, O> Company<X, O> {
         change: C,
     ) -> Joined<X, O, Passage<F, Changed<C>>> {
         self.and(Passage::changing(function, crossing, change))
+    }
+
+    /// A wall: [`Simulation::bounce_off`](crate::Simulation::bounce_off).
+    pub fn bounce_off<F: FnMut(&X) -> f64, C: FnMut(&mut X)>(
+        self,
+        function: F,
+        change: C,
+    ) -> Joined<X, O, Bounce<F, C>> {
+        self.and(Bounce::new(function, change))
     }
 
     /// A quantity whose drift is looked at: [`Simulation::watch`](crate::Simulation::watch).

@@ -93,7 +93,7 @@ pub enum Error {
         mass: f64,
     },
     /// A component of the initial state is infinite or NaN.
-    #[error("the initial state must be finite: {quantity} = {}", Number(*value))]
+    #[error("the state must be finite: {quantity} = {}", Number(*value))]
     State {
         /// `t`, `q` or `v`.
         #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
@@ -299,15 +299,16 @@ pub enum Error {
         /// of rounding; of `Relaxed` the last |λ|. Infinite where that was no number.
         residual: f64,
     },
-    /// An event of [`change_when`](crate::Simulation::change_when) or [`change_at_encounter`](crate::Simulation::change_at_encounter) happens
-    /// again and again within a step, or where it has just been: what bounces so comes to rest.
+    /// An event of [`bounce_off`](crate::Simulation::bounce_off), [`collide_at`](crate::Simulation::collide_at) or
+    /// [`change_when`](crate::Simulation::change_when) changes the motion more than 64 times within a step: what bounces with a loss comes to
+    /// rest so.
     #[error("{}", comes_to_rest(*event, *time, *since))]
     ComesToRest {
         /// Which of the events of the simulation, counted from 0.
         event: usize,
         /// The time.
         time: f64,
-        /// The time since it has happened before; 0 where the motion has not left the place.
+        /// The time since it has happened before; 0 where the motion has not left the wall.
         since: f64,
     },
     /// An event of [`change_when`](crate::Simulation::change_when) has changed the time, too.
@@ -421,13 +422,13 @@ fn comes_to_rest(event: usize, time: f64, since: f64) -> String {
     let at = Number(time);
     if since == 0.0 {
         return format!(
-            "the motion does not leave the place to which event {event} has changed it at t = {at}: it has come to rest, and no event holds \
-             it there; stop the run before, or let a law push back"
+            "at t = {at} the motion does not leave the wall of event {event}, however often it is changed there: it has come to rest, and \
+             no event holds it; stop the run before, or let a law push back"
         );
     }
     format!(
-        "event {event} changes the motion at t = {at} more than 64 times within a step, the last {} after another: what bounces ever sooner \
-         comes to rest, and no event holds it there; stop the run before, let a law push back, or take shorter steps",
+        "event {event} changes the motion at t = {at} more than 64 times within a step, the last {} after another: take shorter steps; if it \
+         comes to rest, no event holds it there: stop the run before, or let a law push back",
         Number(since)
     )
 }

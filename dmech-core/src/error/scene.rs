@@ -20,7 +20,7 @@ pub enum SceneError {
         mass: f64,
     },
     /// A component of the position or velocity of a body is infinite or NaN.
-    #[error("body {body} must start from a finite state: {quantity} = {}", Number(*value))]
+    #[error("body {body} must have a finite state: {quantity} = {}", Number(*value))]
     State {
         /// The body, counted from 0.
         body: usize,
@@ -52,7 +52,7 @@ pub enum SceneError {
         distance: f64,
     },
     /// A pinned body with a velocity.
-    #[error("body {body} is pinned and must start at rest: a component of its velocity is {}", Number(*speed))]
+    #[error("body {body} is pinned and must be at rest: a component of its velocity is {}", Number(*speed))]
     PinnedMoves {
         /// The body.
         body: usize,

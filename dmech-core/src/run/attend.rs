@@ -44,7 +44,12 @@ pub trait Attend<X> {
     }
 
     /// Changes the state at one of its events; the number of its first is `which`.
-    fn change(&mut self, _which: usize, _event: &Event<X>, _state: &mut X) {}
+    ///
+    /// # Errors
+    /// [`Error::ComesToRest`]
+    fn change(&mut self, _which: usize, _event: &Event<X>, _state: &mut X) -> Result<(), Error> {
+        Ok(())
+    }
 
     /// The motion goes on from a state that was changed.
     fn turn(&mut self, _state: &X) {}
@@ -106,13 +111,9 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
         }
     }
 
-    fn change(&mut self, which: usize, event: &Event<X>, state: &mut X) {
+    fn change(&mut self, which: usize, event: &Event<X>, state: &mut X) -> Result<(), Error> {
         let others = which + A::EVENTS;
-        if event.which() < others {
-            self.0.change(which, event, state);
-        } else {
-            self.1.change(others, event, state);
-        }
+        if event.which() < others { self.0.change(which, event, state) } else { self.1.change(others, event, state) }
     }
 
     fn turn(&mut self, state: &X) {
@@ -193,27 +194,32 @@ impl<X: Clone> Within<'_, X> {
     /// # Errors
     /// [`Error`] of the shortened steps.
     pub fn zero(&mut self, values: [f64; 2], function: &mut impl FnMut(&X) -> f64) -> Result<X, Error> {
-        self.zero_from(self.times[0], values, function)
+        self.zero_from(self.times[0], values, false, function)
     }
 
-    /// The same between a time and the end of the step.
-    pub(super) fn zero_from(
+    /// The same between a time and the end of the step, or the state nearest to the zero, whichever side it is on.
+    pub(crate) fn zero_from(
         &mut self,
         start: f64,
         values: [f64; 2],
+        nearest: bool,
         function: &mut impl FnMut(&X) -> f64,
     ) -> Result<X, Error> {
         let end = self.times[1];
         if values[1] == 0.0 {
             return Ok(self.end.clone());
         }
-        // Where no shortened step ends, or on a pole, nothing is behind.
-        let mut value = |t| match (self.at)(t) {
-            Err(Error::NotConverged { .. } | Error::NotFinite { .. }) => Ok(values[0]),
-            state => state.map(|state| function(&state)),
-        };
-        let time = zero(&mut value, [start, end], values)?;
+        let mut value = |time| self.value(time, function).map(|value| value.unwrap_or(values[0]));
+        let time = zero(&mut value, [start, end], values, nearest)?;
         if time == end { Ok(self.end.clone()) } else { (self.at)(time) }
+    }
+
+    /// The value of a function at a time in the step; nothing where no shortened step ends, or on a pole.
+    pub(crate) fn value(&mut self, time: f64, function: &mut impl FnMut(&X) -> f64) -> Result<Option<f64>, Error> {
+        match (self.at)(time) {
+            Err(Error::NotConverged { .. } | Error::NotFinite { .. }) => Ok(None),
+            state => state.map(|state| Some(function(&state))),
+        }
     }
 
     /// Tells of an event, and what comes after it.

@@ -13,6 +13,10 @@ pub trait Blend: Sized {
     fn blend(time: f64, states: &[Self], weights: &[Weights]) -> Self;
     /// The largest |Δq| of a coordinate.
     fn apart(&self, other: &Self) -> f64;
+    /// How many numbers it has.
+    fn numbers(&self) -> usize;
+    /// The same but for roundings: eight up or eight down in each of its numbers, as their places in it say.
+    fn nudged(&self, up: &dyn Fn(usize) -> bool) -> Self;
 }
 
 /// What position and velocity of a state count in those of another.
@@ -22,6 +26,12 @@ pub struct Weights {
     pub position: [f64; 2],
     /// a′ and b′.
     pub velocity: [f64; 2],
+}
+
+/// A number eight roundings up or down, in the scalar of its motion but not finer than in `f64`.
+pub(crate) fn nudge<R: Real>(x: R, up: bool) -> R {
+    let by = 8.0 * R::EPSILON.to_f64().max(f64::EPSILON);
+    x * R::from_f64(if up { 1.0 + by } else { 1.0 - by })
 }
 
 impl<const D: usize, R: Real> Blend for State<D, R> {
@@ -43,6 +53,18 @@ impl<const D: usize, R: Real> Blend for State<D, R> {
 
     fn apart(&self, other: &Self) -> f64 {
         self.q.iter().zip(&other.q).fold(0.0, |most, (x, y)| most.max((*x - *y).to_f64().abs()))
+    }
+
+    fn numbers(&self) -> usize {
+        1 + 2 * D
+    }
+
+    fn nudged(&self, up: &dyn Fn(usize) -> bool) -> Self {
+        State {
+            t: nudge(self.t, up(0)),
+            q: core::array::from_fn(|i| nudge(self.q[i], up(1 + i))),
+            v: core::array::from_fn(|i| nudge(self.v[i], up(1 + D + i))),
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use super::motion::Motion;
 use super::progress::Follow;
 use super::report::Work;
 use super::simulation::{Plan, Settings};
+use super::wall::is_rounding;
 use super::{Interrupted, Run, Watch};
 use crate::drift::MAX_OWN;
 use crate::error::Error;
@@ -56,13 +57,10 @@ pub(crate) struct Log<X, R: Real, O> {
     happened: Vec<Happened<X>>,
     /// Where an event has changed the motion: the state before and after.
     changed: Option<[X; 2]>,
+    /// Where what it has changed could not go on.
+    failed_at: Option<X>,
     /// What states between steps have cost.
     between: Spent,
-}
-
-/// Whether states are a few roundings of the time apart.
-fn is_rounding<X>(state: &X, other: &X, time: fn(&X) -> f64) -> bool {
-    (time(other) - time(state)).abs() <= 4.0 * f64::EPSILON * time(other).abs()
 }
 
 /// Evaluations and corrections.
@@ -102,6 +100,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             attend,
             happened,
             changed: None,
+            failed_at: None,
             between,
         }
     }
@@ -138,10 +137,11 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let ended = self.attend.end();
         let outcome = outcome.and_then(|stopped| ended.map(|()| stopped));
         if self.looked_at != motion.steps() {
-            let last = outcome.as_ref().ok().and_then(Clone::clone).unwrap_or_else(|| motion.state());
+            let stopped = outcome.as_ref().ok().and_then(Clone::clone);
+            let last = stopped.or_else(|| self.failed_at.clone()).unwrap_or_else(|| motion.state());
             self.look_at(motion, &last);
         }
-        let Log { mut run, mut watch, attend, between: Spent([evaluations, iterations]), .. } = self;
+        let Log { mut run, mut watch, attend, failed_at, between: Spent([evaluations, iterations]), .. } = self;
         run.histories = watch.take_histories();
         let work = motion.work();
         let (evaluations, iterations) = (evaluations + work.evaluations, iterations + work.iterations);
@@ -152,7 +152,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         };
         let mut own = watch.own_drifts();
         attend.drifts(&mut |name, drift| own.add(name, drift));
-        run.finish(stopped, || motion.state(), (watch.drifts(), own), work);
+        run.finish(stopped, || failed_at.unwrap_or_else(|| motion.state()), (watch.drifts(), own), work);
         match failure {
             None => Ok(run),
             Some(cause) => Err(Interrupted::new(run, cause)),
@@ -237,11 +237,13 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     pub(crate) fn change(&mut self, motion: &mut dyn Motion<X, R>) -> Result<bool, Error> {
         let Some([before, after]) = self.changed.take() else { return Ok(false) };
         let [from, to] = [&before, &after].map(self.time);
-        if from != to {
-            return Err(Error::ChangedTime { time: from, changed: to });
-        }
         let so_far = self.watch.deviations(motion, &before);
-        motion.set_state(after)?;
+        let set =
+            if from == to { motion.set_state(after) } else { Err(Error::ChangedTime { time: from, changed: to }) };
+        if let Err(cause) = set {
+            self.failed_at = Some(before);
+            return Err(cause);
+        }
         let state = motion.state();
         self.watch.go_on(motion, &state, so_far);
         self.attend.turn(&state);
@@ -319,7 +321,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
                 // Found earlier by a rounding, but the break is before it: a motion that goes on from there will pass it.
                 Some(there)
                     if then == After::Nothing
-                        && is_rounding(event.state(), there, time)
+                        && is_rounding(time(event.state()), time(there))
                         && !attend.is_behind(0, &event, there) =>
                 {
                     None
@@ -330,7 +332,11 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             passed |= then != After::Nothing;
             stops |= then == After::Stop;
             if let (After::Change, Some(state)) = (then, &mut goes_on) {
-                attend.change(0, &event, state);
+                if let Err(cause) = attend.change(0, &event, state) {
+                    run.forget_repeats(&event, time);
+                    self.failed_at = broken;
+                    return Err(cause);
+                }
             }
             run.happened(event);
         }

@@ -27,13 +27,14 @@ mod simulation;
 mod stream;
 #[cfg(all(test, feature = "serde"))]
 mod tests;
+mod wall;
 mod watch;
 mod zero;
 
 pub use attend::{After, Attend, Within};
-pub use between::{Blend, Weights};
 #[cfg(feature = "scene")]
-pub(crate) use change::Turned;
+pub(crate) use between::nudge;
+pub use between::{Blend, Weights};
 pub use change::{Change, Changed};
 pub use csv::{Columns, Csv};
 pub(crate) use due::Due;
@@ -61,6 +62,9 @@ pub(crate) use simulation::Plan;
 pub(crate) use simulation::Settings;
 pub use simulation::{Attended, Simulation};
 pub use stream::{Sink, Stream};
+pub use wall::Bounce;
+#[cfg(feature = "scene")]
+pub(crate) use wall::{Wall, is_rounding};
 pub use watch::Watch;
 
 use crate::drift::{Drift, Drifts, OwnDrifts};
@@ -179,6 +183,17 @@ impl<X> Run<X> {
 
     fn happened(&mut self, event: Event<X>) {
         self.events.push(event);
+    }
+
+    /// Of what happened again and again at one time, the first is enough.
+    fn forget_repeats(&mut self, event: &Event<X>, time: fn(&X) -> f64) {
+        let same = |other: &Event<X>| other.which() == event.which() && time(other.state()) == time(event.state());
+        while let [.., before, last] = &self.events[..]
+            && same(before)
+            && same(last)
+        {
+            self.events.pop();
+        }
     }
 
     fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: (Drifts, OwnDrifts), work: Work) {

@@ -2,7 +2,7 @@
 
 use super::attend::{After, Attend, Within};
 use super::between::Blend;
-use super::change::{Change, Changed, Turned};
+use super::change::{Change, Changed, Often};
 use super::event::{Crossing, Event};
 use super::simulation::{Attended, Simulation};
 use crate::error::Error;
@@ -69,7 +69,7 @@ pub struct Passage<F, C = ()> {
     /// Its last value: the side on which the motion is.
     last: f64,
     change: C,
-    turned: Turned,
+    often: Often,
 }
 
 impl<F> Passage<F> {
@@ -86,7 +86,7 @@ impl<F, C> Passage<F, Changed<C>> {
 
 impl<F, C> Passage<F, C> {
     fn with(function: F, crossing: Crossing, then: After, change: C) -> Self {
-        Passage { function, crossing, then, last: 0.0, change, turned: Turned::NEVER }
+        Passage { function, crossing, then, last: 0.0, change, often: Often::NEVER }
     }
 }
 
@@ -107,19 +107,12 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: Change<X>> Attend<X> for Passage<
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
-        let Passage { function, crossing, then, last, turned, .. } = self;
+        let Passage { function, crossing, then, last, often, .. } = self;
         let now = function(step.end);
         let values = [core::mem::replace(last, now), now];
-        let (crossing, state) = if C::CHANGES && turned.waits {
-            let Some(state) = turned.returns(which, step, now, function)? else { return Ok(()) };
-            (turned.crossing(), state)
-        } else {
-            let Some(crossing) = passes(values, *crossing) else { return Ok(()) };
-            (crossing, step.zero(values, function)?)
-        };
-        if C::CHANGES {
-            turned.count(which, state.time(), step.times)?;
-        }
+        let Some(crossing) = passes(values, *crossing) else { return Ok(()) };
+        let state = step.zero(values, function)?;
+        often.dt = step.times[1] - step.times[0];
         step.happened(*then, Event::new(which, state, crossing, None));
         Ok(())
     }
@@ -129,13 +122,13 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: Change<X>> Attend<X> for Passage<
         if event.crossing() == Crossing::Rising { value >= 0.0 } else { value <= 0.0 }
     }
 
-    fn change(&mut self, _: usize, event: &Event<X>, state: &mut X) {
-        let Passage { function, change, turned, .. } = self;
-        turned.change(event, state, change, function);
+    fn change(&mut self, which: usize, event: &Event<X>, state: &mut X) -> Result<(), Error> {
+        self.often.count(which, event.state().time())?;
+        self.change.change(event, state);
+        Ok(())
     }
 
     fn turn(&mut self, state: &X) {
         self.last = (self.function)(state);
-        self.turned.turn(self.last);
     }
 }

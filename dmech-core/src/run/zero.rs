@@ -5,7 +5,7 @@ const MOST: u32 = 200;
 
 /// The time of a zero between two times at which a function has values of different signs, to the rounding of the time: inverse
 /// quadratic interpolation where three values promise that it is good, halving elsewhere. Where no time gives a zero, the first that is
-/// known to lie behind it: a motion that goes on from there does not pass it again.
+/// known to lie behind it, so that a motion that goes on from there does not pass it again; or the one nearer to it.
 ///
 /// # Reference
 /// T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145–149.
@@ -13,6 +13,7 @@ pub(super) fn zero<E>(
     mut function: impl FnMut(f64) -> Result<f64, E>,
     [mut a, mut b]: [f64; 2],
     [mut fa, mut fb]: [f64; 2],
+    nearer: bool,
 ) -> Result<f64, E> {
     let (rounding, before) = (f64::EPSILON * a.abs().max(b.abs()), fa > 0.0);
     // The first trial is that of a straight line.
@@ -45,8 +46,14 @@ pub(super) fn zero<E>(
             0.5
         };
     }
-    let behind = if fa == 0.0 || fb == 0.0 { fa == 0.0 } else { (fa > 0.0) != before };
-    Ok(if behind { a } else { b })
+    let first = if nearer {
+        fa.abs() <= fb.abs()
+    } else if fa == 0.0 || fb == 0.0 {
+        fa == 0.0
+    } else {
+        (fa > 0.0) != before
+    };
+    Ok(if first { a } else { b })
 }
 
 #[cfg(test)]
@@ -79,7 +86,7 @@ mod tests {
                             Ok::<_, ()>(sign * shape(t - origin))
                         };
                         let values = ends.map(|t| sign * shape(t - origin));
-                        let found = zero(f, ends, values).unwrap();
+                        let found = zero(f, ends, values, false).unwrap();
                         let rounding = 2.0 * f64::EPSILON * origin.abs().max(ends[0].abs()).max(ends[1].abs());
                         assert!((found - origin).abs() <= rounding, "{origin} {found}");
                         let [value, end] = [found, ends[1]].map(|t| sign * shape(t - origin));

@@ -1,10 +1,12 @@
 //! Encounters of bodies.
 
+use std::collections::BTreeMap;
+
 use super::builder::Scene;
 use super::space::Space;
 use super::state::SceneState;
 use crate::error::{Error, SceneError};
-use crate::run::{After, Attend, Attended, Change, Crossing, Event, Simulation, Turned, Within, passes};
+use crate::run::{After, Attend, Attended, Change, Crossing, Event, Simulation, Wall, Within, is_rounding, passes};
 use crate::vector::{difference, dot};
 
 /// A simulation that looks for encounters of its bodies.
@@ -51,15 +53,15 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
         self.watch_for(distance, After::Stop, ())
     }
 
-    /// As [`encounter`](Simulation::encounter), and the motion goes on from another state, as with
-    /// [`change_when`](Simulation::change_when): hard balls that collide. The function is given the state and the two bodies.
+    /// Keeps bodies apart: where two come as near as a distance the motion goes on from another state, as hard balls of this diameter do.
+    /// The function is given the state and the two bodies. It is [`bounce_off`](Simulation::bounce_off) for each pair.
     ///
     /// ```
     /// use dmech_core::prelude::*;
     /// // Balls of equal mass and diameter 1/2 on a line exchange their velocities.
     /// let scene = Scene::<1>::new().body(1.0, [0.0], [1.0]).body(1.0, [2.0], [0.0]).body(1.0, [3.0], [0.0]);
     /// let balls = Simulation::scene(scene).scheme(Leapfrog).dt(0.25);
-    /// let run = balls.change_at_encounter(0.5, |state, [a, b]| state.v.swap(a, b)).run_until(4.0)?;
+    /// let run = balls.collide_at(0.5, |state, [a, b]| state.v.swap(a, b)).run_until(4.0)?;
     /// let met: Vec<_> = run.events().iter().map(|event| (event.bodies().unwrap(), event.state().t)).collect();
     /// assert!(met[0].0 == [0, 1] && (met[0].1 - 1.5).abs() < 1e-14);
     /// assert!(met[1].0 == [1, 2] && (met[1].1 - 2.0).abs() < 1e-14);
@@ -67,9 +69,11 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
+    /// Bodies that are nearer at the start, or that pass through one another within a step, are not kept apart.
+    ///
     /// # Errors
-    /// As [`encounter`](Simulation::encounter) and [`change_when`](Simulation::change_when).
-    pub fn change_at_encounter<C: FnMut(&mut SceneState<D>, [usize; 2])>(
+    /// As [`encounter`](Simulation::encounter) and [`bounce_off`](Simulation::bounce_off).
+    pub fn collide_at<C: FnMut(&mut SceneState<D>, [usize; 2])>(
         self,
         distance: f64,
         change: C,
@@ -79,7 +83,8 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
 
     fn watch_for<C>(self, distance: f64, then: After, change: C) -> Met<D, P, L, B, S, O, C> {
         let space = self.start.space;
-        self.attended(Encounter { distance, space, then, excess: Vec::new(), change, turned: Vec::new() })
+        let (excess, contacts, own) = (Vec::new(), BTreeMap::new(), Vec::new());
+        self.attended(Encounter { distance, space, then, excess, change, contacts, own })
     }
 }
 
@@ -91,8 +96,10 @@ pub struct Encounter<B, C = ()> {
     then: After,
     excess: Vec<f64>,
     change: C,
-    /// Pairs whose motion was changed.
-    turned: Vec<([usize; 2], Turned)>,
+    /// Pairs that have just met, or touch, by their number.
+    contacts: BTreeMap<usize, Wall>,
+    /// Those whose motion is being changed.
+    own: Vec<usize>,
 }
 
 /// A function that changes the state where two bodies meet.
@@ -123,6 +130,17 @@ fn pairs(bodies: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..bodies).flat_map(move |b| (0..b).map(move |a| [a, b]))
 }
 
+/// The number of a pair.
+fn number([a, b]: [usize; 2]) -> usize {
+    b * (b - 1) / 2 + a
+}
+
+/// What a few roundings of the places of a pair change in its excess.
+fn rounding<const D: usize>(state: &SceneState<D>, [a, b]: [usize; 2], distance: f64) -> f64 {
+    let far = |i: usize| state.q[i].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    16.0 * f64::EPSILON * distance * (distance + far(a) + far(b))
+}
+
 impl<B, C> Encounter<B, C> {
     fn excess<const D: usize>(&self, state: &SceneState<D>, pair: [usize; 2]) -> f64
     where
@@ -131,12 +149,28 @@ impl<B, C> Encounter<B, C> {
         excess(state, pair, self.distance, &self.space)
     }
 
-    /// Where a pair is whose motion is changed.
-    fn turned(&mut self, pair: [usize; 2]) -> usize {
-        self.turned.iter().position(|&(other, _)| other == pair).unwrap_or_else(|| {
-            self.turned.push((pair, Turned::NEVER));
-            self.turned.len() - 1
-        })
+    /// Of a pair between two values of the excess, the state in which it meets.
+    fn meet<const D: usize>(
+        &mut self,
+        (k, pair): (usize, [usize; 2]),
+        values: [f64; 2],
+        step: &mut Within<'_, SceneState<D>>,
+    ) -> Result<Option<SceneState<D>>, Error>
+    where
+        B: Space<D>,
+        C: Change<SceneState<D>>,
+    {
+        let Encounter { distance, space, contacts, .. } = self;
+        let mut function = |state: &SceneState<D>| excess(state, pair, *distance, space);
+        let meets = passes(values, Crossing::Falling).is_some();
+        if !C::CHANGES {
+            return if meets { step.zero(values, &mut function).map(Some) } else { Ok(None) };
+        }
+        if meets {
+            contacts.entry(k).or_insert(Wall::FAR);
+        }
+        let Some(wall) = contacts.get_mut(&k) else { return Ok(None) };
+        wall.meet(step, values, &mut function, |state, _| rounding(state, pair, *distance))
     }
 }
 
@@ -148,7 +182,7 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
         if !(self.distance > 0.0 && self.distance.is_finite()) {
             return Err(SceneError::Encounter { distance: self.distance }.into());
         }
-        self.excess = pairs(start.q.len()).map(|pair| self.excess(start, pair)).collect();
+        self.turn(start);
         Ok(())
     }
 
@@ -156,45 +190,40 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
         for (k, pair) in pairs(step.end.q.len()).enumerate() {
             let now = self.excess(step.end, pair);
             let values = [core::mem::replace(&mut self.excess[k], now), now];
-            let (distance, space) = (self.distance, &self.space);
-            let mut function = |state: &SceneState<D>| excess(state, pair, distance, space);
-            let waits = self.turned.iter_mut().find(|(other, turned)| turned.waits && *other == pair);
-            let state = if let Some((_, turned)) = waits {
-                turned.returns(which, step, now, &mut function)?
-            } else if passes(values, Crossing::Falling).is_some() {
-                Some(step.zero(values, &mut function)?)
-            } else {
-                None
-            };
-            let Some(state) = state else { continue };
-            if C::CHANGES {
-                let k = self.turned(pair);
-                self.turned[k].1.count(which, state.t, step.times)?;
+            if let Some(state) = self.meet((k, pair), values, step)? {
+                step.happened(self.then, Event::new(which, state, Crossing::Falling, Some(pair)));
             }
-            step.happened(self.then, Event::new(which, state, Crossing::Falling, Some(pair)));
         }
+        let start = step.times[0];
+        self.contacts.retain(|_, wall| wall.on || !wall.often.is_over(start));
         Ok(())
     }
 
     fn is_behind(&mut self, _: usize, event: &Event<SceneState<D>>, state: &SceneState<D>) -> bool {
-        event.bodies().is_some_and(|pair| self.excess(state, pair) <= 0.0)
+        let at_once = !C::CHANGES || is_rounding(event.state().t, state.t);
+        at_once && event.bodies().is_some_and(|pair| self.excess(state, pair) <= 0.0)
     }
 
-    fn change(&mut self, _: usize, event: &Event<SceneState<D>>, state: &mut SceneState<D>) {
-        let Some(pair) = event.bodies() else { return };
-        let k = self.turned(pair);
-        let Encounter { distance, space, change, turned, .. } = self;
-        let mut function = |state: &SceneState<D>| excess(state, pair, *distance, space);
-        turned[k].1.change(event, state, change, &mut function);
+    fn change(&mut self, which: usize, event: &Event<SceneState<D>>, state: &mut SceneState<D>) -> Result<(), Error> {
+        let Some(k) = event.bodies().map(number) else { return Ok(()) };
+        self.contacts.entry(k).or_insert(Wall::FAR).often.count(which, event.state().t)?;
+        self.own.push(k);
+        self.change.change(event, state);
+        Ok(())
     }
 
     fn turn(&mut self, state: &SceneState<D>) {
+        let Encounter { distance, space, excess: all, contacts, own, .. } = self;
+        all.clear();
         for (k, pair) in pairs(state.q.len()).enumerate() {
-            self.excess[k] = self.excess(state, pair);
+            let value = excess(state, pair, *distance, space);
+            all.push(value);
+            let touches = || value.abs() <= rounding(state, pair, *distance);
+            if C::CHANGES && (contacts.contains_key(&k) || touches()) {
+                let wall = contacts.entry(k).or_insert(Wall::FAR);
+                wall.go_on(value, own.contains(&k), || rounding(state, pair, *distance));
+            }
         }
-        for k in 0..self.turned.len() {
-            let value = self.excess(state, self.turned[k].0);
-            self.turned[k].1.turn(value);
-        }
+        own.clear();
     }
 }

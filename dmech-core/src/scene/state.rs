@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use dmech_scalar::Compensated;
 
-use crate::run::{Blend, Columns, Weights};
+use crate::run::{Blend, Columns, Weights, nudge};
 
 /// Time, positions and velocities of the bodies of a scene, in the order in which they were added.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,6 +74,19 @@ impl<const D: usize> Blend for SceneState<D> {
     fn apart(&self, other: &Self) -> f64 {
         let pairs = self.q.iter().flatten().zip(other.q.iter().flatten());
         pairs.fold(0.0, |most, (x, y)| most.max((x - y).abs()))
+    }
+
+    fn numbers(&self) -> usize {
+        1 + 2 * D * self.q.len()
+    }
+
+    fn nudged(&self, up: &dyn Fn(usize) -> bool) -> Self {
+        let all = |vectors: &[[f64; D]], first: usize| {
+            let place = |i: usize, k: usize| first + i * D + k;
+            let each = |(i, x): (usize, &[f64; D])| core::array::from_fn(|k| nudge(x[k], up(place(i, k))));
+            vectors.iter().enumerate().map(each).collect()
+        };
+        SceneState { t: nudge(self.t, up(0)), q: all(&self.q, 1), v: all(&self.v, 1 + D * self.q.len()) }
     }
 }
 

@@ -1,0 +1,191 @@
+//! Walls: events that keep the motion on their front.
+
+use super::attend::{After, Attend, Within};
+use super::between::Blend;
+use super::change::{Change, Changed, Often};
+use super::event::{Crossing, Event};
+use super::simulation::{Attended, Simulation};
+use crate::error::Error;
+use crate::setup::Setup;
+
+impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
+    /// Keeps the motion where a function of the state is positive: where it falls to zero is an event, at which the motion goes on from
+    /// another state, as with [`change_when`](Simulation::change_when). A floor, a billiard, a moving piston.
+    ///
+    /// The function that changes the state turns the motion back. A hop is seen however short it is beside the step; if what is behind the
+    /// wall at the end of a step has not left it, it is changed once more where it was: three balls that meet at once, a change of something
+    /// else, a start on the wall. What bounces with a loss comes to rest after hops ever shorter: nothing holds it there, and the run
+    /// ends with [`Error::ComesToRest`](crate::Error::ComesToRest) once there are more than 64 in a step, or none that its numbers tell.
+    /// What begins behind the wall, or is put there by something else, is not held until it has come to the front. A wall that is passed
+    /// and left again within one step may be missed.
+    ///
+    /// The state of the event is the nearest to the zero of the function that the rounding of the time leaves.
+    ///
+    /// ```
+    /// use dmech_core::prelude::*;
+    #[doc = include_str!("../examples/fall.md")]
+    /// // A ball that is dropped from a height of 1 and gives back 9/10 of its speed: hops of 2 √2 (9/10)ⁿ.
+    /// let ball = Simulation::new(Weight { g: 1.0 }, State::new([1.0], [0.0])).scheme(Leapfrog).dt(0.01);
+    /// let run = ball.bounce_off(|state| state.q[0], |state| state.v[0] *= -0.9).run_until(12.0)?;
+    /// let mut t = 2.0_f64.sqrt();
+    /// for (n, event) in run.events().iter().enumerate() {
+    ///     assert!((event.state().t - t).abs() < 1e-12);
+    ///     t += 2.0 * 2.0_f64.sqrt() * 0.9_f64.powi(n as i32 + 1);
+    /// }
+    /// assert_eq!(run.events().len(), 6);
+    /// assert!(run.drift(Invariant::Energy).unwrap().max_abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`change_when`](Simulation::change_when).
+    pub fn bounce_off<F: FnMut(&X::State) -> f64, C: FnMut(&mut X::State)>(
+        self,
+        function: F,
+        change: C,
+    ) -> Attended<L, X, S, O, Bounce<F, C>> {
+        self.attended(Bounce::new(function, change))
+    }
+}
+
+/// What is known of a motion and a wall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wall {
+    /// The motion is on it, to rounding, and not behind: it has begun there, or was changed there.
+    pub(crate) on: bool,
+    /// How far from zero it is then.
+    off: f64,
+    /// The last step has left it, if nothing has happened in it.
+    leaves: bool,
+    pub(crate) often: Often,
+}
+
+impl Wall {
+    pub(crate) const FAR: Self = Wall { on: false, off: 0.0, leaves: false, often: Often::NEVER };
+
+    /// The motion goes on from a state with this value, by its own change or otherwise.
+    pub(crate) fn go_on(&mut self, value: f64, own: bool, rounding: impl FnOnce() -> f64) {
+        let off = value.abs();
+        self.on = own || self.on && off <= self.off || off <= rounding();
+        (self.off, self.leaves) = (off, false);
+    }
+
+    /// Where the function falls to zero in a step, from its value at the start.
+    pub(crate) fn meet<X: Clone>(
+        &mut self,
+        step: &mut Within<'_, X>,
+        [before, now]: [f64; 2],
+        function: &mut impl FnMut(&X) -> f64,
+        rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
+    ) -> Result<Option<X>, Error> {
+        let [start, end] = step.times;
+        self.often.dt = end - start;
+        self.on &= !self.leaves;
+        self.leaves = false;
+        if now > 0.0 || now.is_nan() {
+            self.leaves = self.on && now > rounding(step.end, function);
+            return Ok(None);
+        }
+        if !self.on {
+            return if before > 0.0 {
+                step.zero_from(start, [before, now], true, function).map(Some)
+            } else {
+                Ok(None)
+            };
+        }
+        // Of a hop shorter than the step the second half has one of these times. Near its start the sign is one of roundings.
+        let mut top = (start, 0.0);
+        for k in 1..=60 {
+            let time = start + (end - start) * 0.5_f64.powi(k);
+            if is_rounding(start, time) {
+                break;
+            }
+            if let Some(value) = step.value(time, function)?
+                && value > top.1
+            {
+                top = (time, value);
+            } else if top.1 > 0.0 {
+                break;
+            }
+        }
+        let here = (step.at)(top.0)?;
+        if top.1 > rounding(&here, function) {
+            return step.zero_from(top.0, [top.1, now], true, function).map(Some);
+        }
+        if top.0 == start { Ok(Some(here)) } else { (step.at)(start).map(Some) }
+    }
+}
+
+/// What a few roundings of the state change in a function of it.
+pub(crate) fn rounding<X: Blend>(state: &X, function: &mut dyn FnMut(&X) -> f64) -> f64 {
+    let (value, numbers) = (function(state), state.numbers());
+    // Any two of the numbers go different ways at least once.
+    let ways = (0..usize::BITS).map(|bit| 1_usize << bit).take_while(|&bit| bit < 2 * numbers);
+    ways.map(|bit| (function(&state.nudged(&|k| (k + 1) & bit != 0)) - value).abs()).fold(0.0, f64::max)
+}
+
+/// Whether states are a few roundings of the time apart.
+pub(crate) fn is_rounding(time: f64, other: f64) -> bool {
+    (other - time).abs() <= 4.0 * f64::EPSILON * other.abs()
+}
+
+/// A function of the state that keeps the motion where it is positive, and what does so.
+#[derive(Clone)]
+pub struct Bounce<F, C> {
+    function: F,
+    change: Changed<C>,
+    /// Its last value.
+    last: f64,
+    wall: Wall,
+    /// It has just changed the state.
+    own: bool,
+}
+
+impl<F, C> Bounce<F, C> {
+    pub(crate) fn new(function: F, change: C) -> Self {
+        Bounce { function, change: Changed(change), last: 0.0, wall: Wall::FAR, own: false }
+    }
+}
+
+impl<F, C> core::fmt::Debug for Bounce<F, C> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Bounce").field("last", &self.last).field("wall", &self.wall).finish_non_exhaustive()
+    }
+}
+
+impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Bounce<F, C> {
+    const EVENTS: usize = 1;
+    const CHANGES: bool = true;
+
+    fn begin(&mut self, start: &X) -> Result<(), Error> {
+        self.turn(start);
+        Ok(())
+    }
+
+    fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
+        let Bounce { function, last, wall, .. } = self;
+        let now = function(step.end);
+        let values = [core::mem::replace(last, now), now];
+        if let Some(state) = wall.meet(step, values, function, |state, function| rounding(state, function))? {
+            step.happened(After::Change, Event::new(which, state, Crossing::Falling, None));
+        }
+        Ok(())
+    }
+
+    fn is_behind(&mut self, _: usize, event: &Event<X>, state: &X) -> bool {
+        is_rounding(event.state().time(), state.time()) && (self.function)(state) <= 0.0
+    }
+
+    fn change(&mut self, which: usize, event: &Event<X>, state: &mut X) -> Result<(), Error> {
+        self.wall.often.count(which, event.state().time())?;
+        self.own = true;
+        self.change.change(event, state);
+        Ok(())
+    }
+
+    fn turn(&mut self, state: &X) {
+        let Bounce { function, last, wall, own, .. } = self;
+        *last = function(state);
+        wall.go_on(*last, core::mem::take(own), || rounding(state, function));
+    }
+}

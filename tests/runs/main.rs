@@ -12,3 +12,4 @@ mod plots;
 mod progress;
 mod resumed;
 mod streams;
+mod walls;

@@ -82,16 +82,14 @@ impl Wall {
         self.often.dt = end - start;
         self.on &= !self.leaves;
         self.leaves = false;
-        if now > 0.0 || now.is_nan() {
-            self.leaves = self.on && now > rounding(step.end, function);
-            return Ok(None);
-        }
         if !self.on {
-            return if before > 0.0 {
-                step.zero_from(start, [before, now], true, function).map(Some)
-            } else {
-                Ok(None)
-            };
+            let falls = before > 0.0 && now <= 0.0;
+            return if falls { step.zero_from(start, [before, now], true, function).map(Some) } else { Ok(None) };
+        }
+        let least = self.off.max(rounding(step.end, function));
+        if now >= -least || now.is_nan() {
+            self.leaves = now > least;
+            return Ok(None);
         }
         // Of a hop shorter than the step the second half has one of these times. Near its start the sign is one of roundings.
         let mut top = (start, 0.0);

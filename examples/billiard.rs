@@ -64,8 +64,8 @@ fn motion([up, across_squared]: [f64; 2], end: f64) -> Result<Run<State<2>>, Int
         .scheme(Leapfrog)
         .dt(0.1)
         .record_every(u64::MAX)
-        .change_when(move |ball| along(right, ball.q), Crossing::Falling, bounce(right))
-        .change_when(move |ball| along(left, ball.q), Crossing::Falling, bounce(left))
+        .bounce_off(move |ball| along(right, ball.q), bounce(right))
+        .bounce_off(move |ball| along(left, ball.q), bounce(left))
         .run_until(end)
 }
 

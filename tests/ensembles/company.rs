@@ -44,6 +44,11 @@ fn beyond<const D: usize>(k: usize, first: f64, state: &State<D>) -> f64 {
     if k % 4 == 3 { (state.q[0] - first).abs() - 0.03 * (1 + k % 7) as f64 } else { -1.0 }
 }
 
+/// A wall of others, on the one side.
+fn within<const D: usize>(k: usize, first: f64, state: &State<D>) -> f64 {
+    if k % 4 == 1 { 0.02 * (1 + k % 5) as f64 - (state.q[0] - first) } else { 1.0 }
+}
+
 /// Sends it back, and not with all of its speed.
 fn back<const D: usize>(state: &mut State<D>) {
     state.v = state.v.map(|v| -0.9 * v);
@@ -65,6 +70,7 @@ macro_rules! accompany {
             .event(move |state: &State<$d>| state.q[0] - place + 1e-4, Crossing::Any)
             .stop_when(move |state: &State<$d>| bound(k) - (state.q[0] - first).abs(), Crossing::Falling)
             .change_when(move |state: &State<$d>| beyond(k, first, state), Crossing::Rising, back)
+            .bounce_off(move |state: &State<$d>| within(k, first, state), back)
             .watch("farthest", |state: &State<$d>| state.q[0] * state.q[0])
             .observe(3, move |state: &State<$d>| {
                 seen.see(state);
@@ -127,7 +133,7 @@ where
             assert!(alone.events().windows(2).all(in_order), "{name}, member {k}");
             happened[0] += alone.events().len();
             happened[1] += usize::from(alone.stopped());
-            happened[3] += alone.events().iter().filter(|event| event.which() == 4).count();
+            happened[3] += alone.events().iter().filter(|event| event.which() >= 4).count();
             happened[2] += usize::from(by_itself.sum() != 0);
         }
     }

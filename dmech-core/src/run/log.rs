@@ -331,12 +331,12 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             let Some(event) = told else { continue };
             passed |= then != After::Nothing;
             stops |= then == After::Stop;
-            if let (After::Change, Some(state)) = (then, &mut goes_on) {
-                if let Err(cause) = attend.change(0, &event, state) {
-                    run.forget_repeats(&event, time);
-                    self.failed_at = broken;
-                    return Err(cause);
-                }
+            if let (After::Change, Some(state)) = (then, &mut goes_on)
+                && let Err(cause) = attend.change(0, &event, state)
+            {
+                run.forget_repeats(&event, time);
+                self.failed_at = broken;
+                return Err(cause);
             }
             run.happened(event);
         }

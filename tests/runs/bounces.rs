@@ -404,6 +404,7 @@ fn changes_that_are_refused() {
         let failed = pendulum().change_when(|s| s.q[0], Crossing::Falling, change).run_until(10.0).unwrap_err();
         assert!(right(&failed.cause()), "{failed}");
         let run = failed.run();
+        assert!(run.last() == run.events()[0].state(), "{:?}", run.last());
         assert!(run.events().len() == 1 && run.states().len() > 10 && run.events()[0].state().q[0].abs() < 1e-15);
     }
     let scene = || Scene::<1>::new().body(1.0, [0.0], [1.0]).body(1.0, [2.0], [0.0]).body(1.0, [9.0], [0.0]).pin(2);

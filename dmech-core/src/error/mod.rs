@@ -311,7 +311,7 @@ pub enum Error {
         /// The time since it has happened before; 0 where the motion has not left the wall.
         since: f64,
     },
-    /// An event of [`change_when`](crate::Simulation::change_when) has changed the time, too.
+    /// What an event changes, it has changed the time of, too.
     #[error("an event at t = {} may change positions and velocities, not the time, to {}", Number(*time), Number(*changed))]
     ChangedTime {
         /// The time of the event.
@@ -422,8 +422,8 @@ fn comes_to_rest(event: usize, time: f64, since: f64) -> String {
     let at = Number(time);
     if since == 0.0 {
         return format!(
-            "at t = {at} the motion does not leave the wall of event {event}, however often it is changed there: it has come to rest, and \
-             no event holds it; stop the run before, or let a law push back"
+            "at t = {at} the motion does not leave the wall of event {event}, however often it is changed there: it lies or slides on it, \
+             where no event holds it; stop the run before, or let a law push back"
         );
     }
     format!(

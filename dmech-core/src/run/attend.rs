@@ -38,6 +38,14 @@ pub trait Attend<X> {
         Ok(())
     }
 
+    /// Finds what must have happened before the end of a step, at which the motion does not go on: walls that it is behind of there.
+    ///
+    /// # Errors
+    /// As [`meet`](Attend::meet).
+    fn meet_before(&mut self, _which: usize, _step: &mut Within<'_, X>) -> Result<(), Error> {
+        Ok(())
+    }
+
     /// Whether an event that was found in a step is behind a state of that step, too; the number of its first event is `which`.
     fn is_behind(&mut self, _which: usize, _event: &Event<X>, _state: &X) -> bool {
         false
@@ -100,6 +108,11 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
         self.0.meet(which, step)?;
         self.1.meet(which + A::EVENTS, step)
+    }
+
+    fn meet_before(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
+        self.0.meet_before(which, step)?;
+        self.1.meet_before(which + A::EVENTS, step)
     }
 
     fn is_behind(&mut self, which: usize, event: &Event<X>, state: &X) -> bool {

@@ -295,7 +295,11 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let Log { attend, between, happened, next, time, .. } = self;
         let mut at = |t| between.state(motion, &before(), t);
         if O::EVENTS > 0 {
-            attend.meet(0, &mut Within { end: after, times: [start, time(after)], at: &mut at, happened })?;
+            let met = attend.meet(0, &mut Within { end: after, times: [start, time(after)], at: &mut at, happened });
+            if let Err(cause) = met {
+                self.failed_at = O::CHANGES.then(before);
+                return Err(cause);
+            }
         }
         if happened.is_empty() && next.is_none_or(|next| next > time(after)) {
             return Ok(None);
@@ -309,10 +313,33 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         before: &dyn Fn() -> X,
         after: &X,
     ) -> Result<Option<X>, Error> {
-        let Log { run, attend, happened, time, .. } = self;
+        let start = (self.time)(&before());
+        let Log { run, attend, between, happened, time, .. } = self;
         let time = *time;
         in_order(happened, time);
-        let broken = happened.iter().find(|event| event.breaks()).map(|event| event.event.state().clone());
+        let first = |happened: &[Happened<X>]| {
+            happened.iter().find(|event| event.breaks()).map(|event| event.event.state().clone())
+        };
+        let mut broken = first(happened);
+        // A wall that the whole step comes to the front of again may be behind where it is broken off.
+        while O::CHANGES
+            && let Some(end) = &broken
+        {
+            let (known, times) = (happened.len(), [start, time(end)]);
+            let mut at = |t| between.state(motion, &before(), t);
+            if let Err(cause) = attend.meet_before(0, &mut Within { end, times, at: &mut at, happened }) {
+                self.failed_at = Some(before());
+                return Err(cause);
+            }
+            let earlier = happened.drain(known..).filter(|event| time(event.event.state()) < times[1]);
+            let earlier: Vec<_> = earlier.collect();
+            if earlier.is_empty() {
+                break;
+            }
+            happened.extend(earlier);
+            in_order(happened, time);
+            broken = first(happened);
+        }
         let (mut goes_on, mut passed, mut stops) = (broken.clone(), false, false);
         for Happened { then, event } in happened.drain(..) {
             let told = match &broken {
@@ -341,11 +368,10 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             run.happened(event);
         }
         let end = time(broken.as_ref().unwrap_or(after));
-        let mut any = false;
-        while let Some(t) = self.next.filter(|&t| t <= end) {
-            let state = if t == time(after) { after.clone() } else { self.between.state(motion, &before(), t)? };
-            self.record_due(state)?;
-            any = true;
+        let any = self.next.is_some_and(|t| t <= end);
+        if let Err(cause) = self.record_until(end, motion, before, after) {
+            self.failed_at = broken;
+            return Err(cause);
         }
         match (broken, goes_on) {
             (Some(before), Some(after)) if !stops => self.changed = Some([before, after]),
@@ -354,6 +380,22 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             _ => {}
         }
         Ok(None)
+    }
+
+    /// Records the states of the step that are due by then.
+    fn record_until(
+        &mut self,
+        end: f64,
+        motion: &dyn Motion<X, R>,
+        before: &dyn Fn() -> X,
+        after: &X,
+    ) -> Result<(), Error> {
+        while let Some(t) = self.next.filter(|&t| t <= end) {
+            let at_end = t == (self.time)(after);
+            let state = if at_end { after.clone() } else { self.between.state(motion, &before(), t)? };
+            self.record_due(state)?;
+        }
+        Ok(())
     }
 
     pub(crate) fn look_at(&mut self, motion: &dyn Motion<X, R>, state: &X) {

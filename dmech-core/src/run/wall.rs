@@ -1,7 +1,7 @@
 //! Walls: events that keep the motion on their front.
 
 use super::attend::{After, Attend, Within};
-use super::between::Blend;
+use super::between::{Blend, Weights};
 use super::change::{Change, Changed, Often};
 use super::event::{Crossing, Event};
 use super::simulation::{Attended, Simulation};
@@ -17,7 +17,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// else, a start on the wall. What bounces with a loss comes to rest after hops ever shorter: nothing holds it there, and the run
     /// ends with [`Error::ComesToRest`](crate::Error::ComesToRest) once there are more than 64 in a step, or none that its numbers tell.
     /// What begins behind the wall, or is put there by something else, is not held until it has come to the front. A wall that is passed
-    /// and left again within one step may be missed.
+    /// and left again within one step may be missed. Behind it the function is negative; what is no number is behind, too.
     ///
     /// The state of the event is the nearest to the zero of the function that the rounding of the time leaves.
     ///
@@ -53,21 +53,32 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
 pub(crate) struct Wall {
     /// The motion is on it, to rounding, and not behind: it has begun there, or was changed there.
     pub(crate) on: bool,
-    /// How far from zero it is then.
+    /// How far from zero it was then.
     off: f64,
-    /// The last step has left it, if nothing has happened in it.
+    /// The value at the start of the step.
+    before: f64,
+    /// The step has left it, if nothing happens in it.
     leaves: bool,
     pub(crate) often: Often,
 }
 
 impl Wall {
-    pub(crate) const FAR: Self = Wall { on: false, off: 0.0, leaves: false, often: Often::NEVER };
+    pub(crate) const FAR: Self = Wall { on: false, off: 0.0, before: 0.0, leaves: false, often: Often::NEVER };
 
-    /// The motion goes on from a state with this value, by its own change or otherwise.
-    pub(crate) fn go_on(&mut self, value: f64, own: bool, rounding: impl FnOnce() -> f64) {
-        let off = value.abs();
-        self.on = own || self.on && off <= self.off || off <= rounding();
-        (self.off, self.leaves) = (off, false);
+    /// One that the motion is not on, which had this value at the start of the step.
+    #[cfg(feature = "scene")]
+    pub(crate) fn far(before: f64) -> Self {
+        Wall { before, ..Wall::FAR }
+    }
+
+    /// The motion goes on from a state with this value, by its own change, before which its rounding was this, or otherwise. What was put
+    /// in front begins there.
+    pub(crate) fn go_on(&mut self, value: f64, changed: Option<f64>, rounding: impl FnOnce() -> f64) {
+        let (off, least, own) = (value.abs(), rounding().max(changed.unwrap_or(0.0)), changed.is_some());
+        let stays = self.on && off <= self.off;
+        self.on = off <= least || own && value < 0.0 || stays;
+        self.off = if stays { self.off } else { off.min(least) };
+        self.leaves = false;
     }
 
     /// Where the function falls to zero in a step, from its value at the start.
@@ -78,17 +89,47 @@ impl Wall {
         function: &mut impl FnMut(&X) -> f64,
         rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
     ) -> Result<Option<X>, Error> {
-        let [start, end] = step.times;
-        self.often.dt = end - start;
+        self.often.dt = step.times[1] - step.times[0];
         self.on &= !self.leaves;
-        self.leaves = false;
+        self.before = before;
+        self.leaves = self.on && now > self.off.max(rounding(step.end, function));
+        self.falls(step, now, function, rounding)
+    }
+
+    /// Where it has fallen to zero before a state in which something else has happened, and which is clearly behind it.
+    pub(crate) fn meet_before<X: Clone>(
+        &self,
+        step: &mut Within<'_, X>,
+        now: f64,
+        function: &mut impl FnMut(&X) -> f64,
+        rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
+    ) -> Result<Option<X>, Error> {
+        let least = if self.on { self.off } else { 0.0 };
+        let is_behind = now < -least.max(rounding(step.end, function)) || now.is_nan();
+        if is_behind { self.falls(step, now, function, rounding) } else { Ok(None) }
+    }
+
+    fn falls<X: Clone>(
+        &self,
+        step: &mut Within<'_, X>,
+        now: f64,
+        function: &mut impl FnMut(&X) -> f64,
+        rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
+    ) -> Result<Option<X>, Error> {
+        let [start, end] = step.times;
+        // What is 0 or no number is behind.
+        let mut value = |state: &X| match function(state) {
+            x if x > 0.0 => x,
+            x if x <= 0.0 => x.min(-f64::MIN_POSITIVE),
+            _ => f64::NEG_INFINITY,
+        };
+        let end_value = value(step.end);
         if !self.on {
-            let falls = before > 0.0 && now <= 0.0;
-            return if falls { step.zero_from(start, [before, now], true, function).map(Some) } else { Ok(None) };
+            let falls = self.before > 0.0 && end_value < 0.0;
+            let values = [self.before, end_value];
+            return if falls { step.zero_from(start, values, true, &mut value).map(Some) } else { Ok(None) };
         }
-        let least = self.off.max(rounding(step.end, function));
-        if now >= -least || now.is_nan() {
-            self.leaves = now > least;
+        if now >= -self.off.max(rounding(step.end, &mut value)) {
             return Ok(None);
         }
         // Of a hop shorter than the step the second half has one of these times. Near its start the sign is one of roundings.
@@ -98,7 +139,7 @@ impl Wall {
             if is_rounding(start, time) {
                 break;
             }
-            if let Some(value) = step.value(time, function)?
+            if let Some(value) = step.value(time, &mut value)?
                 && value > top.1
             {
                 top = (time, value);
@@ -107,19 +148,23 @@ impl Wall {
             }
         }
         let here = (step.at)(top.0)?;
-        if top.1 > rounding(&here, function) {
-            return step.zero_from(top.0, [top.1, now], true, function).map(Some);
+        if top.1 > rounding(&here, &mut value) {
+            return step.zero_from(top.0, [top.1, end_value], true, &mut value).map(Some);
         }
         if top.0 == start { Ok(Some(here)) } else { (step.at)(start).map(Some) }
     }
 }
 
-/// What a few roundings of the state change in a function of it.
+/// What a few roundings of the state, and of the time that it takes to get there, change in a function of it.
 pub(crate) fn rounding<X: Blend>(state: &X, function: &mut dyn FnMut(&X) -> f64) -> f64 {
-    let (value, numbers) = (function(state), state.numbers());
+    let (value, numbers, time) = (function(state), state.numbers(), state.time());
     // Any two of the numbers go different ways at least once.
     let ways = (0..usize::BITS).map(|bit| 1_usize << bit).take_while(|&bit| bit < 2 * numbers);
-    ways.map(|bit| (function(&state.nudged(&|k| (k + 1) & bit != 0)) - value).abs()).fold(0.0, f64::max)
+    let nudged = ways.map(|bit| (function(&state.nudged(&|k| (k + 1) & bit != 0)) - value).abs()).fold(0.0, f64::max);
+    let later = 4.0 * f64::EPSILON * time.abs();
+    let weights = Weights { position: [1.0, later], velocity: [0.0, 1.0] };
+    let moved = X::blend(time + later, core::slice::from_ref(state), &[weights]);
+    nudged.max((function(&moved) - value).abs())
 }
 
 /// Whether states are a few roundings of the time apart.
@@ -135,13 +180,13 @@ pub struct Bounce<F, C> {
     /// Its last value.
     last: f64,
     wall: Wall,
-    /// It has just changed the state.
-    own: bool,
+    /// It has just changed the state, of which this was the rounding.
+    own: Option<f64>,
 }
 
 impl<F, C> Bounce<F, C> {
     pub(crate) fn new(function: F, change: C) -> Self {
-        Bounce { function, change: Changed(change), last: 0.0, wall: Wall::FAR, own: false }
+        Bounce { function, change: Changed(change), last: 0.0, wall: Wall::FAR, own: None }
     }
 }
 
@@ -170,13 +215,22 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
         Ok(())
     }
 
+    fn meet_before(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
+        let Bounce { function, wall, .. } = self;
+        let now = function(step.end);
+        if let Some(state) = wall.meet_before(step, now, function, |state, function| rounding(state, function))? {
+            step.happened(After::Change, Event::new(which, state, Crossing::Falling, None));
+        }
+        Ok(())
+    }
+
     fn is_behind(&mut self, _: usize, event: &Event<X>, state: &X) -> bool {
         is_rounding(event.state().time(), state.time()) && (self.function)(state) <= 0.0
     }
 
     fn change(&mut self, which: usize, event: &Event<X>, state: &mut X) -> Result<(), Error> {
         self.wall.often.count(which, event.state().time())?;
-        self.own = true;
+        self.own = Some(rounding(state, &mut self.function));
         self.change.change(event, state);
         Ok(())
     }
@@ -184,6 +238,6 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
     fn turn(&mut self, state: &X) {
         let Bounce { function, last, wall, own, .. } = self;
         *last = function(state);
-        wall.go_on(*last, core::mem::take(own), || rounding(state, function));
+        wall.go_on(*last, own.take(), || rounding(state, function));
     }
 }

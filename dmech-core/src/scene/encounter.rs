@@ -83,8 +83,8 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
 
     fn watch_for<C>(self, distance: f64, then: After, change: C) -> Met<D, P, L, B, S, O, C> {
         let space = self.start.space;
-        let (excess, contacts, own) = (Vec::new(), BTreeMap::new(), Vec::new());
-        self.attended(Encounter { distance, space, then, excess, change, contacts, own })
+        let (excess, starts, contacts, own) = (Vec::new(), Vec::new(), BTreeMap::new(), Vec::new());
+        self.attended(Encounter { distance, space, then, excess, starts, change, contacts, own })
     }
 }
 
@@ -95,11 +95,13 @@ pub struct Encounter<B, C = ()> {
     space: B,
     then: After,
     excess: Vec<f64>,
+    /// The same at the start of the step.
+    starts: Vec<f64>,
     change: C,
     /// Pairs that have just met, or touch, by their number.
     contacts: BTreeMap<usize, Wall>,
-    /// Those whose motion is being changed.
-    own: Vec<usize>,
+    /// Those whose motion is being changed, and the rounding before.
+    own: Vec<(usize, f64)>,
 }
 
 /// A function that changes the state where two bodies meet.
@@ -138,7 +140,9 @@ fn number([a, b]: [usize; 2]) -> usize {
 /// What a few roundings of the places of a pair change in its excess.
 fn rounding<const D: usize>(state: &SceneState<D>, [a, b]: [usize; 2], distance: f64) -> f64 {
     let far = |i: usize| state.q[i].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    16.0 * f64::EPSILON * distance * (distance + far(a) + far(b))
+    // And of the time that it takes to get there.
+    let speed = dot(difference(state.v[a], state.v[b]), difference(state.v[a], state.v[b])).sqrt();
+    f64::EPSILON * distance * (16.0 * (distance + far(a) + far(b)) + 8.0 * state.t.abs() * speed)
 }
 
 impl<B, C> Encounter<B, C> {
@@ -187,6 +191,9 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, SceneState<D>>) -> Result<(), Error> {
+        if C::CHANGES {
+            self.starts.clone_from(&self.excess);
+        }
         for (k, pair) in pairs(step.end.q.len()).enumerate() {
             let now = self.excess(step.end, pair);
             let values = [core::mem::replace(&mut self.excess[k], now), now];
@@ -199,15 +206,37 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
         Ok(())
     }
 
+    fn meet_before(&mut self, which: usize, step: &mut Within<'_, SceneState<D>>) -> Result<(), Error> {
+        if !C::CHANGES {
+            return Ok(());
+        }
+        let Encounter { distance, space, contacts, starts, .. } = self;
+        for (k, pair) in pairs(step.end.q.len()).enumerate() {
+            let mut function = |state: &SceneState<D>| excess(state, pair, *distance, space);
+            let now = function(step.end);
+            if now >= 0.0 {
+                continue;
+            }
+            let wall = contacts.get(&k).copied().unwrap_or_else(|| Wall::far(starts[k]));
+            if let Some(state) =
+                wall.meet_before(step, now, &mut function, |state, _| rounding(state, pair, *distance))?
+            {
+                step.happened(self.then, Event::new(which, state, Crossing::Falling, Some(pair)));
+            }
+        }
+        Ok(())
+    }
+
     fn is_behind(&mut self, _: usize, event: &Event<SceneState<D>>, state: &SceneState<D>) -> bool {
         let at_once = !C::CHANGES || is_rounding(event.state().t, state.t);
         at_once && event.bodies().is_some_and(|pair| self.excess(state, pair) <= 0.0)
     }
 
     fn change(&mut self, which: usize, event: &Event<SceneState<D>>, state: &mut SceneState<D>) -> Result<(), Error> {
-        let Some(k) = event.bodies().map(number) else { return Ok(()) };
+        let Some(pair) = event.bodies() else { return Ok(()) };
+        let k = number(pair);
         self.contacts.entry(k).or_insert(Wall::FAR).often.count(which, event.state().t)?;
-        self.own.push(k);
+        self.own.push((k, rounding(event.state(), pair, self.distance)));
         self.change.change(event, state);
         Ok(())
     }
@@ -221,7 +250,8 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
             let touches = || value.abs() <= rounding(state, pair, *distance);
             if C::CHANGES && (contacts.contains_key(&k) || touches()) {
                 let wall = contacts.entry(k).or_insert(Wall::FAR);
-                wall.go_on(value, own.contains(&k), || rounding(state, pair, *distance));
+                let changed = own.iter().find(|(of, _)| *of == k).map(|&(_, rounding)| rounding);
+                wall.go_on(value, changed, || rounding(state, pair, *distance));
             }
         }
         own.clear();

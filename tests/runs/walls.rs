@@ -252,6 +252,78 @@ fn three_at_once() {
     }
 }
 
+/// A cloud of balls that falls into itself, with loss, in long steps: what another collision breaks off is behind no wall, and no ball in
+/// another.
+#[test]
+fn a_cloud_collapses() {
+    let (mut collisions, mut ended) = (0, 0);
+    for (e, dt) in [(1.0, 0.1), (0.5, 0.1), (0.2, 0.1), (0.0, 0.1), (0.2, 0.01)] {
+        for seed in 0..6 {
+            let place = |i: usize, k: usize| {
+                let noise = ((7 * i + 13 * k + 29 * seed) as f64 * 12.9898).sin() * 43_758.545_3;
+                [(i % 5) as f64, (i / 5) as f64][k] - 2.0 + 0.15 * (noise - noise.floor() - 0.5)
+            };
+            let cloud = (0..25).fold(Scene::<2>::new(), |scene, i| {
+                let q = [place(i, 0), place(i, 1)];
+                scene.body(1.0, q, q.map(|x| -0.4 * x))
+            });
+            let collide = move |state: &mut SceneState<2>, [a, b]: [usize; 2]| {
+                let d = [0, 1].map(|k| state.q[a][k] - state.q[b][k]);
+                let closing = (0..2).map(|k| d[k] * (state.v[a][k] - state.v[b][k])).sum::<f64>();
+                if closing < 0.0 {
+                    for k in 0..2 {
+                        let push = 0.5 * (1.0 + e) * closing * d[k] / (d[0] * d[0] + d[1] * d[1]);
+                        (state.v[a][k], state.v[b][k]) = (state.v[a][k] - push, state.v[b][k] + push);
+                    }
+                }
+            };
+            let run = Simulation::scene(cloud).scheme(Leapfrog).dt(dt).collide_at(0.6, collide).run_until(8.0);
+            let what = format!("e = {e}, dt = {dt}, {seed}");
+            let (run, rests) = until_rest(run, &what);
+            for state in run.states().iter().chain([run.last()]) {
+                for b in 0..25 {
+                    for a in 0..b {
+                        let apart = (state.q[a][0] - state.q[b][0]).hypot(state.q[a][1] - state.q[b][1]);
+                        assert!(apart > 0.6 - 1e-12, "{what}: {a}, {b}, {apart} at t = {}", state.t);
+                    }
+                }
+            }
+            collisions += run.events().len();
+            ended += usize::from(!rests);
+        }
+    }
+    assert!(collisions > 2000 && ended >= 12, "{collisions} {ended}");
+}
+
+/// What was put in front begins there; a function that is no number behind; a disc that a push breaks the way through of.
+#[test]
+fn other_walls() {
+    let fly =
+        |y: f64, v: f64| Simulation::new(Fall { g: 0.0 }, State::new([0.0, y], [0.0, v])).scheme(Leapfrog).dt(0.03);
+    let run = fly(1.0, -1.0).bounce_off(|s| s.q[1], |s| s.q[1] = 1.0).run_until(9.5).unwrap();
+    assert!(run.events().len() == 9 && run.states().iter().all(|s| s.q[1] > -1e-14), "{:?}", run.events());
+    let fall = Simulation::new(Fall { g: 1.0 }, State::new([0.0, 1.0], [0.0, 0.0])).scheme(Leapfrog).dt(0.05);
+    let run = fall.clone().bounce_off(|s| s.q[1], |s| (s.q[1], s.v[1]) = (1e-3, 0.0)).run_until(3.0).unwrap();
+    assert!(run.events().len() > 20 && run.states().iter().all(|s| s.q[1] > -1e-14));
+    let run = fall.bounce_off(|s| s.q[1].sqrt(), |s| s.v[1] *= -1.0).run_until(10.0).unwrap();
+    assert!(run.events().len() == 4 && run.states().iter().all(|s| s.q[1] > -1e-14));
+    for dt in [0.3, 1.0] {
+        let disc = Simulation::new(Fall { g: 0.0 }, State::new([-0.5, 0.05], [1.0, 0.0])).scheme(Leapfrog).dt(dt);
+        let off = |s: &mut State<2>| {
+            let long = s.q[0] * s.q[0] + s.q[1] * s.q[1];
+            let across = (s.q[0] * s.v[0] + s.q[1] * s.v[1]) / long;
+            s.v = core::array::from_fn(|k| s.v[k] - 2.0 * across * s.q[k]);
+        };
+        let run = disc
+            .bounce_off(|s| s.q[0].hypot(s.q[1]) - 0.1, off)
+            .change_when(|s| s.t - 0.5, Crossing::Rising, |s| s.v[0] *= 0.001)
+            .run_until(3.0)
+            .unwrap();
+        assert_eq!(run.events().iter().map(Event::which).collect::<Vec<_>>(), [0, 1], "{dt}");
+        assert!(run.states().iter().all(|s| s.q[0].hypot(s.q[1]) > 0.1 - 1e-14));
+    }
+}
+
 /// Many collisions of many pairs in one long step are not too many of one; a run that fails ends in front of the wall; bodies taken away are
 /// refused; an elastic ball keeps its phase over 10⁵ bounces.
 #[test]

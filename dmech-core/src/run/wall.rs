@@ -17,7 +17,8 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// else, a start on the wall. What bounces with a loss comes to rest after hops ever shorter: nothing holds it there, and the run
     /// ends with [`Error::ComesToRest`](crate::Error::ComesToRest) once there are more than 64 in a step, or none that its numbers tell.
     /// What begins behind the wall, or is put there by something else, is not held until it has come to the front. A wall that is passed
-    /// and left again within one step may be missed. Behind it the function is negative; what is no number is behind, too.
+    /// and left again within one step may be missed. The function is continuous at the wall and negative behind it; what is no number is
+    /// behind, too.
     ///
     /// The state of the event is the nearest to the zero of the function that the rounding of the time leaves.
     ///

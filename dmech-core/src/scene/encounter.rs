@@ -69,7 +69,8 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Bodies that are nearer at the start, or that pass through one another within a step, are not kept apart.
+    /// Bodies that are nearer at the start, or that pass through one another within a step, are not kept apart. Where two come to rest on
+    /// each other the whole run ends, as for a ball on a floor.
     ///
     /// # Errors
     /// As [`encounter`](Simulation::encounter) and [`bounce_off`](Simulation::bounce_off).

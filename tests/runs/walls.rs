@@ -257,7 +257,7 @@ fn three_at_once() {
 #[test]
 fn a_cloud_collapses() {
     let (mut collisions, mut ended) = (0, 0);
-    for (e, dt) in [(1.0, 0.1), (0.5, 0.1), (0.2, 0.1), (0.0, 0.1), (0.2, 0.01)] {
+    for (e, dt) in [(1.0, 0.1), (0.5, 0.1), (0.2, 0.1), (0.0, 0.1), (0.2, 0.01), (0.0, 0.001)] {
         for seed in 0..6 {
             let place = |i: usize, k: usize| {
                 let noise = ((7 * i + 13 * k + 29 * seed) as f64 * 12.9898).sin() * 43_758.545_3;

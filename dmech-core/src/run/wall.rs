@@ -60,11 +60,14 @@ pub(crate) struct Wall {
     before: f64,
     /// The step has left it, if nothing happens in it.
     leaves: bool,
+    /// So far behind it may be where the step is broken off: that is rounding.
+    rounding: f64,
     pub(crate) often: Often,
 }
 
 impl Wall {
-    pub(crate) const FAR: Self = Wall { on: false, off: 0.0, before: 0.0, leaves: false, often: Often::NEVER };
+    pub(crate) const FAR: Self =
+        Wall { on: false, off: 0.0, before: 0.0, leaves: false, rounding: 0.0, often: Often::NEVER };
 
     /// One that the motion is not on, which had this value at the start of the step.
     #[cfg(feature = "scene")]
@@ -75,7 +78,8 @@ impl Wall {
     /// The motion goes on from a state with this value, by its own change, before which its rounding was this, or otherwise. What was put
     /// in front begins there.
     pub(crate) fn go_on(&mut self, value: f64, changed: Option<f64>, rounding: impl FnOnce() -> f64) {
-        let (off, least, own) = (value.abs(), rounding().max(changed.unwrap_or(0.0)), changed.is_some());
+        let (off, own) = (value.abs(), changed.is_some());
+        let least = rounding().max(changed.unwrap_or(0.0)).max(core::mem::take(&mut self.rounding));
         let stays = self.on && off <= self.off;
         self.on = off <= least || own && value < 0.0 || stays;
         self.off = if stays { self.off } else { off.min(least) };
@@ -99,15 +103,18 @@ impl Wall {
 
     /// Where it has fallen to zero before a state in which something else has happened, and which is clearly behind it.
     pub(crate) fn meet_before<X: Clone>(
-        &self,
+        &mut self,
         step: &mut Within<'_, X>,
         now: f64,
         function: &mut impl FnMut(&X) -> f64,
         rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
     ) -> Result<Option<X>, Error> {
-        let least = if self.on { self.off } else { 0.0 };
-        let is_behind = now < -least.max(rounding(step.end, function)) || now.is_nan();
-        if is_behind { self.falls(step, now, function, rounding) } else { Ok(None) }
+        let least = rounding(step.end, function).max(if self.on { self.off } else { 0.0 });
+        if now < -least || now.is_nan() {
+            return self.falls(step, now, function, rounding);
+        }
+        self.rounding = least;
+        Ok(None)
     }
 
     fn falls<X: Clone>(

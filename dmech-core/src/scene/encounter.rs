@@ -218,7 +218,7 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
             if now >= 0.0 {
                 continue;
             }
-            let wall = contacts.get(&k).copied().unwrap_or_else(|| Wall::far(starts[k]));
+            let wall = contacts.entry(k).or_insert_with(|| Wall::far(starts[k]));
             if let Some(state) =
                 wall.meet_before(step, now, &mut function, |state, _| rounding(state, pair, *distance))?
             {

@@ -7,6 +7,8 @@ use dmech::extend::{Particle, Scheme};
 use dmech::models::{Kepler, Pendulum, Quartic};
 use dmech::prelude::*;
 
+use crate::walls::strike;
+
 /// m g y and, across, an anharmonic valley.
 #[derive(Clone, Copy, Debug)]
 struct Slope {
@@ -426,16 +428,11 @@ fn hard_balls_collide() {
     for (dt, masses) in [(0.05, [1.0, 1.0, 1.0, 1.0]), (0.2, [1.0, 1.0, 1.0, 1.0]), (0.1, [1.0, 2.5, 0.3, 4.0])] {
         let scene =
             (0..4).fold(Scene::<1>::new(), |scene, i| scene.body(masses[i], [i as f64], [[0.9, -0.2, 0.35, -1.1][i]]));
-        let collide = move |state: &mut SceneState<1>, [a, b]: [usize; 2]| {
-            let ([m, n], [u, v]) = ([masses[a], masses[b]], [state.v[a][0], state.v[b][0]]);
-            let mean = (m * u + n * v) / (m + n);
-            (state.v[a][0], state.v[b][0]) = (2.0 * mean - u, 2.0 * mean - v);
-        };
         // Walls on both sides, and times at which three meet at once: a ball, its neighbour and a wall.
         let run = Simulation::scene(scene)
             .scheme(Leapfrog)
             .dt(dt)
-            .collide_at(size, collide)
+            .collide_at(size, strike(masses, 1.0))
             .bounce_off(|state| state.q[0][0] + 1.0, |state| state.v[0][0] *= -1.0)
             .bounce_off(|state| 4.0 - state.q[3][0], |state| state.v[3][0] *= -1.0)
             .run_until(40.0)

@@ -222,6 +222,15 @@ fn on_the_wall() {
     assert_eq!(run.last().v, [[0.0], [0.0], [0.0], [1.0]]);
 }
 
+/// Balls of these masses on a line that give back the share e of the velocity with which they strike one another.
+pub(crate) fn strike<const N: usize>(masses: [f64; N], e: f64) -> impl FnMut(&mut SceneState<1>, [usize; 2]) {
+    move |state, [a, b]| {
+        let ([m, n], [u, v]) = ([masses[a], masses[b]], [state.v[a][0], state.v[b][0]]);
+        let mean = (m * u + n * v) / (m + n);
+        (state.v[a][0], state.v[b][0]) = (mean + e * (mean - u), mean + e * (mean - v));
+    }
+}
+
 /// Three balls that meet at one time, with any masses and losses, to roundings: none is in another, and momentum is kept.
 #[test]
 fn three_at_once() {
@@ -234,13 +243,11 @@ fn three_at_once() {
                     [2.0],
                     [-1.0],
                 );
-                let masses = [1.0, mass, 1.0];
-                let collide = move |state: &mut SceneState<1>, [a, b]: [usize; 2]| {
-                    let ([m, n], [u, v]) = ([masses[a], masses[b]], [state.v[a][0], state.v[b][0]]);
-                    let mean = (m * u + n * v) / (m + n);
-                    (state.v[a][0], state.v[b][0]) = (mean + e * (mean - u), mean + e * (mean - v));
-                };
-                let run = Simulation::scene(scene).scheme(Leapfrog).dt(dt).collide_at(0.5, collide).run_until(6.0);
+                let run = Simulation::scene(scene)
+                    .scheme(Leapfrog)
+                    .dt(dt)
+                    .collide_at(0.5, strike([1.0, mass, 1.0], e))
+                    .run_until(6.0);
                 let what = format!("m = {mass}, e = {e}, dt = {dt}, {k}");
                 let (run, _) = until_rest(run, &what);
                 for state in run.states().iter().chain([run.last()]) {

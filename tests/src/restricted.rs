@@ -86,6 +86,17 @@ pub fn tethers(k: usize) -> Scene<2, (), ((), OnBonds<Bond>)> {
     if held < 4 { scene.pin(held) } else { scene }
 }
 
+/// Three ions.
+fn charged(k: usize) -> Scene<2, Charge> {
+    let a = part(k, 0.23);
+    let bodies = [
+        (1.0, [0.9, 0.0], [0.0, 0.3 * a], Charge { q: 1.0 }),
+        (1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], Charge { q: 0.7 }),
+        (0.8, [-0.5, -0.9], [0.0, -0.2], Charge { q: 1.2 + 0.1 * a }),
+    ];
+    bodies.into_iter().enumerate().fold(Scene::new(), |scene, (i, body)| add(scene, (k, i), body))
+}
+
 type OfTraps = (((), OnEach<Trap>), OnPairs<Coulomb>);
 
 pub type Traps = Few<OfTraps, Charge, 2, 3, 6>;
@@ -93,13 +104,7 @@ pub type Traps = Few<OfTraps, Charge, 2, 3, 6>;
 /// Three ions in a trap.
 pub fn traps(k: usize) -> Scene<2, Charge, OfTraps> {
     let a = part(k, 0.23);
-    let bodies = [
-        (1.0, [0.9, 0.0], [0.0, 0.3 * a], Charge { q: 1.0 }),
-        (1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], Charge { q: 0.7 }),
-        (0.8, [-0.5, -0.9], [0.0, -0.2], Charge { q: 1.2 + 0.1 * a }),
-    ];
-    let scene = bodies.into_iter().enumerate().fold(Scene::new(), |scene, (i, body)| add(scene, (k, i), body));
-    scene.field(Trap { k: 1.1 + 0.2 * a, b: 0.9 }).pairs(Coulomb { k: 0.8 })
+    charged(k).field(Trap { k: 1.1 + 0.2 * a, b: 0.9 }).pairs(Coulomb { k: 0.8 })
 }
 
 type OfSprays = (((), OnEachOwn<Trap, Charge>), OnPairs<Coulomb>);
@@ -107,14 +112,8 @@ type OfSprays = (((), OnEachOwn<Trap, Charge>), OnPairs<Coulomb>);
 /// Three ions, each in a trap of its own.
 pub fn sprays(k: usize) -> Scene<2, Charge, OfSprays> {
     let a = part(k, 0.23);
-    let bodies = [
-        (1.0, [0.9, 0.0], [0.0, 0.3 * a], Charge { q: 1.0 }),
-        (1.5, [-0.4, 0.8 + 0.1 * a], [0.2, 0.0], Charge { q: 0.7 }),
-        (0.8, [-0.5, -0.9], [0.0, -0.2], Charge { q: 1.2 + 0.1 * a }),
-    ];
-    let scene = bodies.into_iter().enumerate().fold(Scene::new(), |scene, (i, body)| add(scene, (k, i), body));
     let trap = move |i: usize, charge: &Charge| Trap { k: 1.1 + 0.2 * a + 0.3 * i as f64, b: 0.9 * charge.q };
-    scene.field_of(trap).pairs(Coulomb { k: 0.8 })
+    charged(k).field_of(trap).pairs(Coulomb { k: 0.8 })
 }
 
 type OfVapours = (((), OnNear<LennardJones>), OnPairs<Pull>);

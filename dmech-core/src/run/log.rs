@@ -304,16 +304,16 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         if happened.is_empty() && next.is_none_or(|next| next > time(after)) {
             return Ok(None);
         }
-        self.take_what_happened(motion, before, after)
+        self.take_what_happened(motion, start, before, after)
     }
 
     fn take_what_happened(
         &mut self,
         motion: &dyn Motion<X, R>,
+        start: f64,
         before: &dyn Fn() -> X,
         after: &X,
     ) -> Result<Option<X>, Error> {
-        let start = (self.time)(&before());
         let Log { run, attend, between, happened, time, .. } = self;
         let time = *time;
         in_order(happened, time);

@@ -56,8 +56,6 @@ pub(crate) struct Wall {
     pub(crate) on: bool,
     /// How far from zero it was then.
     off: f64,
-    /// The value at the start of the step.
-    before: f64,
     /// The step has left it, if nothing happens in it.
     leaves: bool,
     /// So far behind it may be where the step is broken off: that is rounding.
@@ -66,14 +64,7 @@ pub(crate) struct Wall {
 }
 
 impl Wall {
-    pub(crate) const FAR: Self =
-        Wall { on: false, off: 0.0, before: 0.0, leaves: false, rounding: 0.0, often: Often::NEVER };
-
-    /// One that the motion is not on, which had this value at the start of the step.
-    #[cfg(feature = "scene")]
-    pub(crate) fn far(before: f64) -> Self {
-        Wall { before, ..Wall::FAR }
-    }
+    pub(crate) const FAR: Self = Wall { on: false, off: 0.0, leaves: false, rounding: 0.0, often: Often::NEVER };
 
     /// The motion goes on from a state with this value, by its own change, before which its rounding was this, or otherwise. What was put
     /// in front begins there.
@@ -86,41 +77,47 @@ impl Wall {
         self.leaves = false;
     }
 
-    /// Where the function falls to zero in a step, from its value at the start.
+    /// Where the function falls to zero in a step, from its values at the ends.
     pub(crate) fn meet<X: Clone>(
         &mut self,
         step: &mut Within<'_, X>,
-        [before, now]: [f64; 2],
+        values: [f64; 2],
         function: &mut impl FnMut(&X) -> f64,
         rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
     ) -> Result<Option<X>, Error> {
         self.often.dt = step.times[1] - step.times[0];
         self.on &= !self.leaves;
-        self.before = before;
-        self.leaves = self.on && now > self.off.max(rounding(step.end, function));
-        self.falls(step, now, function, rounding)
+        self.leaves = false;
+        if self.on {
+            let (now, least) = (values[1], self.off.max(rounding(step.end, function)));
+            self.leaves = now > least;
+            if now >= -least {
+                return Ok(None);
+            }
+        }
+        self.falls(step, values[0], function, rounding)
     }
 
     /// Where it has fallen to zero before a state in which something else has happened, and which is clearly behind it.
     pub(crate) fn meet_before<X: Clone>(
         &mut self,
         step: &mut Within<'_, X>,
-        now: f64,
+        [before, now]: [f64; 2],
         function: &mut impl FnMut(&X) -> f64,
         rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
     ) -> Result<Option<X>, Error> {
         let least = rounding(step.end, function).max(if self.on { self.off } else { 0.0 });
-        if now < -least || now.is_nan() {
-            return self.falls(step, now, function, rounding);
+        if now >= -least {
+            self.rounding = least;
+            return Ok(None);
         }
-        self.rounding = least;
-        Ok(None)
+        self.falls(step, before, function, rounding)
     }
 
     fn falls<X: Clone>(
         &self,
         step: &mut Within<'_, X>,
-        now: f64,
+        before: f64,
         function: &mut impl FnMut(&X) -> f64,
         rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
     ) -> Result<Option<X>, Error> {
@@ -133,12 +130,9 @@ impl Wall {
         };
         let end_value = value(step.end);
         if !self.on {
-            let falls = self.before > 0.0 && end_value < 0.0;
-            let values = [self.before, end_value];
+            let falls = before > 0.0 && end_value < 0.0;
+            let values = [before, end_value];
             return if falls { step.zero_from(start, values, true, &mut value).map(Some) } else { Ok(None) };
-        }
-        if now >= -self.off.max(rounding(step.end, &mut value)) {
-            return Ok(None);
         }
         // Of a hop shorter than the step the second half has one of these times. Near its start the sign is one of roundings.
         let mut top = (start, 0.0);
@@ -185,8 +179,8 @@ pub(crate) fn is_rounding(time: f64, other: f64) -> bool {
 pub struct Bounce<F, C> {
     function: F,
     change: Changed<C>,
-    /// Its last value.
-    last: f64,
+    /// Its values at the ends of the last step.
+    values: [f64; 2],
     wall: Wall,
     /// It has just changed the state, of which this was the rounding.
     own: Option<f64>,
@@ -194,13 +188,13 @@ pub struct Bounce<F, C> {
 
 impl<F, C> Bounce<F, C> {
     pub(crate) fn new(function: F, change: C) -> Self {
-        Bounce { function, change: Changed(change), last: 0.0, wall: Wall::FAR, own: None }
+        Bounce { function, change: Changed(change), values: [0.0; 2], wall: Wall::FAR, own: None }
     }
 }
 
 impl<F, C> core::fmt::Debug for Bounce<F, C> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Bounce").field("last", &self.last).field("wall", &self.wall).finish_non_exhaustive()
+        f.debug_struct("Bounce").field("values", &self.values).field("wall", &self.wall).finish_non_exhaustive()
     }
 }
 
@@ -214,19 +208,18 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
-        let Bounce { function, last, wall, .. } = self;
-        let now = function(step.end);
-        let values = [core::mem::replace(last, now), now];
-        if let Some(state) = wall.meet(step, values, function, |state, function| rounding(state, function))? {
+        let Bounce { function, values, wall, .. } = self;
+        *values = [values[1], function(step.end)];
+        if let Some(state) = wall.meet(step, *values, function, |state, function| rounding(state, function))? {
             step.happened(After::Change, Event::new(which, state, Crossing::Falling, None));
         }
         Ok(())
     }
 
     fn meet_before(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
-        let Bounce { function, wall, .. } = self;
-        let now = function(step.end);
-        if let Some(state) = wall.meet_before(step, now, function, |state, function| rounding(state, function))? {
+        let Bounce { function, values: [before, _], wall, .. } = self;
+        let values = [*before, function(step.end)];
+        if let Some(state) = wall.meet_before(step, values, function, |state, function| rounding(state, function))? {
             step.happened(After::Change, Event::new(which, state, Crossing::Falling, None));
         }
         Ok(())
@@ -244,7 +237,7 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
     }
 
     fn turn(&mut self, state: &X) {
-        let Bounce { function, last, wall, own, .. } = self;
+        let Bounce { function, values: [_, last], wall, own, .. } = self;
         *last = function(state);
         wall.go_on(*last, own.take(), || rounding(state, function));
     }

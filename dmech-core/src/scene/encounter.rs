@@ -218,9 +218,9 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
             if now >= 0.0 {
                 continue;
             }
-            let wall = contacts.entry(k).or_insert_with(|| Wall::far(starts[k]));
+            let wall = contacts.entry(k).or_insert(Wall::FAR);
             if let Some(state) =
-                wall.meet_before(step, now, &mut function, |state, _| rounding(state, pair, *distance))?
+                wall.meet_before(step, [starts[k], now], &mut function, |state, _| rounding(state, pair, *distance))?
             {
                 step.happened(self.then, Event::new(which, state, Crossing::Falling, Some(pair)));
             }

@@ -9,7 +9,7 @@ use crate::invariant::Invariant;
 use crate::law::Law;
 use crate::scheme::Scheme;
 use crate::span::{check_step, moves_on};
-use crate::stepper::Stepper;
+use crate::stepper::{Departure, Stepper};
 use crate::system::{Particle, System};
 
 /// Changes between steps, as a game makes them: from then on it is the motion of a new simulation from the state now, and what
@@ -26,11 +26,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// # Errors
     /// [`Error::State`] and what the start of a simulation may be refused for; the stepper then stays as it was.
     pub fn set_state(&mut self, state: Y::State) -> Result<(), Error> {
-        self.system.check(&state)?;
-        self.moves_on(Y::time(&state), self.dt)?;
-        // Driven bodies are where their paths lead.
-        let [q, v] = self.system.vectors(&state);
-        self.begin_from(self.system.state(Y::time(&state), &q, &v))
+        let (steps, resolution) = (self.steps(), self.resolution());
+        self.begin_at(Departure::another(steps, &self.system, &state, self.dt, resolution))
     }
 
     /// Goes on in steps of another length; the longest, where the steps follow the motion.
@@ -39,7 +36,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// [`Error::TimeStep`]; the stepper then stays as it was.
     pub fn set_dt(&mut self, dt: f64) -> Result<(), Error> {
         check_step::<Y::Scalar>(&self.scheme, dt)?;
-        self.moves_on(self.t(), dt)?;
+        self.resolution().map_or(Ok(()), |resolution| moves_on(self.t(), dt, resolution))?;
         let state = self.state();
         let before = core::mem::replace(&mut self.dt, dt);
         self.pace();
@@ -49,11 +46,6 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             self.pace();
         }
         begun
-    }
-
-    /// Whether steps of equal length change the time.
-    fn moves_on(&self, time: f64, dt: f64) -> Result<(), Error> {
-        self.resolution().map_or(Ok(()), |resolution| moves_on(time, dt, resolution))
     }
 
     fn pace(&mut self) {

@@ -111,6 +111,11 @@ pub(crate) fn moves_on(time: f64, dt: f64, resolution: f64) -> Result<(), Error>
     Err(Error::TimeStandsStill { time, dt, next: begins * resolution })
 }
 
+/// Whether times are a few roundings apart.
+pub(crate) fn is_rounding(time: f64, other: f64) -> bool {
+    (other - time).abs() <= 4.0 * f64::EPSILON * other.abs()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -98,7 +98,7 @@ fn damaged_laws_never_panic() {
         let expansion = expansion(law.starts_with('#'), law.parse().unwrap());
         assert_eq!(messages(&expansion).next(), None, "{law}");
     }
-    let Tally { accepted, refused, messages, .. } = campaign(5_000, 2026);
+    let Tally { accepted, refused, messages, .. } = campaign(3_000, 2026);
     println!("{accepted} accepted, {refused} refused with {} messages", messages.len());
-    assert!(accepted > 300 && refused > 3000 && messages.len() > 60, "{accepted} {refused} {}", messages.len());
+    assert!(accepted > 180 && refused > 1800 && messages.len() > 60, "{accepted} {refused} {}", messages.len());
 }

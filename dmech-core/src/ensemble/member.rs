@@ -29,11 +29,7 @@ pub(super) struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, O, const D: us
 impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Member<L, S, O, D> {
     pub(super) fn begin(block: &Block<'_, L, S, O, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
         let (simulation, attend) = (block.member)(k).apart();
-        let run = simulation.empty_run();
-        let (mut stepper, Plan { steps, until, states, settings }) = match simulation.prepare(block.span) {
-            Ok(prepared) => prepared,
-            Err(cause) => return Err(Interrupted::new(run, cause)),
-        };
+        let (mut stepper, run, Plan { steps, until, states, settings }) = simulation.set_out(block.span)?;
         let due = settings.due;
         let every = if let Due::Every(n) = due { Some(n) } else { None };
         stepper.scheme.watch(S::SEES_ROUGH || block.work, &mut stepper.workspace);

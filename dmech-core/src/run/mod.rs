@@ -64,13 +64,12 @@ pub use simulation::{Attended, Simulation};
 pub use stream::{Sink, Stream};
 pub use wall::Bounce;
 #[cfg(feature = "scene")]
-pub(crate) use wall::{Wall, is_rounding};
+pub(crate) use wall::Wall;
 pub use watch::Watch;
 
 use crate::drift::{Drift, Drifts, OwnDrifts};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
-use crate::method::Method;
 #[cfg(not(any(feature = "ranks", feature = "store")))]
 use report::Work;
 
@@ -98,9 +97,7 @@ pub struct Run<X> {
 const ROOM: u64 = 1 << 16;
 
 impl<X> Run<X> {
-    pub(crate) fn empty<M: Method>(start: X, scheme: &M, dt: f64, mass: f64) -> Self {
-        let kept = Invariant::each(&mut M::keeps);
-        let report = Report::new(scheme, dt, mass, kept);
+    pub(crate) fn empty(start: X, report: Report) -> Self {
         Run { states: Vec::new(), last: start, events: Vec::new(), stopped: false, report, histories: None }
     }
 

@@ -2,14 +2,13 @@
 
 use std::time::Duration;
 
-use dmech_scalar::{Count, Real};
+use dmech_scalar::Real;
 
 use super::Watch;
 use super::report::Work;
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::scheme::Scheme;
-use crate::span::Span;
 use crate::stepper::Stepper;
 use crate::system::System;
 
@@ -40,8 +39,8 @@ pub(crate) trait Motion<X, R: Real> {
     /// Goes on from another state.
     fn set_state(&mut self, state: X) -> Result<(), Error>;
 
-    /// How many steps it is to a time, none if it has passed.
-    fn steps_until(&self, end: f64) -> Result<u64, Error>;
+    /// To what steps of equal length must change the time.
+    fn resolution(&self) -> Option<f64>;
 
     /// Whether the next step may reach a time.
     fn reaches(&self, t: f64) -> bool;
@@ -114,8 +113,8 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
         Stepper::set_state(self, state)
     }
 
-    fn steps_until(&self, end: f64) -> Result<u64, Error> {
-        Span::Until(end.max(self.t())).steps(self.t(), self.dt, self.resolution())
+    fn resolution(&self) -> Option<f64> {
+        Stepper::resolution(self)
     }
 
     fn reaches(&self, t: f64) -> bool {
@@ -124,8 +123,7 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
     }
 
     fn between(&self, from: &Y::State, t: f64) -> Result<(Y::State, [u64; 2]), Error> {
-        let (state, effort) = Stepper::between(self, Stepper::steps(self), from, t)?;
-        Ok((state, [effort.evaluations.to_u64(), effort.iterations.to_u64()]))
+        Stepper::between(self, Stepper::steps(self), from, t)
     }
 
     fn invariants(&self, state: &Y::State, first: &Y::State) -> Invariants<Y::Scalar> {

@@ -41,10 +41,17 @@ pub struct Report {
 }
 
 impl Report {
-    pub(crate) fn new<M: Method>(scheme: &M, dt: f64, mass: f64, kept: [Kept; Invariant::ALL.len()]) -> Self {
+    /// With what the scheme says it keeps of any system.
+    pub(crate) fn new<M: Method>(scheme: &M, dt: Option<f64>, mass: f64) -> Self {
         let (tolerance, scheme, order) = (scheme.tolerance(), M::NAME, M::ORDER);
         let (drifts, own, work) = Default::default();
+        let (dt, kept) = (dt.unwrap_or(f64::NAN), Invariant::each(&mut M::keeps));
         Report { scheme, order, tolerance, dt, mass, kept, drifts, own, work }
+    }
+
+    /// Of another mass.
+    pub(crate) fn of_mass(self, mass: f64) -> Self {
+        Report { mass, ..self }
     }
 
     /// How well the invariants of a system are kept.

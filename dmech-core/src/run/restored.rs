@@ -1,7 +1,7 @@
 //! Runs that were made before, put together again.
 
 use super::motion::kept;
-use super::report::Work;
+use super::report::{Report, Work};
 use super::{Event, Run, Simulation};
 use crate::drift::{Drifts, OwnDrifts};
 use crate::error::Error;
@@ -39,7 +39,7 @@ impl<X: Clone> Run<X> {
 impl<X> Restored<X> {
     /// The run of a scheme, with what it says it keeps of any system.
     fn run<M: Method>(self, scheme: &M, dt: Option<f64>, mass: f64) -> Run<X> {
-        let mut run = Run::empty(self.last, scheme, dt.unwrap_or(f64::NAN), mass);
+        let mut run = Run::empty(self.last, Report::new(scheme, dt, mass));
         (run.states, run.events, run.stopped) = (self.states, self.events, self.stopped);
         run.report.finish(self.drifts, self.own, self.work);
         run

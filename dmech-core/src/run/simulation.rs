@@ -6,7 +6,7 @@ use super::attend::Attend;
 use super::due::Due;
 use super::log::record;
 use super::progress::Shown;
-use super::{Interrupted, Run};
+use super::{Interrupted, Report, Run};
 use crate::error::Error;
 use crate::law::Masses;
 use crate::law::{Law, MassIndependent};
@@ -15,7 +15,7 @@ use crate::scheme::{Adaptable, Adaptive, NoScheme, Scheme};
 use crate::setup::Setup;
 use crate::span::{Span, check_step};
 use crate::state::State;
-use crate::stepper::Stepper;
+use crate::stepper::{Departure, Opening, Stepper};
 use crate::system::System;
 
 /// A simulation to be set up and run.
@@ -62,15 +62,37 @@ impl Settings {
         Ok(dt)
     }
 
-    fn stepper<L, X: Setup<L>, S: Scheme<X::System>>(
-        &self,
-        law: L,
-        start: X,
-        scheme: S,
-    ) -> Result<Stepper<X::System, S>, Error> {
-        let dt = self.step_length::<<X::System as System>::Scalar>(&scheme)?;
-        let first = start.start();
-        Stepper::new(start.system(law, self.mass, dt)?, scheme, first, dt)
+    /// The system where it starts, for steps of a length.
+    fn open<L, X: Setup<L>>(&self, dt: Result<f64, Error>, law: L, start: X) -> Result<Opening<X::System>, Error> {
+        let (dt, first) = (dt?, start.start());
+        let system = start.system(law, self.mass, dt)?;
+        let departure = Departure::prepared(&system, &first)?;
+        Ok(Opening { system, start: first, departure, dt })
+    }
+
+    /// What a scheme says of the steps.
+    fn pace<R: Real>(&self, scheme: &impl Method) -> Pace {
+        let equal = scheme.tolerance().is_none();
+        Pace { dt: self.step_length::<R>(scheme), equal, report: Report::new(scheme, self.dt, self.mass) }
+    }
+
+    /// The system where it starts, a run without a state, and how far it goes.
+    fn set_out<L, X: Setup<L>>(self, pace: Pace, law: L, start: X, span: Span) -> SetOut<Opening<X::System>, X::State> {
+        let Pace { dt, equal, report } = pace;
+        let run = Run::empty(start.start(), report.of_mass(start.whole_mass(self.mass)));
+        let opened = self.due.check(X::System::time(&run.last)).and_then(|()| {
+            let opening = self.open(dt, law, start)?;
+            opening.system.check_potential(&opening.start)?;
+            let (t, dt, resolution) = (X::System::time(&opening.start), opening.dt, opening.system.resolution());
+            let steps = span.steps(t, dt, equal.then_some(resolution))?;
+            let states = self.due.states(steps, span.time(t, steps, dt));
+            let until = if let (Span::Until(end), true) = (span, equal) { Some(end) } else { None };
+            Ok((opening, Plan { steps, until, states, settings: self }))
+        });
+        match opened {
+            Ok((opening, plan)) => Ok((opening, run, plan)),
+            Err(cause) => Err(Interrupted::new(run, cause)),
+        }
     }
 
     /// Refuses what would be refused of every member of an ensemble.
@@ -305,7 +327,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         X: Setup<L>,
         S: Scheme<X::System>,
     {
-        self.settings.stepper(self.law, self.start, self.scheme)
+        let dt = self.settings.step_length::<<X::System as System>::Scalar>(&self.scheme);
+        Stepper::new(self.settings.open(dt, self.law, self.start)?, self.scheme)
     }
 
     /// Makes a number of steps, or fewer where an event or an observer stops the run.
@@ -345,37 +368,37 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
         O: Attend<X::State>,
     {
         let (bare, attend) = self.apart();
-        let run = bare.empty_run();
-        match bare.prepare(span) {
-            Ok((mut stepper, plan)) => {
-                stepper.scheme.watch(true, &mut stepper.workspace);
-                record(&mut stepper, run, plan, (attend, histories))
-            }
-            Err(cause) => Err(Interrupted::new(run, cause)),
-        }
+        let (mut stepper, run, plan) = bare.set_out(span)?;
+        stepper.scheme.watch(true, &mut stepper.workspace);
+        record(&mut stepper, run, plan, (attend, histories))
     }
 }
 
 impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
-    /// A run without a state.
-    pub(crate) fn empty_run(&self) -> Run<X::State> {
-        let Simulation { start, scheme, settings, .. } = self;
-        Run::empty(start.start(), scheme, settings.dt.unwrap_or(f64::NAN), start.whole_mass(settings.mass))
-    }
-
     /// Everything that a run begins with, whatever accompanies it.
-    pub(crate) fn prepare(self, span: Span) -> Result<(Stepper<X::System, S>, Plan), Error> {
+    pub(crate) fn set_out(self, span: Span) -> SetOut<Stepper<X::System, S>, X::State> {
         let Simulation { law, start, scheme, settings, attend: () } = self;
         let scheme = if let Span::Until(end) = span { scheme.until(end) } else { scheme };
-        settings.due.check(X::System::time(&start.start()))?;
-        let stepper = settings.stepper(law, start, scheme)?;
-        stepper.system.check_potential(&stepper.start)?;
-        let (t, dt) = (stepper.t(), stepper.dt);
-        let steps = span.steps(t, dt, stepper.resolution())?;
-        let states = settings.due.states(steps, span.time(t, steps, dt));
-        let until = if let (Span::Until(end), Some(_)) = (span, stepper.resolution()) { Some(end) } else { None };
-        Ok((stepper, Plan { steps, until, states, settings }))
+        let pace = settings.pace::<<X::System as System>::Scalar>(&scheme);
+        match settings.set_out(pace, law, start, span) {
+            Ok((opening, run, plan)) => match Stepper::new(opening, scheme) {
+                Ok(stepper) => Ok((stepper, run, plan)),
+                Err(cause) => Err(Interrupted::new(run, cause)),
+            },
+            Err(refused) => Err(refused),
+        }
     }
+}
+
+/// What moves, a run without a state, and how far it goes.
+type SetOut<Y, X> = Result<(Y, Run<X>, Plan), Interrupted<X>>;
+
+/// What a scheme says of the steps of a run, whatever moves.
+struct Pace {
+    dt: Result<f64, Error>,
+    /// Whether they are of equal length.
+    equal: bool,
+    report: Report,
 }
 
 /// How far a run goes, and what it records.

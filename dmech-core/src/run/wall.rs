@@ -7,6 +7,7 @@ use super::event::{Crossing, Event};
 use super::simulation::{Attended, Simulation};
 use crate::error::Error;
 use crate::setup::Setup;
+use crate::span::is_rounding;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// Keeps the motion where a function of the state is positive: where it falls to zero is an event, at which the motion goes on from
@@ -167,11 +168,6 @@ pub(crate) fn rounding<X: Blend>(state: &X, function: &mut dyn FnMut(&X) -> f64)
     let weights = Weights { position: [1.0, later], velocity: [0.0, 1.0] };
     let moved = X::blend(time + later, core::slice::from_ref(state), &[weights]);
     nudged.max((function(&moved) - value).abs())
-}
-
-/// Whether states are a few roundings of the time apart.
-pub(crate) fn is_rounding(time: f64, other: f64) -> bool {
-    (other - time).abs() <= 4.0 * f64::EPSILON * other.abs()
 }
 
 /// A function of the state that keeps the motion where it is positive, and what does so.

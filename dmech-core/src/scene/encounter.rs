@@ -6,7 +6,8 @@ use super::builder::Scene;
 use super::space::Space;
 use super::state::SceneState;
 use crate::error::{Error, SceneError};
-use crate::run::{After, Attend, Attended, Change, Crossing, Event, Simulation, Wall, Within, is_rounding, passes};
+use crate::run::{After, Attend, Attended, Change, Crossing, Event, Simulation, Wall, Within, passes};
+use crate::span::is_rounding;
 use crate::vector::{difference, dot};
 
 /// A simulation that looks for encounters of its bodies.

@@ -223,9 +223,13 @@ fn single_step<Y: System, S: Scheme<Y>>(
     let stride = system.stride(dt, S::SHARE);
     let mut workspace = scheme.workspace(system, &stride);
     let mut memory = scheme.begin(system, &stride, from, &mut workspace)?;
-    let effort = scheme.step(system, &stride, from.t, &mut memory, &mut workspace)?;
-    let v = scheme.velocity(system, &stride, from.t + dt, &memory);
-    Ok(([scheme.position(&memory).clone(), v], effort))
+    match scheme.step(system, &stride, from.t, &mut memory, &mut workspace) {
+        Ok(effort) => {
+            let v = scheme.velocity(system, &stride, from.t + dt, &memory);
+            Ok(([scheme.position(&memory).clone(), v], effort))
+        }
+        Err(cause) => Err(cause),
+    }
 }
 
 /// The same slope so many times: what the first steps are guessed from.

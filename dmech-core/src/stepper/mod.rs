@@ -11,7 +11,7 @@ use crate::newton::NotConverged;
 use crate::scheme::Scheme;
 use crate::span::{moves_on, possible};
 use crate::system::{Effort, Particle, System};
-use departure::Departure;
+pub(crate) use departure::{Departure, Opening};
 pub(crate) use parts::in_parts;
 
 /// A simulation advanced by hand: it records nothing and, once it is made, allocates nothing.
@@ -63,10 +63,9 @@ fn begun<Y: System, S: Scheme<Y>>(
     system: &Y,
     scheme: &S,
     stride: &Y::Stride,
-    start: &Y::State,
+    departure: &Departure<Y>,
     workspace: &mut S::Workspace,
 ) -> Result<S::Memory, Error> {
-    let departure = Departure::prepared(system, start).map_err(|error| error.after(step - 1))?;
     match scheme.begin(system, stride, &departure.beginning(), workspace) {
         Ok(memory) => scheme.ready(step, &memory).map(|()| memory),
         // A start that solves an equation makes a step backward.
@@ -76,12 +75,13 @@ fn begun<Y: System, S: Scheme<Y>>(
 
 impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// The system must have been made for this start, and the step be checked.
-    pub(crate) fn new(system: Y, scheme: S, start: Y::State, dt: f64) -> Result<Self, Error> {
+    pub(crate) fn new(opening: Opening<Y>, scheme: S) -> Result<Self, Error> {
+        let Opening { system, start, departure, dt } = opening;
         let stride = system.stride(Y::Scalar::from_f64(dt), S::SHARE);
         let mut workspace = scheme.workspace(&system, &stride);
-        let memory = begun(1, &system, &scheme, &stride, &start, &mut workspace)?;
-        let spare = (!Y::IN_REGISTERS).then(|| memory.clone());
-        let (first, steps, steps_before, evaluations, iterations) = (Y::time(&start), 0, 0, 0, 0);
+        let memory = begun(1, &system, &scheme, &stride, &departure, &mut workspace)?;
+        let spare = if Y::IN_REGISTERS { None } else { Some(memory.clone()) };
+        let first = Y::time(&start);
         Ok(Stepper {
             system,
             scheme,
@@ -92,21 +92,34 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             memory,
             spare,
             first,
-            steps,
-            steps_before,
+            steps: 0,
+            steps_before: 0,
             waits: false,
-            evaluations,
-            iterations,
+            evaluations: 0,
+            iterations: 0,
         })
     }
 
     /// Begins anew from a state; what fails leaves everything as it was.
     pub(crate) fn begin_from(&mut self, start: Y::State) -> Result<(), Error> {
-        let memory = begun(self.steps() + 1, &self.system, &self.scheme, &self.stride, &start, &mut self.workspace)?;
-        self.steps_before += core::mem::take(&mut self.steps);
-        (self.start, self.memory) = (start, memory);
-        self.waits = false;
-        Ok(())
+        self.begin_at(Departure::after(self.steps(), &self.system, start))
+    }
+
+    /// Begins anew where it can be departed from.
+    pub(crate) fn begin_at(&mut self, departure: Result<(Y::State, Departure<Y>), Error>) -> Result<(), Error> {
+        let step = self.steps() + 1;
+        let Stepper { system, scheme, stride, workspace, .. } = self;
+        match departure {
+            Ok((start, departure)) => match begun(step, system, scheme, stride, &departure, workspace) {
+                Ok(memory) => {
+                    self.steps_before += core::mem::take(&mut self.steps);
+                    (self.start, self.memory, self.waits) = (start, memory, false);
+                    Ok(())
+                }
+                Err(cause) => Err(cause),
+            },
+            Err(cause) => Err(cause),
+        }
     }
 
     /// Begins anew from a state, or as soon as the law has a value there: the next step begins then, or says why it cannot.
@@ -135,46 +148,77 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// Makes a step and shows the memory before and after it.
     #[inline(always)]
     pub(crate) fn step_and(&mut self, see: impl FnOnce(&Self, &S::Memory, &S::Memory)) -> Result<(), Error> {
+        self.may_step()?;
+        let (mut next, mut spent, mut shorter) = (self.copy(), Effort::default(), 0);
+        while let Err(cause) = self.attempt(&mut next, &mut spent) {
+            // Said here, so that of schemes without shorter steps nothing is left of the loop.
+            let helps = cause.is_some() || self.scheme.too_long(&next);
+            let memory = if helps { self.shortened(shorter + 1) } else { None };
+            let Some(memory) = memory else { return Err(self.failure(cause, next, shorter)) };
+            next.clone_from(&memory);
+            shorter += 1;
+        }
+        self.steps += 1;
+        self.evaluations += spent.evaluations.to_u64();
+        self.iterations += spent.iterations.to_u64();
+        see(self, &self.memory, &next);
+        self.go_on_from(next);
+        Ok(())
+    }
+
+    /// Whether there is a next step.
+    #[inline(always)]
+    fn may_step(&mut self) -> Result<(), Error> {
         if self.waits {
             self.begin_at_last()?;
         }
-        self.scheme.ready(self.steps() + 1, &self.memory)?;
-        self.tells_the_time()?;
+        if self.system.resolution() > f64::EPSILON {
+            self.tells_the_time()?;
+        }
+        self.scheme.ready(self.steps() + 1, &self.memory)
+    }
+
+    /// Makes a step from the memory before it, which is no longer that; why it is not to stand, if it is not.
+    #[inline(always)]
+    fn attempt(&mut self, next: &mut S::Memory, spent: &mut Effort<Y::Scalar>) -> Result<(), Option<NotConverged>> {
         let t = Y::Scalar::from_f64(self.t());
-        let (mut next, mut spent, mut shorter) = (self.copy(), Effort::default(), 0);
-        loop {
-            let made = self.scheme.step(&self.system, &self.stride, t, &mut next, &mut self.workspace);
-            if let Ok(effort) = made {
-                spent += effort;
-                let stands = self.scheme.finite(&next) && self.is_placed(self.steps + 1, &next);
-                if stands && !self.scheme.too_long(&next) {
-                    self.steps += 1;
-                    self.evaluations += spent.evaluations.to_u64();
-                    self.iterations += spent.iterations.to_u64();
-                    see(self, &self.memory, &next);
-                    self.go_on_from(next);
-                    return Ok(());
-                }
-            }
-            let cause = made.err();
-            if (cause.is_some() || self.scheme.too_long(&next))
-                && let Some(memory) = self.shorter(shorter + 1)
-            {
-                shorter += 1;
-                next.clone_from(&memory);
-            } else {
-                let error = self.failure(cause, &next, shorter);
-                self.lay_aside(next);
-                return Err(error);
+        match self.scheme.step(&self.system, &self.stride, t, next, &mut self.workspace) {
+            Err(cause) => Err(Some(cause)),
+            Ok(effort) => {
+                *spent += effort;
+                let stands = self.scheme.finite(next) && self.is_placed(self.steps + 1, next);
+                if stands && !self.scheme.too_long(next) { Ok(()) } else { Err(None) }
             }
         }
     }
 
     /// The memory before a step that has been shortened so often, if it can be.
     #[cold]
-    fn shorter(&self, times: u32) -> Option<S::Memory> {
+    fn shortened(&self, times: u32) -> Option<S::Memory> {
         let mut memory = self.memory.clone();
-        (0..times).all(|_| self.scheme.shorten(&self.stride, &mut memory)).then_some(memory)
+        for _ in 0..times {
+            if !self.scheme.shorten(&self.stride, &mut memory) {
+                return None;
+            }
+        }
+        Some(memory)
+    }
+
+    /// Why the next step failed, which has been shortened so often and left `after` behind.
+    #[cold]
+    fn failure(&mut self, cause: Option<NotConverged>, after: S::Memory, times: u32) -> Error {
+        let (step, t) = (self.steps() + 1, self.t());
+        let dt = match self.shortened(times) {
+            Some(memory) => self.scheme.next_dt(self.dt, &memory),
+            None => self.next_dt(),
+        };
+        let v = self.velocity(t);
+        let error = match cause {
+            Some(cause) => self.system.unsolved(step, [self.position(), &v], t, dt, cause),
+            None => self.system.not_finite(step, [self.scheme.position(&after), &v], t, dt),
+        };
+        self.lay_aside(after);
+        error
     }
 
     /// To what steps of equal length must change the time.
@@ -184,12 +228,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     }
 
     /// Whether a scalar narrower than the time tells this step from the next.
-    #[inline(always)]
+    #[cold]
     fn tells_the_time(&self) -> Result<(), Error> {
-        match self.resolution() {
-            Some(resolution) if resolution > f64::EPSILON => moves_on(self.t(), self.dt, resolution),
-            _ => Ok(()),
-        }
+        self.resolution().map_or(Ok(()), |resolution| moves_on(self.t(), self.dt, resolution))
     }
 
     /// Whether driven bodies are somewhere after so many steps from the start.
@@ -201,13 +242,13 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// The memory once more, for steps that may fail.
     #[inline(always)]
     fn copy(&mut self) -> S::Memory {
-        match self.spare.take() {
-            Some(mut spare) if !Y::IN_REGISTERS => {
-                spare.clone_from(&self.memory);
-                spare
-            }
-            _ => self.memory.clone(),
+        if !Y::IN_REGISTERS
+            && let Some(mut spare) = self.spare.take()
+        {
+            spare.clone_from(&self.memory);
+            return spare;
         }
+        self.memory.clone()
     }
 
     /// Puts a memory in the place of the one that was. No swap: of what has an address nothing stays in registers.
@@ -302,21 +343,20 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if self.waits {
             Departure::prepared(&self.system, &self.start).map_err(|error| error.after(self.steps()))?;
         }
-        let single = |from: &Y::State, t| self.between(self.steps() + 1, from, t).map(|(state, _)| (state, [0; 2]));
+        let single = |from: &Y::State, t| self.between(self.steps() + 1, from, t);
         in_parts(&single, Y::time, &self.state(), t).map(|(state, _)| state)
     }
 
-    /// The state at a later time, within a step of a number, by a single one from a state, and what it costs.
-    pub(crate) fn between(&self, step: u64, from: &Y::State, t: f64) -> Result<(Y::State, Effort<Y::Scalar>), Error> {
+    /// The state at a later time, within a step of a number, by a single one from a state; and the evaluations and corrections that it
+    /// takes.
+    pub(crate) fn between(&self, step: u64, from: &Y::State, t: f64) -> Result<(Y::State, [u64; 2]), Error> {
         let (system, start) = (&self.system, Y::time(from));
         if t == start {
-            return Ok((from.clone(), Effort::default()));
+            return Ok((from.clone(), [0; 2]));
         }
-        let (departure, dt) = (Departure::passed(system, from), t - start);
-        match self.scheme.within(system, Y::Scalar::from_f64(dt), &departure.beginning()) {
-            Ok(reached) => departure.reached(system, step, t, reached),
-            Err(cause) => Err(departure.unsolved(system, step, dt, cause)),
-        }
+        let departure = Departure::passed(system, from);
+        let reached = self.scheme.within(system, Y::Scalar::from_f64(t - start), &departure.beginning());
+        departure.reached(system, step, t, reached)
     }
 
     /// The length of the next step, if it is not made again by a shorter one, as a step that follows the motion may be.
@@ -381,18 +421,6 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     pub(crate) fn put(&mut self, start: Y::State, memory: S::Memory, counts: [u64; 4]) {
         (self.start, self.memory) = (start, memory);
         [self.steps_before, self.steps, self.evaluations, self.iterations] = counts;
-    }
-
-    /// Why the next step failed, which left `after` behind.
-    #[cold]
-    fn failure(&self, cause: Option<NotConverged>, after: &S::Memory, shorter: u32) -> Error {
-        let (step, t) = (self.steps() + 1, self.t());
-        let dt = self.shorter(shorter).map_or(self.next_dt(), |memory| self.scheme.next_dt(self.dt, &memory));
-        let v = self.velocity(t);
-        match cause {
-            Some(cause) => self.system.unsolved(step, [self.position(), &v], t, dt, cause),
-            None => self.system.not_finite(step, [self.scheme.position(after), &v], t, dt),
-        }
     }
 }
 

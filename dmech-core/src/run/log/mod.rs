@@ -1,16 +1,17 @@
 //! What is written down of a motion, from its first state to the last.
 
+mod step;
+
 use std::time::{Duration, Instant};
 
 use dmech_scalar::Real;
 
-use super::attend::{After, Attend, Happened, Within, in_order};
+use super::attend::{Attend, Happened};
 use super::due::Due;
 use super::motion::Motion;
 use super::progress::Follow;
 use super::report::Work;
 use super::simulation::{Plan, Settings};
-use super::wall::is_rounding;
 use super::{Interrupted, Run, Watch};
 use crate::drift::MAX_OWN;
 use crate::error::Error;
@@ -228,31 +229,6 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         last.min(self.ends_at).saturating_sub(motion.steps())
     }
 
-    /// Whether an event has changed the motion, which is to go on from there.
-    pub(crate) fn is_changed(&self) -> bool {
-        self.changed.is_some()
-    }
-
-    /// Goes on from where an event has changed the motion, if one has.
-    pub(crate) fn change(&mut self, motion: &mut dyn Motion<X, R>) -> Result<bool, Error> {
-        let Some([before, after]) = self.changed.take() else { return Ok(false) };
-        let [from, to] = [&before, &after].map(self.time);
-        let so_far = self.watch.deviations(motion, &before);
-        let set =
-            if from == to { motion.set_state(after) } else { Err(Error::ChangedTime { time: from, changed: to }) };
-        if let Err(cause) = set {
-            self.failed_at = Some(before);
-            return Err(cause);
-        }
-        let state = motion.state();
-        self.watch.go_on(motion, &state, so_far);
-        self.attend.turn(&state);
-        if let Some(end) = self.until {
-            self.ends_at = motion.steps() + motion.steps_until(end)?;
-        }
-        Ok(true)
-    }
-
     /// Shows the state to those who observe it; where they have stopped the run.
     #[inline(always)]
     pub(crate) fn observe(&mut self, steps: u64, now: &mut dyn FnMut() -> X) -> Option<X> {
@@ -280,122 +256,6 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     /// Whether a state is to be recorded that the next step may reach.
     pub(crate) fn is_due_before(&self, motion: &dyn Motion<X, R>) -> bool {
         self.next.is_some_and(|next| motion.reaches(next))
-    }
-
-    /// Events, and states that are due, in the step that was made; where the run was stopped in it. The state before it is asked
-    /// for where something has happened.
-    #[inline]
-    pub(crate) fn look_into_the_step(
-        &mut self,
-        motion: &dyn Motion<X, R>,
-        start: f64,
-        before: &dyn Fn() -> X,
-        after: &X,
-    ) -> Result<Option<X>, Error> {
-        let Log { attend, between, happened, next, time, .. } = self;
-        let mut at = |t| between.state(motion, &before(), t);
-        if O::EVENTS > 0 {
-            let met = attend.meet(0, &mut Within { end: after, times: [start, time(after)], at: &mut at, happened });
-            if let Err(cause) = met {
-                self.failed_at = O::CHANGES.then(before);
-                return Err(cause);
-            }
-        }
-        if happened.is_empty() && next.is_none_or(|next| next > time(after)) {
-            return Ok(None);
-        }
-        self.take_what_happened(motion, start, before, after)
-    }
-
-    fn take_what_happened(
-        &mut self,
-        motion: &dyn Motion<X, R>,
-        start: f64,
-        before: &dyn Fn() -> X,
-        after: &X,
-    ) -> Result<Option<X>, Error> {
-        let Log { run, attend, between, happened, time, .. } = self;
-        let time = *time;
-        in_order(happened, time);
-        let first = |happened: &[Happened<X>]| {
-            happened.iter().find(|event| event.breaks()).map(|event| event.event.state().clone())
-        };
-        let mut broken = first(happened);
-        // A wall that the whole step comes to the front of again may be behind where it is broken off.
-        while O::CHANGES
-            && let Some(end) = &broken
-        {
-            let (known, times) = (happened.len(), [start, time(end)]);
-            let mut at = |t| between.state(motion, &before(), t);
-            if let Err(cause) = attend.meet_before(0, &mut Within { end, times, at: &mut at, happened }) {
-                self.failed_at = Some(before());
-                return Err(cause);
-            }
-            let earlier = happened.drain(known..).filter(|event| time(event.event.state()) < times[1]);
-            let earlier: Vec<_> = earlier.collect();
-            if earlier.is_empty() {
-                break;
-            }
-            happened.extend(earlier);
-            in_order(happened, time);
-            broken = first(happened);
-        }
-        let (mut goes_on, mut passed, mut stops) = (broken.clone(), false, false);
-        for Happened { then, event } in happened.drain(..) {
-            let told = match &broken {
-                // Found later by a rounding; a motion that goes on from the break would not pass it.
-                Some(there) if passed => attend.is_behind(0, &event, there).then(|| event.at(there.clone())),
-                // Found earlier by a rounding, but the break is before it: a motion that goes on from there will pass it.
-                Some(there)
-                    if then == After::Nothing
-                        && is_rounding(time(event.state()), time(there))
-                        && !attend.is_behind(0, &event, there) =>
-                {
-                    None
-                }
-                _ => Some(event),
-            };
-            let Some(event) = told else { continue };
-            passed |= then != After::Nothing;
-            stops |= then == After::Stop;
-            if let (After::Change, Some(state)) = (then, &mut goes_on)
-                && let Err(cause) = attend.change(0, &event, state)
-            {
-                run.forget_repeats(&event, time);
-                self.failed_at = broken;
-                return Err(cause);
-            }
-            run.happened(event);
-        }
-        let end = time(broken.as_ref().unwrap_or(after));
-        let any = self.next.is_some_and(|t| t <= end);
-        if let Err(cause) = self.record_until(end, motion, before, after) {
-            self.failed_at = broken;
-            return Err(cause);
-        }
-        match (broken, goes_on) {
-            (Some(before), Some(after)) if !stops => self.changed = Some([before, after]),
-            (Some(_), stopped) => return Ok(stopped),
-            _ if any => self.look_at(motion, after),
-            _ => {}
-        }
-        Ok(None)
-    }
-
-    /// Records the states of the step that are due by then.
-    fn record_until(
-        &mut self,
-        end: f64,
-        motion: &dyn Motion<X, R>,
-        before: &dyn Fn() -> X,
-        after: &X,
-    ) -> Result<(), Error> {
-        while let Some(t) = self.next.filter(|&t| t <= end) {
-            let at_end = t == (self.time)(after);
-            let state = if at_end { after.clone() } else { self.between.state(motion, &before(), t)? };
-            self.record_due(state)?;
-        }
-        Ok(())
     }
 
     pub(crate) fn look_at(&mut self, motion: &dyn Motion<X, R>, state: &X) {

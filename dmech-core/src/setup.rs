@@ -8,7 +8,7 @@ use crate::span::moves_on;
 use crate::state::State;
 use crate::system::{Particle, System};
 
-/// Where a motion starts from: a [`State`] under a law `L`, or a [`Scene`](crate::Scene) with its own laws, of which
+/// Where a motion starts from: a [`State`] under a law `L`, or a `Scene` with its own laws, of which
 /// [`Simulation`](crate::Simulation) makes a [`System`].
 pub trait Setup<L> {
     /// What is recorded.

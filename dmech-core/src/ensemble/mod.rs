@@ -65,7 +65,7 @@ use crate::state::State;
 ///
 /// All schemes ride in lanes, with equal and with adaptive steps, but [`Relaxed`](crate::Relaxed), which moves each member alone. The
 /// law is one that `#[dmech::law]` has written, which can be taken apart into its numbers, or an `Option` of such a law, where some members
-/// move freely; a scene of few bodies is one too ([`Ensemble::scene`]). [`Ensemble::each`] takes simulations of any kind, each moved alone:
+/// move freely; a scene of few bodies is one too (`Ensemble::scene`). [`Ensemble::each`] takes simulations of any kind, each moved alone:
 ///
 /// ```
 /// use dmech_core::prelude::*;

@@ -299,7 +299,7 @@ pub enum Error {
         /// of rounding; of `Relaxed` the last |λ|. Infinite where that was no number.
         residual: f64,
     },
-    /// An event of [`bounce_off`](crate::Simulation::bounce_off), [`collide_at`](crate::Simulation::collide_at) or
+    /// An event of [`bounce_off`](crate::Simulation::bounce_off), `collide_at` of a scene or
     /// [`change_when`](crate::Simulation::change_when) changes the motion more than 64 times within a step: what bounces with a loss comes to
     /// rest so.
     #[error("{}", comes_to_rest(*event, *time, *since))]

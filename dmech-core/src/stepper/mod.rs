@@ -172,8 +172,10 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if self.waits {
             self.begin_at_last()?;
         }
-        if self.system.resolution() > f64::EPSILON {
-            self.tells_the_time()?;
+        // Whether a scalar narrower than the time tells this step from the next.
+        let resolution = self.system.resolution();
+        if resolution > f64::EPSILON && self.scheme.tolerance().is_none() {
+            moves_on(self.t(), self.dt, resolution)?;
         }
         self.scheme.ready(self.steps() + 1, &self.memory)
     }
@@ -225,12 +227,6 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     #[inline(always)]
     pub(crate) fn resolution(&self) -> Option<f64> {
         self.scheme.tolerance().is_none().then(|| self.system.resolution())
-    }
-
-    /// Whether a scalar narrower than the time tells this step from the next.
-    #[cold]
-    fn tells_the_time(&self) -> Result<(), Error> {
-        self.resolution().map_or(Ok(()), |resolution| moves_on(self.t(), self.dt, resolution))
     }
 
     /// Whether driven bodies are somewhere after so many steps from the start.

@@ -17,7 +17,7 @@ use crate::schemes::*;
 const SPAN: f64 = 24.0;
 const STARTS: usize = 21;
 /// By how many radians a step turns the motion: each halves that before. The longest step is that of a frequency of 1.
-const LADDER: [f64; 4] = [0.08, 0.04, 0.02, 0.01];
+const LADDER: [f64; 4] = [0.04, 0.02, 0.01, 0.005];
 
 /// The tolerance at which steps turn the motion by an angle.
 fn tolerance<S: Adaptable>(scheme: &S, angle: f64) -> f64 {

@@ -18,7 +18,7 @@ use crate::schemes::*;
 const SPAN: f64 = 24.0;
 const STARTS: usize = 21;
 /// Steps to the end: each halves those before.
-const LADDER: [u64; 4] = [400, 800, 1600, 3200];
+const LADDER: [u64; 4] = [800, 1600, 3200, 6400];
 
 impl<L: Law<D> + VelocityIndependent + Copy, const D: usize> Seam<L, D> {
     fn run<S: Scheme<Particle<L, D>>>(&self, scheme: S, start: State<D>, h: f64, steps: u64) -> Option<Run<State<D>>> {

@@ -284,9 +284,12 @@ fn broken<S: Scheme<Particle<Point, 2>> + Copy>(scheme: S) {
     }
     *stepper.law_mut() = law;
     let mut other = Simulation::new(law, state).scheme(scheme).dt(0.01).stepper().unwrap();
-    stepper.advance(7).unwrap();
-    other.advance(7).unwrap();
-    assert_eq!(stepper.state(), other.state());
+    // Once it has begun again, it goes on.
+    for stepper in [&mut stepper, &mut other] {
+        stepper.advance(7).unwrap();
+        (0..3).for_each(|_| stepper.step().unwrap());
+    }
+    assert_eq!((stepper.state(), stepper.steps() - 5), (other.state(), other.steps()));
     // To look is not to change.
     let mut same = stepper.clone();
     assert_eq!(stepper.law_mut().gm, 1.3);

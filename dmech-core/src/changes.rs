@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::invariant::Invariant;
 use crate::law::Law;
 use crate::scheme::Scheme;
-use crate::span::{check_step, moves_on};
+use crate::span::{check_step, is_possible};
 use crate::stepper::{Departure, Stepper};
 use crate::system::{Particle, System};
 
@@ -36,7 +36,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     /// [`Error::TimeStep`]; the stepper then stays as it was.
     pub fn set_dt(&mut self, dt: f64) -> Result<(), Error> {
         check_step::<Y::Scalar>(&self.scheme, dt)?;
-        self.resolution().map_or(Ok(()), |resolution| moves_on(self.t(), dt, resolution))?;
+        is_possible(self.t(), dt, self.resolution())?;
         let state = self.state();
         let before = core::mem::replace(&mut self.dt, dt);
         self.pace();

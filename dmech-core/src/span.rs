@@ -93,12 +93,16 @@ pub fn steps_until(start: f64, end: f64, dt: f64) -> Result<u64, Error> {
     Ok(steps as u64)
 }
 
-/// So many steps from a time, if every one of them changes it; those that follow the motion look at the time themselves.
+/// So many steps from a time, if every one of them changes it.
 pub(crate) fn possible(steps: u64, start: f64, dt: f64, resolution: Option<f64>) -> Result<u64, Error> {
-    let Some(resolution) = resolution else { return Ok(steps) };
-    moves_on(start, dt, resolution)?;
-    moves_on(steps as f64 * dt + start, dt, resolution)?;
+    is_possible(start, dt, resolution)?;
+    is_possible(steps as f64 * dt + start, dt, resolution)?;
     Ok(steps)
+}
+
+/// Whether a step changes a time, if it is one of equal steps; those that follow the motion look at the time themselves.
+pub(crate) fn is_possible(time: f64, dt: f64, resolution: Option<f64>) -> Result<(), Error> {
+    resolution.map_or(Ok(()), |resolution| moves_on(time, dt, resolution))
 }
 
 /// Whether a step changes a time by more than its rounding, relative to it.

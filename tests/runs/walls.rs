@@ -298,7 +298,7 @@ fn kept_apart(run: &Run<SceneState<2>>, what: &str) {
 fn a_cloud_collapses() {
     let (mut collisions, mut ended) = (0, 0);
     for (e, dt) in [(1.0, 0.1), (0.5, 0.1), (0.2, 0.1), (0.0, 0.1), (0.2, 0.01)] {
-        for seed in 0..4 {
+        for seed in 0..6 {
             let place = |i: usize, k: usize| {
                 let noise = ((7 * i + 13 * k + 29 * seed) as f64 * 12.9898).sin() * 43_758.545_3;
                 [(i % 5) as f64, (i / 5) as f64][k] - 2.0 + 0.15 * (noise - noise.floor() - 0.5)
@@ -311,7 +311,7 @@ fn a_cloud_collapses() {
             ended += usize::from(!rests);
         }
     }
-    assert!(collisions > 1300 && ended >= 8, "{collisions} {ended}");
+    assert!(collisions > 2000 && ended >= 12, "{collisions} {ended}");
     // Two in which a pair in contact is let in by a rounding, where a step is broken off.
     for seed in [15, 19] {
         let mut x = 88_172_645_463_325_252_u64 + 977 * seed;
@@ -364,7 +364,7 @@ fn other_walls() {
 }
 
 /// Many collisions of many pairs in one long step are not too many of one; a run that fails ends in front of the wall; bodies taken away are
-/// refused; an elastic ball keeps its phase over thousands of bounces.
+/// refused; an elastic ball keeps its phase over 13 000 bounces.
 #[test]
 fn many_bounces() {
     let pairs = 100_u32;
@@ -390,9 +390,9 @@ fn many_bounces() {
         .dt(0.13)
         .record_every(1000);
     let turn = |state: &mut State<2>| state.v[0] *= -1.0;
-    let run = channel.bounce_off(|s| s.q[0], turn).bounce_off(|s| 1.0 - s.q[0], turn).run_until(6000.0).unwrap();
+    let run = channel.bounce_off(|s| s.q[0], turn).bounce_off(|s| 1.0 - s.q[0], turn).run_until(20_000.0).unwrap();
     let (t, x) = (run.last().t, run.last().q[0]);
     let unfolded = (0.3 + 0.7 * t) % 2.0;
     let exact = if unfolded > 1.0 { 2.0 - unfolded } else { unfolded };
-    assert!(run.events().len() > 4000 && (x - exact).abs() < 1e-9, "{} {:e}", run.events().len(), x - exact);
+    assert!(run.events().len() > 13_000 && (x - exact).abs() < 1e-9, "{} {:e}", run.events().len(), x - exact);
 }

@@ -49,11 +49,6 @@ impl Report {
         Report { scheme, order, tolerance, dt, mass, kept, drifts, own, work }
     }
 
-    /// Of another mass.
-    pub(crate) fn of_mass(self, mass: f64) -> Self {
-        Report { mass, ..self }
-    }
-
     /// How well the invariants of a system are kept.
     pub(crate) fn keep(&mut self, kept: [Kept; Invariant::ALL.len()]) {
         self.kept = kept;

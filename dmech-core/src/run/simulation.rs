@@ -71,15 +71,15 @@ impl Settings {
     }
 
     /// What a scheme says of the steps.
-    fn pace<R: Real>(&self, scheme: &impl Method) -> Pace {
+    fn pace<R: Real>(&self, scheme: &impl Method, mass: f64) -> Pace {
         let equal = scheme.tolerance().is_none();
-        Pace { dt: self.step_length::<R>(scheme), equal, report: Report::new(scheme, self.dt, self.mass) }
+        Pace { dt: self.step_length::<R>(scheme), equal, report: Report::new(scheme, self.dt, mass) }
     }
 
     /// The system where it starts, a run without a state, and how far it goes.
     fn set_out<L, X: Setup<L>>(self, pace: Pace, law: L, start: X, span: Span) -> SetOut<Opening<X::System>, X::State> {
         let Pace { dt, equal, report } = pace;
-        let run = Run::empty(start.start(), report.of_mass(start.whole_mass(self.mass)));
+        let run = Run::empty(start.start(), report);
         let opened = self.due.check(X::System::time(&run.last)).and_then(|()| {
             let opening = self.open(dt, law, start)?;
             opening.system.check_potential(&opening.start)?;
@@ -379,13 +379,11 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
     pub(crate) fn set_out(self, span: Span) -> SetOut<Stepper<X::System, S>, X::State> {
         let Simulation { law, start, scheme, settings, attend: () } = self;
         let scheme = if let Span::Until(end) = span { scheme.until(end) } else { scheme };
-        let pace = settings.pace::<<X::System as System>::Scalar>(&scheme);
-        match settings.set_out(pace, law, start, span) {
-            Ok((opening, run, plan)) => match Stepper::new(opening, scheme) {
-                Ok(stepper) => Ok((stepper, run, plan)),
-                Err(cause) => Err(Interrupted::new(run, cause)),
-            },
-            Err(refused) => Err(refused),
+        let pace = settings.pace::<<X::System as System>::Scalar>(&scheme, start.whole_mass(settings.mass));
+        let (opening, run, plan) = settings.set_out(pace, law, start, span)?;
+        match Stepper::new(opening, scheme) {
+            Ok(stepper) => Ok((stepper, run, plan)),
+            Err(cause) => Err(Interrupted::new(run, cause)),
         }
     }
 }

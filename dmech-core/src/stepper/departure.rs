@@ -5,7 +5,7 @@ use dmech_scalar::{Count, Real};
 use crate::error::Error;
 use crate::newton::NotConverged;
 use crate::scheme::Reached;
-use crate::span::moves_on;
+use crate::span::is_possible;
 use crate::system::{Beginning, Effort, System};
 
 /// A system where its motion begins, whatever scheme moves it, and the length of the steps.
@@ -35,10 +35,8 @@ impl<Y: System> Departure<Y> {
 
     /// The same of a motion that has made some steps.
     pub(super) fn after(steps: u64, system: &Y, start: Y::State) -> Result<(Y::State, Self), Error> {
-        match Departure::prepared(system, &start) {
-            Ok(departure) => Ok((start, departure)),
-            Err(error) => Err(error.after(steps)),
-        }
+        let departure = Departure::prepared(system, &start).map_err(|error| error.after(steps))?;
+        Ok((start, departure))
     }
 
     /// From which it goes on as from another, with driven bodies where their paths lead; in steps that change a time by more than this
@@ -52,7 +50,7 @@ impl<Y: System> Departure<Y> {
     ) -> Result<(Y::State, Self), Error> {
         system.check(state)?;
         let t = Y::time(state);
-        resolution.map_or(Ok(()), |resolution| moves_on(t, dt, resolution))?;
+        is_possible(t, dt, resolution)?;
         let [q, v] = system.vectors(state);
         Self::after(steps, system, system.state(t, &q, &v))
     }

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::law::Law;
 use crate::newton::NotConverged;
 use crate::scheme::Scheme;
-use crate::span::{moves_on, possible};
+use crate::span::{is_possible, possible};
 use crate::system::{Effort, Particle, System};
 pub(crate) use departure::{Departure, Opening};
 pub(crate) use parts::in_parts;
@@ -109,17 +109,11 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     pub(crate) fn begin_at(&mut self, departure: Result<(Y::State, Departure<Y>), Error>) -> Result<(), Error> {
         let step = self.steps() + 1;
         let Stepper { system, scheme, stride, workspace, .. } = self;
-        match departure {
-            Ok((start, departure)) => match begun(step, system, scheme, stride, &departure, workspace) {
-                Ok(memory) => {
-                    self.steps_before += core::mem::take(&mut self.steps);
-                    (self.start, self.memory, self.waits) = (start, memory, false);
-                    Ok(())
-                }
-                Err(cause) => Err(cause),
-            },
-            Err(cause) => Err(cause),
-        }
+        let (start, departure) = departure?;
+        let memory = begun(step, system, scheme, stride, &departure, workspace)?;
+        self.steps_before += core::mem::take(&mut self.steps);
+        (self.start, self.memory, self.waits) = (start, memory, false);
+        Ok(())
     }
 
     /// Begins anew from a state, or as soon as the law has a value there: the next step begins then, or says why it cannot.
@@ -172,10 +166,9 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         if self.waits {
             self.begin_at_last()?;
         }
-        // Whether a scalar narrower than the time tells this step from the next.
-        let resolution = self.system.resolution();
-        if resolution > f64::EPSILON && self.scheme.tolerance().is_none() {
-            moves_on(self.t(), self.dt, resolution)?;
+        // Only a scalar narrower than the time may not tell this step from the next.
+        if self.system.resolution() > f64::EPSILON {
+            is_possible(self.t(), self.dt, self.resolution())?;
         }
         self.scheme.ready(self.steps() + 1, &self.memory)
     }
@@ -198,12 +191,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
     #[cold]
     fn shortened(&self, times: u32) -> Option<S::Memory> {
         let mut memory = self.memory.clone();
-        for _ in 0..times {
-            if !self.scheme.shorten(&self.stride, &mut memory) {
-                return None;
-            }
-        }
-        Some(memory)
+        (0..times).all(|_| self.scheme.shorten(&self.stride, &mut memory)).then_some(memory)
     }
 
     /// Why the next step failed, which has been shortened so often and left `after` behind.
@@ -337,7 +325,7 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
             return Err(Error::OutsideStep { time: t, from: now, to: end });
         }
         if self.waits {
-            Departure::prepared(&self.system, &self.start).map_err(|error| error.after(self.steps()))?;
+            Departure::after(self.steps(), &self.system, self.start.clone())?;
         }
         let single = |from: &Y::State, t| self.between(self.steps() + 1, from, t);
         in_parts(&single, Y::time, &self.state(), t).map(|(state, _)| state)

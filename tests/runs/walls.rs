@@ -1,5 +1,6 @@
 //! Nothing gets behind a wall: slanted, curved and moving ones, corners, balls between balls; with and without loss, however long the steps.
 
+use dmech::SceneError;
 use dmech::prelude::*;
 
 /// m g y.
@@ -179,16 +180,6 @@ fn on_the_wall() {
     let put = |s: &mut State<2>| (s.q[1], s.v[1]) = (0.0, 0.2);
     let run = fall(5.0, 0.0).change_when(|s| s.t - 1.1, Crossing::Rising, put).bounce_off(|s| s.q[1], bounce);
     assert!(hops(run.run_until(3.0).unwrap()) > 4);
-    // From behind it comes to the front, and is held from there on.
-    let run = fall(-0.5, 1.5).bounce_off(|s| s.q[1], bounce).run_until(9.0).unwrap();
-    assert!(
-        run.events().len() > 2 && run.states().iter().filter(|state| state.t > 1.0).all(|state| state.q[1] > -1e-14)
-    );
-    // Something else takes it behind: it is not held there, and falls on.
-    let fell =
-        fall(0.02, 0.0).change_when(|s| s.t - 0.25, Crossing::Rising, |s| s.q[1] = -5.0).bounce_off(|s| s.q[1], bounce);
-    let run = fell.run_until(3.0).unwrap();
-    assert!(run.last().q[1] < -5.0 && run.events().len() == 2, "{:?}", run.events());
     // A function of the velocity along the wall, too.
     let run =
         fall(0.1, 0.0).bounce_off(|s| s.q[1] - 1e-3 * s.v[0] * s.v[0], |s| s.v[1] *= -0.95).run_until(4.0).unwrap();
@@ -220,6 +211,59 @@ fn on_the_wall() {
     let met: Vec<_> = run.events().iter().map(|event| event.bodies().unwrap()).collect();
     assert_eq!(met, [[0, 1], [1, 2], [2, 3]]);
     assert_eq!(run.last().v, [[0.0], [0.0], [0.0], [1.0]]);
+}
+
+/// What begins behind a wall, or is put there by something else, is not let through in silence: by an ulp, far, no number.
+#[test]
+fn what_is_behind_is_refused() {
+    let bounce = |state: &mut State<2>| state.v[1] *= -1.0;
+    let no_number = |s: &State<2>| if s.q[1] < 0.0 { f64::NAN } else { s.q[1] };
+    for y in [-5e-324, -1e-18, -1e-9, -0.5, -1e300] {
+        for v in [-1.0, 0.0, 1.5] {
+            let fall = || Simulation::new(Fall { g: 1.0 }, State::new([0.0, y], [0.3, v])).scheme(Leapfrog).dt(0.5);
+            let above = |s: &State<2>| s.q[1] + 1e301;
+            let failed = fall().bounce_off(above, bounce).bounce_off(|s| s.q[1], bounce).run_until(3.0).unwrap_err();
+            assert_eq!(failed.cause(), Error::BehindWall { event: 1, time: 0.0, value: y });
+            assert_eq!(failed.run().last(), &State::new([0.0, y], [0.3, v]));
+            let failed = fall().bounce_off(no_number, bounce).run(3).unwrap_err();
+            assert!(matches!(failed.cause(), Error::BehindWall { event: 0, value, .. } if value.is_nan()));
+        }
+    }
+    // Something else takes it there: the run ends with what it was before.
+    let fell = Simulation::new(Fall { g: 1.0 }, State::new([0.0, 0.02], [0.3, 0.0])).scheme(Leapfrog).dt(0.5);
+    let fell = fell.change_when(|s| s.t - 0.25, Crossing::Rising, |s| s.q[1] = -5.0).bounce_off(|s| s.q[1], bounce);
+    let failed = fell.run_until(3.0).unwrap_err();
+    assert!(matches!(failed.cause(), Error::BehindWall { event: 1, time: 0.25, value: -5.0 }), "{failed}");
+    assert!(failed.run().last().t == 0.25 && failed.run().last().q[1] > 0.0 && failed.run().events().len() == 2);
+}
+
+/// Balls that are in one another are refused; a wall of pinned ones, which overlap, is none of the matter.
+#[test]
+fn overlaps_are_refused() {
+    let hard = |state: &mut SceneState<1>, [a, b]: [usize; 2]| state.v.swap(a, b);
+    let row = |x: f64| Scene::<1>::new().body(1.0, [0.0], [0.0]).body(1.0, [0.3], [0.0]).body(1.0, [x], [-1.0]);
+    let balls = |scene: Scene<1>| Simulation::scene(scene).scheme(Leapfrog).dt(0.125).collide_at(0.5, hard);
+    let failed = balls(row(2.0)).run(9).unwrap_err();
+    let overlap = SceneError::Overlap { a: 0, b: 1, apart: 0.3, distance: 0.5, time: 0.0 };
+    assert_eq!(failed.cause(), overlap.into());
+    let failed = balls(row(0.5).pin(0).pin(1)).run(9).unwrap_err();
+    assert!(matches!(failed.cause(), Error::Scene(SceneError::Overlap { a: 1, b: 2, .. })), "{failed}");
+    let walled = |scene: Scene<1>| {
+        let back = |state: &mut SceneState<1>, [a, b]: [usize; 2]| {
+            let ball = a.max(b);
+            state.v[ball][0] *= -1.0;
+        };
+        Simulation::scene(scene.pin(0).pin(1)).scheme(Leapfrog).dt(0.125).collide_at(0.5, back)
+    };
+    let run = walled(row(2.0)).run_until(3.0).unwrap();
+    let last = run.last();
+    assert!(run.events()[0].bodies() == Some([1, 2]) && (last.q[2][0] - (last.t - 0.4)).abs() < 1e-14, "{last:?}");
+    // A push takes it there.
+    let put = |state: &mut SceneState<1>| state.q[2] = [0.7];
+    let failed = walled(row(2.0)).change_when(|s| s.t - 0.3, Crossing::Rising, put).run_until(3.0).unwrap_err();
+    assert_eq!(failed.run().last().q[2], [1.7]);
+    let Error::Scene(SceneError::Overlap { a: 1, b: 2, apart, time, .. }) = failed.cause() else { panic!("{failed}") };
+    assert!((apart - 0.4).abs() < 1e-15 && (time - 0.3).abs() < 1e-15, "{failed}");
 }
 
 /// Balls of these masses on a line that give back the share e of the velocity with which they strike one another.

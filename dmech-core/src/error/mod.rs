@@ -311,6 +311,22 @@ pub enum Error {
         /// The time since it has happened before; 0 where the motion has not left the wall.
         since: f64,
     },
+    /// A motion begins behind a wall of [`bounce_off`](crate::Simulation::bounce_off), or something else has put it there: nothing would
+    /// hold it.
+    #[error(
+        "at t = {} the motion is behind the wall of event {event}, where its function is {}: a wall holds what is in front of it, where \
+         the function is positive",
+        Number(*time),
+        Number(*value)
+    )]
+    BehindWall {
+        /// Which of the events of the simulation, counted from 0.
+        event: usize,
+        /// The time.
+        time: f64,
+        /// The value of the function.
+        value: f64,
+    },
     /// What an event changes, it has changed the time of, too.
     #[error("an event at t = {} may change positions and velocities, not the time, to {}", Number(*time), Number(*changed))]
     ChangedTime {

@@ -51,6 +51,25 @@ pub enum SceneError {
         /// The refused distance.
         distance: f64,
     },
+    /// Two bodies of `collide_at` are nearer than they may come, at the start or where something else has put them.
+    #[error(
+        "at t = {} bodies {a} and {b} are {} apart, nearer than the {} at which bodies collide here: nothing would keep them apart",
+        Number(*time),
+        Number(*apart),
+        Number(*distance)
+    )]
+    Overlap {
+        /// The first body.
+        a: usize,
+        /// The second.
+        b: usize,
+        /// Their distance.
+        apart: f64,
+        /// The distance at which bodies collide.
+        distance: f64,
+        /// The time.
+        time: f64,
+    },
     /// A pinned body with a velocity.
     #[error("body {body} is pinned and must be at rest: a component of its velocity is {}", Number(*speed))]
     PinnedMoves {

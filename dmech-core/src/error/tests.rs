@@ -33,6 +33,7 @@ fn all(x: f64) -> Vec<Error> {
         Error::Span { start: x, end },
         Error::ComesToRest { event: 4, time, since: x },
         Error::ChangedTime { time, changed: x },
+        Error::BehindWall { event: 4, time, value: x },
     ];
     #[cfg(feature = "scene")]
     {
@@ -43,6 +44,7 @@ fn all(x: f64) -> Vec<Error> {
             SceneError::Pin { body, bodies: 3 },
             SceneError::NoBody { body, bodies: 3 },
             SceneError::Encounter { distance: x },
+            SceneError::Overlap { a: 1, b: 2, apart: x, distance: end, time },
             SceneError::PinnedMoves { body, speed: x },
             SceneError::Driven { body },
             SceneError::DrivenTwice { body },
@@ -94,7 +96,7 @@ fn listed(error: &Error) -> bool {
         Underflow { .. } | Link { .. } | Body { .. } | Path { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
         RecordDt { .. } | RecordAt { .. } | Recording { .. } | OutsideStep { .. } | Stream(_) => true,
-        WatchedTwice { .. } | ComesToRest { .. } | ChangedTime { .. } => true,
+        WatchedTwice { .. } | ComesToRest { .. } | ChangedTime { .. } | BehindWall { .. } => true,
         #[cfg(feature = "scene")]
         Scene(_) => true,
         #[cfg(feature = "serde")]

@@ -17,7 +17,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// wall at the end of a step has not left it, it is changed once more where it was: three balls that meet at once, a change of something
     /// else, a start on the wall. What bounces with a loss comes to rest after hops ever shorter: nothing holds it there, and the run
     /// ends with [`Error::ComesToRest`](crate::Error::ComesToRest) once there are more than 64 in a step, or none that its numbers tell.
-    /// What begins behind the wall, or is put there by something else, is not held until it has come to the front. A wall that is passed
+    /// What begins behind the wall by more than rounding, or is put there by something else, is refused. A wall that is passed
     /// and left again within one step may be missed. The function is continuous at the wall and negative behind it; what is no number is
     /// behind, too.
     ///
@@ -40,7 +40,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// ```
     ///
     /// # Errors
-    /// As [`change_when`](Simulation::change_when).
+    /// [`Error::BehindWall`](crate::Error::BehindWall), and as [`change_when`](Simulation::change_when).
     pub fn bounce_off<F: FnMut(&X::State) -> f64, C: FnMut(&mut X::State)>(
         self,
         function: F,
@@ -67,15 +67,16 @@ pub(crate) struct Wall {
 impl Wall {
     pub(crate) const FAR: Self = Wall { on: false, off: 0.0, leaves: false, rounding: 0.0, often: Often::NEVER };
 
-    /// The motion goes on from a state with this value, by its own change, before which its rounding was this, or otherwise. What was put
-    /// in front begins there.
-    pub(crate) fn go_on(&mut self, value: f64, changed: Option<f64>, rounding: impl FnOnce() -> f64) {
+    /// The motion goes on from a state with this value, by its own change, before which its rounding was this, or otherwise; whether it is
+    /// held. What was put in front begins there.
+    pub(crate) fn go_on(&mut self, value: f64, changed: Option<f64>, rounding: impl FnOnce() -> f64) -> bool {
         let (off, own) = (value.abs(), changed.is_some());
         let least = rounding().max(changed.unwrap_or(0.0)).max(core::mem::take(&mut self.rounding));
         let stays = self.on && off <= self.off;
         self.on = off <= least || own && value < 0.0 || stays;
         self.off = if stays { self.off } else { off.min(least) };
         self.leaves = false;
+        self.on || value > 0.0
     }
 
     /// Where the function falls to zero in a step, from its values at the ends.
@@ -198,9 +199,8 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
     const EVENTS: usize = 1;
     const CHANGES: bool = true;
 
-    fn begin(&mut self, start: &X) -> Result<(), Error> {
-        self.turn(start);
-        Ok(())
+    fn begin(&mut self, which: usize, start: &X) -> Result<(), Error> {
+        self.turn(which, start)
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
@@ -232,9 +232,11 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
         Ok(())
     }
 
-    fn turn(&mut self, state: &X) {
+    fn turn(&mut self, which: usize, state: &X) -> Result<(), Error> {
         let Bounce { function, values: [_, last], wall, own, .. } = self;
-        *last = function(state);
-        wall.go_on(*last, own.take(), || rounding(state, function));
+        let value = function(state);
+        *last = value;
+        let held = wall.go_on(value, own.take(), || rounding(state, function));
+        if held { Ok(()) } else { Err(Error::BehindWall { event: which, time: state.time(), value }) }
     }
 }

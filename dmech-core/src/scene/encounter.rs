@@ -1,6 +1,6 @@
 //! Encounters of bodies.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::builder::Scene;
 use super::space::Space;
@@ -70,11 +70,12 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Bodies that are nearer at the start, or that pass through one another within a step, are not kept apart. Where two come to rest on
-    /// each other the whole run ends, as for a ball on a floor.
+    /// Bodies that pass through one another within a step are not kept apart. Where two come to rest on each other the whole run ends, as
+    /// for a ball on a floor.
     ///
     /// # Errors
-    /// As [`encounter`](Simulation::encounter) and [`bounce_off`](Simulation::bounce_off).
+    /// As [`encounter`](Simulation::encounter) and [`change_when`](Simulation::change_when), and [`SceneError::Overlap`] where two bodies
+    /// are nearer at the start, or are put so near by something else.
     pub fn collide_at<C: FnMut(&mut SceneState<D>, [usize; 2])>(
         self,
         distance: f64,
@@ -84,9 +85,9 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     }
 
     fn watch_for<C>(self, distance: f64, then: After, change: C) -> Met<D, P, L, B, S, O, C> {
-        let space = self.start.space;
+        let (space, held) = (self.start.space, self.start.bodies.pins.iter().copied().collect());
         let (excess, starts, contacts, own) = (Vec::new(), Vec::new(), BTreeMap::new(), Vec::new());
-        self.attended(Encounter { distance, space, then, excess, starts, change, contacts, own })
+        self.attended(Encounter { distance, space, held, then, excess, starts, change, contacts, own })
     }
 }
 
@@ -95,6 +96,8 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
 pub struct Encounter<B, C = ()> {
     distance: f64,
     space: B,
+    /// Bodies that no collision moves.
+    held: BTreeSet<usize>,
     then: After,
     excess: Vec<f64>,
     /// The same at the start of the step.
@@ -184,12 +187,11 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
     const EVENTS: usize = 1;
     const CHANGES: bool = C::CHANGES;
 
-    fn begin(&mut self, start: &SceneState<D>) -> Result<(), Error> {
+    fn begin(&mut self, which: usize, start: &SceneState<D>) -> Result<(), Error> {
         if !(self.distance > 0.0 && self.distance.is_finite()) {
             return Err(SceneError::Encounter { distance: self.distance }.into());
         }
-        self.turn(start);
-        Ok(())
+        self.turn(which, start)
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, SceneState<D>>) -> Result<(), Error> {
@@ -243,19 +245,24 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
         Ok(())
     }
 
-    fn turn(&mut self, state: &SceneState<D>) {
-        let Encounter { distance, space, excess: all, contacts, own, .. } = self;
+    fn turn(&mut self, _: usize, state: &SceneState<D>) -> Result<(), Error> {
+        let Encounter { distance, space, held, excess: all, contacts, own, .. } = self;
         all.clear();
         for (k, pair) in pairs(state.q.len()).enumerate() {
             let value = excess(state, pair, *distance, space);
             all.push(value);
-            let touches = || value.abs() <= rounding(state, pair, *distance);
-            if C::CHANGES && (contacts.contains_key(&k) || touches()) {
+            let near = || value <= rounding(state, pair, *distance);
+            if C::CHANGES && (contacts.contains_key(&k) || near()) {
                 let wall = contacts.entry(k).or_insert(Wall::FAR);
                 let changed = own.iter().find(|(of, _)| *of == k).map(|&(_, rounding)| rounding);
-                wall.go_on(value, changed, || rounding(state, pair, *distance));
+                let is_held = wall.go_on(value, changed, || rounding(state, pair, *distance));
+                if !is_held && !pair.iter().all(|body| held.contains(body)) {
+                    let (apart, [a, b]) = ((value + *distance * *distance).sqrt(), pair);
+                    return Err(SceneError::Overlap { a, b, apart, distance: *distance, time: state.t }.into());
+                }
             }
         }
         own.clear();
+        Ok(())
     }
 }

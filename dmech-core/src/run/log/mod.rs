@@ -164,7 +164,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     pub(crate) fn begin(&mut self, motion: &dyn Motion<X, R>) -> Result<(), Error> {
         let state = motion.state();
         const { assert!(O::QUANTITIES <= MAX_OWN, "a run watches eight quantities at most") };
-        self.attend.begin(&state)?;
+        self.attend.begin(0, &state)?;
         self.look_as_well(&state);
         if O::QUANTITIES > 0 {
             self.check_names()?;

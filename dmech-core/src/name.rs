@@ -35,9 +35,15 @@ impl Name {
 
     /// The name.
     pub const fn text(&self) -> &str {
-        match core::str::from_utf8(self.bytes.split_at(self.length as usize).0) {
+        let bytes = self.bytes.split_at(self.length as usize).0;
+        // Where the room has ended within a letter, what is before it.
+        let whole = match core::str::from_utf8(bytes) {
+            Ok(text) => return text,
+            Err(cut) => bytes.split_at(cut.valid_up_to()).0,
+        };
+        match core::str::from_utf8(whole) {
             Ok(text) => text,
-            Err(_) => "another scheme",
+            Err(_) => "",
         }
     }
 }

@@ -68,7 +68,7 @@ where
     place.sql("DROP TRIGGER IF EXISTS again");
     // Holes, as kills leave them.
     let lose = |members: &str| {
-        for table in ["last", "drift", "state", "event"] {
+        for table in ["last", "drift", "state", "event", "change"] {
             place.sql(&format!("DELETE FROM {table} WHERE {members}"));
         }
         if X::State::LISTED {

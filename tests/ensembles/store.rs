@@ -1,11 +1,12 @@
 //! Sweeps that are kept, killed, and gone on with.
 
+use std::fmt::Debug;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use dmech::extend::{Fields, Reach, Rides, StoreError};
+use dmech::extend::{Columns, Company, Fields, Reach, Rides, StoreError};
 use dmech::models::pairs::{LennardJones, Spring};
 use dmech::prelude::*;
 use dmech::scene::{OnBonds, OnNear, Scene};
@@ -434,6 +435,58 @@ fn what_failed_stays_failed() {
     place.sql("UPDATE last SET failed = NULL WHERE k = 2");
     let refused = sweep().store(place.file()).run(8).unwrap_err();
     assert_eq!(refused, Error::Store(StoreError::Changed { table: "last", member: 2 }));
+}
+
+/// A weight above a floor.
+#[derive(Clone, Copy, Debug)]
+struct Weight {
+    g: f64,
+}
+
+#[dmech::law]
+impl Weight {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        self.g * q
+    }
+}
+
+/// What is moved again is written anew, with nothing left of the run that failed: it may have had more events and more states.
+#[test]
+fn nothing_is_left_of_what_failed() {
+    const WEIGHT: Weight = Weight { g: 1.0 };
+    const END: f64 = 8.0;
+    fn check<X: Clone + Columns + Debug>(
+        place: &Place,
+        moved: impl Fn(f64, Option<PathBuf>) -> Result<EnsembleRun<X>, Error>,
+    ) {
+        let kept = |e| moved(e, Some(place.file())).unwrap();
+        assert_eq!(kept(0.5).failures().count(), 4);
+        let events = || place.number("SELECT COUNT(*) FROM event");
+        let lossy = events();
+        // What happens at a bounce is no number, and not known to the store.
+        let plain = moved(0.9, None).unwrap();
+        the_same(&plain, &kept(0.9));
+        assert!(lossy > 4 * 20 && events() < 4 * 5, "{lossy}, {}", events());
+        the_same(&plain, &kept(0.9));
+    }
+    let start = |k: usize| State::new([1.0 + 0.1 * k as f64], [0.0]);
+    let falling = || Ensemble::of(4).law(|_| WEIGHT).start(start).scheme(Leapfrog).dt(0.01);
+    let balls = move |e: f64| {
+        falling().with(move |_, ball: Company<State<1>>| ball.bounce_off(|s| s.q[0], move |s| s.v[0] *= -e))
+    };
+    check(&Place::new("again"), |e, file| match file {
+        Some(file) => balls(e).store(file).run_until(END),
+        None => balls(e).run_until(END),
+    });
+    let ball = move |k: usize, e: f64| {
+        let floor = Scene::<1>::new().body(1.0, [-0.5], [0.0]).pin(0).body(1.0, start(k).q, [0.0]).field(WEIGHT);
+        Simulation::scene(floor).scheme(Leapfrog).dt(0.01).collide_at(0.5, move |s, [_, b]| s.v[b][0] *= -e)
+    };
+    check(&Place::new("again-each"), |e, file| match file {
+        Some(file) => Ensemble::each(4, move |k| ball(k, e)).store(file).run_until(END),
+        None => Ensemble::each(4, move |k| ball(k, e)).run_until(END),
+    });
 }
 
 /// A name that SQLite would take for a URI, for memory or for a file that goes is that of a file.

@@ -24,6 +24,23 @@ impl Slope {
     }
 }
 
+/// A weight that is heavier below each of two heights.
+#[derive(Clone, Copy, Debug)]
+struct Layers {
+    g: f64,
+    more: f64,
+    above: [f64; 2],
+}
+
+#[dmech::law]
+impl Layers {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        let [a, b] = self.above;
+        self.g * q + self.more * ((q - a).min(0.0) + (q - b).min(0.0))
+    }
+}
+
 /// k x²/2.
 #[derive(Clone, Copy, Debug)]
 struct Rubber {
@@ -161,7 +178,12 @@ fn a_change_is_a_stop_and_a_new_start() {
         }
         // After the step of a change the state is the changed one.
         assert_eq!(run.states(), states);
-        assert_eq!((run.events(), run.steps(), run.last()), (&events[..], steps, &state));
+        let seen = |event: &Event<State<1>>| (event.which(), *event.state(), event.crossing());
+        let [of_one, of_legs] = [run.events(), &events].map(|events| events.iter().map(seen).collect::<Vec<_>>());
+        assert_eq!((of_one, run.steps(), run.last()), (of_legs, steps, &state));
+        let turned = |event: &Event<State<1>>| State { v: [-e * event.state().v[0]], ..*event.state() };
+        let after = |event: &Event<State<1>>| (event.which() == 0).then(|| turned(event));
+        assert!(run.events().iter().all(|event| event.after() == after(event).as_ref()));
         events.len()
     }
     let mut seen = 0;
@@ -383,6 +405,68 @@ fn what_is_let_through_goes_on() {
     let tick = |_: &mut State<1>| ticks.set(ticks.get() + 1);
     let run = pendulum(0.0).change_when(clock, Crossing::Rising, tick).run_until(5.5).unwrap();
     assert_eq!((ticks.get(), run.events().len()), (5, 5));
+}
+
+/// States between those that were recorded are of the motion before a change or after it, not of both.
+#[test]
+fn between_changes() {
+    fn follows<S: Scheme<Particle<Rubber, 1>> + Copy>(scheme: S, recorded: f64) {
+        // Free, from 0 with velocity 1, turned back at 0.9 and at 1.3, pushed to another place at 2.1.
+        let free = Simulation::new(Rubber { k: 0.0 }, State::new([0.0], [1.0])).scheme(scheme).dt(0.25);
+        let turned = |at: f64| move |s: &State<1>| s.t - at;
+        let run = free
+            .record_dt(recorded)
+            .change_when(turned(0.9), Crossing::Rising, |s| s.v[0] = -1.0)
+            .change_when(turned(1.3), Crossing::Rising, |s| s.v[0] = 0.5)
+            .change_when(turned(1.3), Crossing::Rising, |s| s.v[0] *= 3.0)
+            .change_when(turned(2.1), Crossing::Rising, |s| s.q[0] = -7.0)
+            .run_until(3.0)
+            .unwrap();
+        let exact = |t: f64| match t {
+            t if t < 0.9 => t,
+            t if t < 1.3 => 1.8 - t,
+            t if t < 2.1 => 0.5 + 1.5 * (t - 1.3),
+            t => -7.0 + 1.5 * (t - 2.1),
+        };
+        for k in 0..=3000 {
+            let t = 1e-3 * f64::from(k);
+            let state = run.at(t).unwrap();
+            let near = (t - 0.9).abs().min((t - 1.3).abs()).min((t - 2.1).abs()) < 1e-12;
+            assert!(near || (state.q[0] - exact(t)).abs() < 1e-12, "{}, {t}: {state:?}", S::NAME);
+        }
+        // At a change, where nothing was recorded, the motion has gone on.
+        let [.., push] = run.events() else { panic!("{:?}", run.events()) };
+        let after = push.after().unwrap();
+        assert_eq!((after.q, run.at(push.state().t).as_ref()), ([-7.0], Some(after)));
+        let several: Vec<_> = run.events().iter().map(|event| event.after().unwrap().v[0]).collect();
+        assert_eq!(several, [-1.0, 0.5, 1.5, 1.5]);
+        assert!(run.at(-0.1).is_none() && run.at(run.last().t + 0.1).is_none() && run.at(f64::NAN).is_none());
+    }
+    for recorded in [0.25, 0.5, 1.7] {
+        follows(Leapfrog, recorded);
+        follows(Nystrom::order8(), recorded);
+        follows(Gauss::order16(), recorded);
+    }
+}
+
+/// A report tells of the whole run, not of what followed the last change.
+#[test]
+fn what_is_told_of_steps_is_told_of_all() {
+    let eccentric = State::new([1.9, 0.0], [0.0, (0.1_f64 / 1.9).sqrt()]);
+    let orbit = || Simulation::new(Kepler { gm: 1.0 }, eccentric).scheme(DiscreteGradient).adaptive(1e-5).dt(1.0);
+    let whole = orbit().run_until(12.0).unwrap().report().dt_range().unwrap();
+    let late = |s: &State<2>| s.t - 11.9;
+    let changed = orbit().change_when(late, Crossing::Rising, |_| ()).run_until(12.0).unwrap();
+    assert_eq!((changed.report().dt_range(), changed.events().len()), (Some(whole), 1));
+    assert!(whole[1] > 20.0 * whole[0], "{whole:?}");
+
+    // A fall through two seams, onto a floor below one of them or both.
+    let law = Layers { g: 1.3, more: 0.4, above: [0.7, 0.3] };
+    for (floor, seams) in [(0.5, 1), (0.1, 2)] {
+        let fall = Simulation::new(law, State::new([1.0], [0.0])).scheme(Gauss::order16()).dt(0.05);
+        let run = fall.bounce_off(move |s| s.q[0] - floor, |s| s.v[0] = 0.2).run_until(1.2).unwrap();
+        assert!(!run.events().is_empty() && run.report().rough() == seams, "{floor}: {}", run.report());
+    }
 }
 
 /// What cannot be gone on from ends the run, with what there is of it.

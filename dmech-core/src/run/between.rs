@@ -2,7 +2,7 @@
 
 use dmech_scalar::Real;
 
-use super::Run;
+use super::{Event, Run};
 use crate::state::State;
 
 /// A state between others.
@@ -94,10 +94,11 @@ impl<X: Blend + Clone> Run<X> {
     /// high a degree that after every step recorded it has the order of the scheme, or of a lower one where a higher brings it no
     /// nearer. `None` before the first and after the last.
     ///
-    /// It knows nothing of the law. Where few states were recorded, or steps are long, as those of [`Gauss`](crate::Gauss) and
-    /// all adaptive ones may be, the polynomial is less exact than the states: with steps of a radian of the motion it is right to 10⁻²
-    /// or so. Ask for the times before the run, with [`record_at`](crate::Simulation::record_at), which costs a step and is as exact
-    /// as the run.
+    /// It does not reach over a [change](crate::Simulation::change_when) of the motion, at which it ends in the state of the event and begins
+    /// in the one [after](Event::after) it. Of the law it knows nothing. Where few states were recorded, or steps are long, as those of
+    /// [`Gauss`](crate::Gauss) and all adaptive ones may be, the polynomial is less exact than the states: with steps of a radian of the
+    /// motion it is right to 10⁻² or so. Ask for the times before the run, with [`record_at`](crate::Simulation::record_at), which costs a
+    /// step and is as exact as the run.
     ///
     /// ```
     /// use dmech_core::prelude::*;
@@ -109,25 +110,26 @@ impl<X: Blend + Clone> Run<X> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn at(&self, t: f64) -> Option<X> {
-        let states = &self.states;
+        let after = self.states.partition_point(|state| state.time() < t);
+        let recorded = self.states.get(after).filter(|state| state.time() == t);
         // The end of the run belongs to it also where it was not due.
-        let unrecorded = states.last().is_some_and(|state| state.time() < self.last.time()).then_some(&self.last);
-        let after = states.partition_point(|state| state.time() < t);
-        if let Some(there) = states.get(after).or(unrecorded).filter(|state| state.time() == t) {
+        if let Some(there) = recorded.or(Some(&self.last).filter(|last| last.time() == t)) {
             return Some(there.clone());
         }
-        if after == 0 || t.is_nan() {
+        if after == 0 || t.is_nan() || t > self.last.time() {
             return None;
         }
-        let most = self.report.order().div_ceil(2) as usize + 1;
-        let (before, behind) = (states.get(after - 1)?, states.get(after).or(unrecorded)?);
+        let Piece { from, states, end } = self.piece(t);
+        let after = states.partition_point(|state| state.time() < t);
+        let (earlier, later) = states.split_at(after);
+        let mut earlier = from.into_iter().chain(earlier).rev();
+        let mut later = later.iter().chain([end]);
+        let (before, behind) = (earlier.next()?, later.next()?);
         let [start, end] = [before, behind].map(Blend::time);
-        if t >= end {
-            return None;
-        }
         let least = 0.1 * (end - start);
-        let mut earlier = spaced(start, least, states[..after - 1].iter().rev()).peekable();
-        let mut later = spaced(end, least, states.iter().skip(after + 1).chain(unrecorded)).peekable();
+        let mut earlier = spaced(start, least, earlier).peekable();
+        let mut later = spaced(end, least, later).peekable();
+        let most = self.report.order().div_ceil(2) as usize + 1;
         let mut near = vec![before.clone(), behind.clone()];
         while near.len() < most {
             let nearer = match (earlier.peek(), later.peek()) {
@@ -139,6 +141,29 @@ impl<X: Blend + Clone> Run<X> {
         }
         Some(nearest(t, &near))
     }
+
+    /// Where a time is in the motion.
+    fn piece(&self, t: f64) -> Piece<'_, X> {
+        let passed = self.events.partition_point(|event| event.state().time() <= t);
+        let from = self.events[..passed].iter().rev().find_map(Event::after);
+        let to = self.events[passed..].iter().find(|event| event.after().is_some()).map(Event::state);
+        let end = to.unwrap_or(&self.last);
+        let [first, last] = [
+            from.map_or(0, |from| self.states.partition_point(|state| state.time() <= from.time())),
+            self.states.partition_point(|state| state.time() < end.time()),
+        ];
+        Piece { from, states: &self.states[first..last.max(first)], end }
+    }
+}
+
+/// States between one change of the motion and the next.
+struct Piece<'a, X> {
+    /// That after the first change; none where it begins with the run.
+    from: Option<&'a X>,
+    /// Those that were recorded.
+    states: &'a [X],
+    /// That before the next change, or at the end of the run.
+    end: &'a X,
 }
 
 /// Of the polynomials through two of the states, three, … the one from which the next two differ least. Where steps are long

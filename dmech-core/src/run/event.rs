@@ -40,16 +40,22 @@ pub struct Event<X> {
     state: X,
     crossing: Crossing,
     bodies: Option<[usize; 2]>,
+    after: Option<X>,
 }
 
 impl<X> Event<X> {
     pub(crate) fn new(which: usize, state: X, crossing: Crossing, bodies: Option<[usize; 2]>) -> Self {
-        Event { which, state, crossing, bodies }
+        Event { which, state, crossing, bodies, after: None }
     }
 
     /// The same in another state.
     pub(super) fn at(self, state: X) -> Self {
         Event { state, ..self }
+    }
+
+    /// The same, from which the motion has gone on in another state.
+    pub(crate) fn changed_to(self, after: X) -> Self {
+        Event { after: Some(after), ..self }
     }
 
     /// Which of the events of the simulation it is, counted from 0 in the order in which they were asked for.
@@ -60,6 +66,11 @@ impl<X> Event<X> {
     /// When and where: the state at the event.
     pub fn state(&self) -> &X {
         &self.state
+    }
+
+    /// The state from which the motion went on, where the event changed it: of several at one time each has what it left to the next.
+    pub fn after(&self) -> Option<&X> {
+        self.after.as_ref()
     }
 
     /// Whether the function was [`Rising`](Crossing::Rising) or [`Falling`](Crossing::Falling).

@@ -208,6 +208,9 @@ pub trait Scheme<Y: System>: Method {
     fn range(&self, _memory: &Self::Memory) -> Option<[f64; 2]> {
         None
     }
+
+    /// Takes over what [`rough`](Scheme::rough) and [`range`](Scheme::range) tell, where a motion begins anew that has come so far.
+    fn tell_on(&self, _so_far: &Self::Memory, _memory: &mut Self::Memory) {}
 }
 
 /// Position and velocity, and what it has cost to come there.

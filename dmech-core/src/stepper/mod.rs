@@ -110,7 +110,8 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         let step = self.steps() + 1;
         let Stepper { system, scheme, stride, workspace, .. } = self;
         let (start, departure) = departure?;
-        let memory = begun(step, system, scheme, stride, &departure, workspace)?;
+        let mut memory = begun(step, system, scheme, stride, &departure, workspace)?;
+        scheme.tell_on(&self.memory, &mut memory);
         self.steps_before += core::mem::take(&mut self.steps);
         (self.start, self.memory, self.waits) = (start, memory, false);
         Ok(())

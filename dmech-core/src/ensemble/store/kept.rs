@@ -128,7 +128,7 @@ impl Store {
                 .map_err(Error::Store)?;
         }
         if !moved.is_empty() {
-            self.write(&moved)?;
+            self.write(members.clone(), &moved)?;
         }
         let mut moved = moved.into_iter().peekable();
         let mut stored = stored.into_iter().peekable();
@@ -142,8 +142,12 @@ impl Store {
     }
 
     /// Writes members, all of them or none.
-    fn write<X: Flat>(&self, moved: &[(usize, Outcome<X>)]) -> Result<(), StoreError> {
+    fn write<X: Flat>(&self, members: Range<usize>, moved: &[(usize, Outcome<X>)]) -> Result<(), StoreError> {
         let transaction = self.database.unchecked_transaction()?;
+        let range = [members.start, members.end].map(|k| (k as u64).cast_signed());
+        for (table, forget) in self.layout.forget() {
+            of_table(table, self.database.prepare_cached(&forget))?.execute(range)?;
+        }
         let mut members = Members::new::<X>(&self.database, &self.layout)?;
         moved.iter().try_for_each(|(k, member)| members.write(*k, member))?;
         drop(members);

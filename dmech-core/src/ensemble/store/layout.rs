@@ -18,7 +18,7 @@ pub(super) struct Layout {
 }
 
 /// The tables that every store has.
-pub(super) const TABLES: [&str; 6] = ["sweep", "member", "last", "drift", "event", "state"];
+pub(super) const TABLES: [&str; 7] = ["sweep", "member", "last", "drift", "event", "change", "state"];
 
 /// Columns of one type.
 fn of(kind: &str, names: impl IntoIterator<Item = impl AsRef<str>>) -> String {
@@ -109,6 +109,18 @@ impl Layout {
         let columns = self.names(table);
         let places = vec!["?"; columns.len()].join(", ");
         format!("INSERT OR REPLACE INTO {table} ({}) VALUES ({places})", columns.join(", "))
+    }
+
+    /// Takes away what was written of the runs of members from one number to another that failed: when they are moved again there may be
+    /// less of it.
+    pub(super) fn forget(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let of = "k IN (SELECT k FROM last WHERE failed IS NOT NULL AND k >= ? AND k < ?)";
+        let bodies = ["body"].into_iter().filter(|_| self.listed);
+        ["drift", "event", "change", "state"].into_iter().chain(bodies).map(move |table| {
+            // Named one by one, so that their rows are found by the key.
+            let what = if table == "body" { "what IN ('last', 'event', 'change', 'state') AND " } else { "" };
+            (table, format!("DELETE FROM {table} WHERE {what}{of}"))
+        })
     }
 
     /// The rows of members from one number to another, in order; of bodies those of one kind of state.

@@ -46,7 +46,7 @@ impl Head {
     }
 }
 
-/// Whose state it is: the start of a member, its end, an event, a state that was recorded.
+/// Whose state it is: the start of a member, its end, an event, what that changed it to, a state that was recorded.
 pub(super) type What = &'static str;
 
 /// Writes the bodies of states.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use rusqlite::Connection;
 
 use super::layout::Layout;
-use super::places::{Bodies, Head, Placed, rows};
+use super::places::{Bodies, Head, Placed, What, rows};
 use super::table::{Reader, Writer};
 use crate::drift::{Drift, Drifts, OwnDrifts};
 use crate::ensemble::{Checksum, Outcome};
@@ -45,6 +45,7 @@ fn seal<X: Flat>(k: u64, failed: bool, run: &Restored<X>) -> i64 {
         [event.which() as u64, rising(event)].into_iter().for_each(|n| seal.word(n));
         event.bodies().into_iter().flatten().for_each(|body| seal.word(body as u64));
         seal.list(&event.state().flat());
+        event.after().iter().for_each(|after| seal.list(&after.flat()));
     }
     run.states.iter().for_each(|state| seal.list(&state.flat()));
     seal.value().cast_signed()
@@ -55,6 +56,7 @@ pub(super) struct Members<'a> {
     last: Writer<'a>,
     drift: Writer<'a>,
     event: Writer<'a>,
+    change: Writer<'a>,
     state: Writer<'a>,
     bodies: Bodies<'a>,
 }
@@ -62,8 +64,9 @@ pub(super) struct Members<'a> {
 impl<'a> Members<'a> {
     pub(super) fn new<X: Flat>(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
         let writer = |table| Writer::new(database, layout, table);
-        let [last, drift, event, state] = [writer("last")?, writer("drift")?, writer("event")?, writer("state")?];
-        Ok(Members { last, drift, event, state, bodies: Bodies::new::<X>(database, layout)? })
+        let [last, drift, event] = [writer("last")?, writer("drift")?, writer("event")?];
+        let [change, state] = [writer("change")?, writer("state")?];
+        Ok(Members { last, drift, event, change, state, bodies: Bodies::new::<X>(database, layout)? })
     }
 
     /// Writes a member.
@@ -106,19 +109,32 @@ impl<'a> Members<'a> {
             head.put_bits(row)?;
             row.end()?;
             self.bodies.write::<X>(k, "event", n as u64, &numbers)?;
+            if let Some(after) = event.after() {
+                write_state(&mut self.change, &mut self.bodies, ("change", k, n), after)?;
+            }
         }
         for (n, state) in run.states.iter().enumerate() {
-            let (row, numbers) = (&mut self.state, state.flat());
-            let head = Head::of::<X>(&numbers);
-            row.count(k)?;
-            row.count(n as u64)?;
-            head.put::<X>(row)?;
-            head.put_bits(row)?;
-            row.end()?;
-            self.bodies.write::<X>(k, "state", n as u64, &numbers)?;
+            write_state(&mut self.state, &mut self.bodies, ("state", k, n), state)?;
         }
         Ok(())
     }
+}
+
+/// Writes the n-th state of a kind.
+fn write_state<X: Flat>(
+    row: &mut Writer<'_>,
+    bodies: &mut Bodies<'_>,
+    (what, k, n): (What, u64, usize),
+    state: &X,
+) -> Result<(), StoreError> {
+    let numbers = state.flat();
+    let head = Head::of::<X>(&numbers);
+    row.count(k)?;
+    row.count(n as u64)?;
+    head.put::<X>(row)?;
+    head.put_bits(row)?;
+    row.end()?;
+    bodies.write::<X>(k, what, n as u64, &numbers)
 }
 
 /// Reads members that did not fail, and hands each over with its number, in order.
@@ -129,9 +145,11 @@ pub(super) fn read<X: Flat>(
     take: &mut dyn FnMut(usize, Restored<X>),
 ) -> Result<(), StoreError> {
     let placed = |what| Placed::read::<X>(database, layout, what, &members);
-    let (mut ends, mut passed, mut seen) = (placed("last")?, placed("event")?, placed("state")?);
+    let (mut ends, mut passed) = (placed("last")?, placed("event")?);
+    let (mut gone_on, mut seen) = (placed("change")?, placed("state")?);
     let mut drifts = rows(database, layout, "drift", None, &members, drift_of)?.into_iter().peekable();
     let mut events = rows(database, layout, "event", None, &members, happened::<X>)?.into_iter().peekable();
+    let mut changes = rows(database, layout, "change", None, &members, recorded::<X>)?.into_iter().peekable();
     let mut states = rows(database, layout, "state", None, &members, recorded::<X>)?.into_iter().peekable();
     for (k, end) in rows(database, layout, "last", None, &members, end::<X>)? {
         let changed = StoreError::Changed { table: "last", member: k };
@@ -155,7 +173,12 @@ pub(super) fn read<X: Flat>(
         }
         while let Some((_, Happened { n, which, crossing, bodies, head })) = events.next_if(|&(of, _)| of == k) {
             let state = place(&mut passed, n, head)?;
-            happened.push(Event::new(which, state, crossing, bodies));
+            let event = Event::new(which, state, crossing, bodies);
+            let change = changes.next_if(|&(of, (at, _))| (of, at) == (k, n));
+            happened.push(match change {
+                Some((_, (n, head))) => event.changed_to(place(&mut gone_on, n, head)?),
+                None => event,
+            });
         }
         while let Some((_, (n, head))) = states.next_if(|&(of, _)| of == k) {
             recorded.push(place(&mut seen, n, head)?);
@@ -171,8 +194,10 @@ pub(super) fn read<X: Flat>(
     // What belongs to nobody.
     let left = drifts.next().map(|(k, _)| ("drift", k));
     let left = left.or_else(|| events.next().map(|(k, _)| ("event", k)));
+    let left = left.or_else(|| changes.next().map(|(k, _)| ("change", k)));
     let left = left.or_else(|| states.next().map(|(k, _)| ("state", k)));
-    let left = left.or_else(|| [ends, passed, seen].iter_mut().find_map(|placed| Some(("body", placed.left()?))));
+    let left =
+        left.or_else(|| [ends, passed, gone_on, seen].iter_mut().find_map(|placed| Some(("body", placed.left()?))));
     left.map_or(Ok(()), |(table, member)| Err(StoreError::Changed { table, member }))
 }
 

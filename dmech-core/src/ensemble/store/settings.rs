@@ -10,7 +10,7 @@ use crate::name::{Name, options_apart};
 use crate::words::word;
 
 /// The form of a store, to be raised when a table changes.
-pub(super) const FORMAT: i64 = 5;
+pub(super) const FORMAT: i64 = 6;
 
 /// So many letters are shown before a difference.
 const BEFORE: usize = 20;

@@ -117,14 +117,15 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
                 }
                 _ => Some(event),
             };
-            let Some(event) = told else { continue };
+            let Some(mut event) = told else { continue };
             passed |= then != After::Nothing;
             stops |= then == After::Stop;
-            if let (After::Change, Some(state)) = (then, &mut state)
-                && let Err(cause) = attend.change(0, &event, state)
-            {
-                run.forget_repeats(&event, time);
-                return Err(cause);
+            if let (After::Change, Some(state)) = (then, &mut state) {
+                if let Err(cause) = attend.change(0, &event, state) {
+                    run.forget_repeats(&event, time);
+                    return Err(cause);
+                }
+                event = event.changed_to(state.clone());
             }
             run.happened(event);
         }

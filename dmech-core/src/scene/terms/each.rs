@@ -74,7 +74,7 @@ impl<const D: usize, W: OfBodies<Law: Law<D>>> Acts<D> for EachReady<W> {
     const CONSERVES_ENERGY: bool = OnBody::<D, W>::CONSERVES_ENERGY;
     const AUTONOMOUS: bool = <W::Law as Law<D>>::AUTONOMOUS;
     const LINEAR_MOMENTUM: bool = false;
-    const ANGULAR_MOMENTUM: bool = OnBody::<D, W>::CENTRAL;
+    const ANGULAR_MOMENTUM: bool = OnBody::<D, W>::CENTRAL && !Self::FORCED;
     const LINEAR: bool = OnBody::<D, W>::LINEAR;
     const PIECEWISE: bool = OnBody::<D, W>::PIECEWISE;
     const DEGREE: Option<u32> = OnBody::<D, W>::DEGREE;

@@ -323,4 +323,9 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
     fn range(&self, memory: &Self::Memory) -> Option<[f64; 2]> {
         Some(memory.pacing.range)
     }
+
+    fn tell_on(&self, so_far: &Self::Memory, memory: &mut Self::Memory) {
+        self.scheme.tell_on(&so_far.inner, &mut memory.inner);
+        memory.pacing.range = so_far.pacing.range;
+    }
 }

@@ -180,6 +180,10 @@ macro_rules! stepped_by_stages {
                 memory.rough.to_f64() as u64
             }
 
+            fn tell_on(&self, so_far: &Self::Memory, memory: &mut Self::Memory) {
+                memory.rough = so_far.rough;
+            }
+
             fn kept(_: &Y, invariant: Invariant) -> Kept {
                 Self::kept_by(Y::DEGREE, invariant)
             }

@@ -299,7 +299,8 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
             Invariant::WorkEnergy => true,
             Invariant::LinearMomentum => L::LINEAR_MOMENTUM && self.moves_freely(),
             Invariant::AngularMomentum => {
-                (L::Field::<'_>::CENTRAL || L::ANGULAR_MOMENTUM) && L::BODY > 1 && self.moves_freely()
+                let central = L::Field::<'_>::CENTRAL && !L::Field::<'_>::FORCED;
+                (central || L::ANGULAR_MOMENTUM) && L::BODY > 1 && self.moves_freely()
             }
         }
     }

@@ -394,8 +394,14 @@ fn an_event_on_a_pole_ends_no_run() {
         }
     }
     let run = || Simulation::new(Between { a: 0.001 }, State::new([0.3], [1.0])).scheme(Leapfrog).dt(0.3);
-    let watched = run().event(|state| state.q[0] - 1.0, Crossing::Rising).run(20).unwrap();
-    assert_eq!(watched.last(), run().run(20).unwrap().last());
+    // Beyond it there is no potential.
+    let left = |failed: Result<Run<State<1>>, dmech::Interrupted<State<1>>>| {
+        let failed = failed.unwrap_err();
+        assert_eq!((failed.cause(), failed.run().steps()), (Error::LeftDomain { time: 6.0 }, 20));
+        failed.into_run()
+    };
+    let watched = left(run().event(|state| state.q[0] - 1.0, Crossing::Rising).run(20));
+    assert_eq!(watched.last(), left(run().run(20)).last());
     let passed = watched.events()[0].state();
     assert!(passed.q[0] >= 1.0 && (passed.t - 0.7).abs() < 0.01, "{passed:?}");
 }

@@ -29,6 +29,53 @@ fn nothing_is_claimed_of_what_there_is_not() -> Result<(), Box<dyn std::error::E
     Ok(())
 }
 
+/// A motion that leaps over a wall to where there is no potential has not gone well, whoever asks for forces alone: in a row of steps, of a
+/// member, in a scene, stopped; and the run is there up to its end.
+#[test]
+fn a_motion_may_leave_its_potential() {
+    #[derive(Clone, Copy, Debug)]
+    struct Logarithm {
+        f: f64,
+        a: f64,
+    }
+    #[dmech::law]
+    impl Logarithm {
+        #[potential]
+        fn energy(&self, q: f64) -> f64 {
+            self.f * q - self.a * q.ln()
+        }
+    }
+    const LAW: Logarithm = Logarithm { f: 0.1, a: 0.5 };
+    let start = State::new([1.0], [-3.0]);
+    macro_rules! leaves {
+        ($($scheme:expr),*) => {$(
+            let failed = Simulation::new(LAW, start).scheme($scheme).dt(0.5).run(30).unwrap_err();
+            assert_eq!(failed.cause(), Error::LeftDomain { time: 15.0 }, "{failed}");
+            let run = failed.run();
+            assert!(run.states().len() == 31 && run.last().q[0] < 0.0 && run.steps() == 30, "{run}");
+            let members = Ensemble::of(3).law(|_| LAW).start(|_| start).scheme($scheme).dt(0.5).run(30).unwrap();
+            let causes: Vec<_> = members.members().map(|member| member.unwrap_err().cause()).collect();
+            assert_eq!(causes, [Error::LeftDomain { time: 15.0 }; 3]);
+        )*};
+    }
+    leaves!(Explicit, Leapfrog, Nystrom::order6());
+    let scene = Scene::<1>::new().body(1.0, [1.0], [-3.0]).field(LAW);
+    let failed = Simulation::scene(scene).scheme(Leapfrog).dt(0.5).run(30).unwrap_err();
+    assert_eq!(failed.cause(), Error::LeftDomain { time: 15.0 });
+    let short = Simulation::new(LAW, start).scheme(Leapfrog).dt(0.05).run(300).unwrap();
+    assert!(short.states().iter().all(|state| state.q[0] > 0.0));
+}
+
+/// What is bounded is so between steps that eight stages see a jump in, as through the centre of an attraction.
+#[test]
+fn nothing_is_bounded_over_rough_steps() {
+    let fall =
+        Simulation::new(Kepler { gm: 1.0 }, State::new([1.0, 0.0], [0.0, 0.0])).scheme(Gauss::order16()).dt(0.01);
+    let run = fall.run_until(3.0).unwrap();
+    assert!(run.report().rough() > 0 && run.drift(Invariant::Energy).unwrap().max_relative() > 1.0);
+    assert_eq!(run.kept(Invariant::Energy), Kept::BetweenSeams);
+}
+
 /// Where the law bends or jumps a bounded energy walks, and the report says so: of a choice, of a cut-off, of the images in a box. What is
 /// exact is so over seams.
 #[test]

@@ -273,7 +273,17 @@ fn studies_are_drawn() {
     assert!(
         ["A pendulum", "order 8", "Gauss 16", "DiscreteGradient 6", "grey"].iter().all(|words| svg.contains(words))
     );
-    // Steps by which no run reaches the end.
+    // What is more exact than the reference tells is drawn where that ends.
+    let exact = study().scheme(Leapfrog).scheme(Gauss::order16()).ladder([0.4, 0.3, 0.2, 0.1]).run().unwrap();
+    assert!(exact.rows().iter().any(|row| row.result().unwrap().error() < exact.resolution()));
+    exact.plot(place("study_exact.svg")).unwrap();
+    let svg = sound(&place("study_exact.svg"), 100_000);
+    assert!(svg.contains("Gauss") && !svg.contains("no run reached"));
+    // Steps by which no run reaches the end, or none with an error that tells anything.
+    let blind = study().scheme(Explicit).ladder([3.0]).run().unwrap();
+    assert!(blind.rows().iter().all(|row| row.result().is_ok()));
+    blind.plot(place("study_blind.svg")).unwrap();
+    assert!(sound(&place("study_blind.svg"), 100_000).contains("all errors are larger than the motion"));
     let none = study().scheme(Leapfrog).ladder([1e-30]).run().unwrap();
     none.plot(place("study_none.svg")).unwrap();
     assert!(sound(&place("study_none.svg"), 100_000).contains("no run reached the end"));

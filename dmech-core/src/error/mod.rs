@@ -182,6 +182,17 @@ pub enum Error {
         /// The time of the start.
         time: f64,
     },
+    /// The motion has been, in a state that was looked at, where the potential of the law is no finite number: what a step that is too long
+    /// leaps over, as the wall of a logarithm, a scheme that asks for forces alone may not notice.
+    #[error(
+        "the motion has left where the potential of the law is a finite number, at t = {} or before, as by a step over a wall that was too \
+         long: take shorter steps",
+        Number(*time)
+    )]
+    LeftDomain {
+        /// The time of the last state.
+        time: f64,
+    },
     /// The force is zero where the potential has a slope: in these units it is lost below the smallest number of the
     /// scalar, as 1/r³ is for r = 10¹⁵⁰ where 1/r is not.
     #[error(

@@ -34,6 +34,7 @@ fn all(x: f64) -> Vec<Error> {
         Error::ComesToRest { event: 4, time, since: x },
         Error::ChangedTime { time, changed: x },
         Error::BehindWall { event: 4, time, value: x },
+        Error::LeftDomain { time },
     ];
     #[cfg(feature = "scene")]
     {
@@ -96,7 +97,7 @@ fn listed(error: &Error) -> bool {
         Underflow { .. } | Link { .. } | Body { .. } | Path { .. } | NotFinite { .. } => true,
         LawInStep { .. } | NotConverged { .. } | Span { .. } => true,
         RecordDt { .. } | RecordAt { .. } | Recording { .. } | OutsideStep { .. } | Stream(_) => true,
-        WatchedTwice { .. } | ComesToRest { .. } | ChangedTime { .. } | BehindWall { .. } => true,
+        WatchedTwice { .. } | ComesToRest { .. } | ChangedTime { .. } | BehindWall { .. } | LeftDomain { .. } => true,
         #[cfg(feature = "scene")]
         Scene(_) => true,
         #[cfg(feature = "serde")]
@@ -124,7 +125,7 @@ fn numbers_in_messages_have_few_digits() {
     }
     let store = if cfg!(feature = "store") { 7 } else { 0 };
     let scene = if cfg!(feature = "scene") { 7 } else { 0 };
-    assert_eq!(numbers, 3 * (69 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
+    assert_eq!(numbers, 3 * (70 + scene + if cfg!(feature = "serde") { 6 } else { 0 } + store));
 }
 
 /// What was not said is not shown as a number; what has two names has both.

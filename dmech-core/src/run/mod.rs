@@ -193,6 +193,13 @@ impl<X> Run<X> {
         }
     }
 
+    /// Where the energy, which was a number at the start, has been none.
+    fn left_the_domain(&self, time: fn(&X) -> f64) -> Option<Error> {
+        let energy = self.drift(Invariant::Energy)?;
+        let left = energy.start().is_finite() && !energy.max_abs().is_finite();
+        left.then(|| Error::LeftDomain { time: time(&self.last) })
+    }
+
     fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: (Drifts, OwnDrifts), work: Work) {
         self.stopped = stopped.is_some();
         self.last = stopped.unwrap_or_else(last);

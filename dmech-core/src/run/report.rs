@@ -120,8 +120,12 @@ impl Report {
     }
 
     /// How well the scheme must keep an invariant; [`Kept::No`] where [`drift`](Report::drift) is `None`: what there is not is not kept.
+    /// What is bounded on smooth motions is so between [rough](Report::rough) steps.
     pub fn kept(&self, invariant: Invariant) -> Kept {
-        self.drift(invariant).map_or(Kept::No, |_| self.kept[invariant as usize])
+        match self.drift(invariant).map_or(Kept::No, |_| self.kept[invariant as usize]) {
+            Kept::Bounded if self.work.rough > 0 => Kept::BetweenSeams,
+            kept => kept,
+        }
     }
 
     /// Evaluations of the force, the start not counted.

@@ -10,6 +10,7 @@ use dmech_plot::{
 };
 
 use super::report::StudyReport;
+use super::row::Figures;
 
 /// Panels that stand side by side, and the size of each.
 const ACROSS: usize = 3;
@@ -36,7 +37,8 @@ impl StudyReport {
     /// whose steps follow the motion. The grey line in it is the fastest of all other schemes at each error, so that a family
     /// is the best where its lines are left of the grey one. A study of three schemes or fewer has one panel.
     ///
-    /// A line goes from the step at which the error is no larger than the motion to the one at which it stops falling.
+    /// A line goes from the step at which the error is no larger than the motion to the one at which it stops falling, or at which the
+    /// reference does not tell it from none: that one is drawn at the smallest error that can be told.
     ///
     /// ```no_run
     /// # fn show(report: dmech_study::StudyReport) -> std::io::Result<()> {
@@ -57,6 +59,11 @@ impl StudyReport {
     /// Likewise.
     pub fn plot_titled(&self, path: impl AsRef<Path>, title: &str) -> io::Result<()> {
         dmech_plot::save(path, &self.svg(title)?)
+    }
+
+    /// Whether the reference tells an error from none.
+    fn tells(&self, error: f64) -> bool {
+        error >= self.resolution()
     }
 
     fn svg(&self, title: &str) -> io::Result<String> {
@@ -94,7 +101,9 @@ impl StudyReport {
         }
         if labels.is_empty() {
             let middle = (0.5 * times[0] + 0.5 * times[1], 0.5 * errors[0] + 0.5 * errors[1]);
-            labels.push((middle, "no run reached the end".to_owned(), INK));
+            let ended = family.lines.iter().any(|(scheme, _)| self.rows_of(*scheme).any(|row| row.result().is_ok()));
+            let why = if ended { "all errors are larger than the motion" } else { "no run reached the end" };
+            labels.push((middle, why.to_owned(), INK));
         }
         label_beside(&chart, &obstacles, &labels)
     }
@@ -152,9 +161,14 @@ impl StudyReport {
         let apart =
             rows.iter().enumerate().filter(|(k, row)| row.tolerance().is_none() || next(*k) != Some(row.steps()));
         let figures = apart.filter_map(|(_, row)| row.result().ok());
-        let told = figures.take_while(|figures| figures.error() >= self.resolution());
-        let point = |time: f64, error: f64| (time.max(1e-9).log10(), error.log10());
-        let mut points: Vec<_> = told.map(|figures| point(figures.time().as_secs_f64(), figures.error())).collect();
+        let point = |figures: &Figures| {
+            let error = figures.error().max(self.resolution()).max(f64::MIN_POSITIVE);
+            (figures.time().as_secs_f64().max(1e-9).log10(), error.log10())
+        };
+        // The first error that the reference does not tell from none ends the line.
+        let mut told = true;
+        let figures = figures.take_while(|figures| core::mem::replace(&mut told, self.tells(figures.error())));
+        let mut points: Vec<_> = figures.map(point).collect();
         let size = self.length().log10();
         let rounding = size - 8.0;
         let lost = points.iter().rposition(|point| point.1 > size + 0.5);

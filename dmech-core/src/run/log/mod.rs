@@ -142,7 +142,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             let last = stopped.or_else(|| self.failed_at.clone()).unwrap_or_else(|| motion.state());
             self.look_at(motion, &last);
         }
-        let Log { mut run, mut watch, attend, failed_at, between: Spent([evaluations, iterations]), .. } = self;
+        let Log { mut run, mut watch, time, attend, failed_at, between: Spent([evaluations, iterations]), .. } = self;
         run.histories = watch.take_histories();
         let work = motion.work();
         let (evaluations, iterations) = (evaluations + work.evaluations, iterations + work.iterations);
@@ -154,7 +154,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let mut own = watch.own_drifts();
         attend.drifts(&mut |name, drift| own.add(name, drift));
         run.finish(stopped, || failed_at.unwrap_or_else(|| motion.state()), (watch.drifts(), own), work);
-        match failure {
+        match failure.or_else(|| run.left_the_domain(time)) {
             None => Ok(run),
             Some(cause) => Err(Interrupted::new(run, cause)),
         }

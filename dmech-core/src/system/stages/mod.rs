@@ -132,20 +132,25 @@ fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: &E, part: usize) -> E::
     sum
 }
 
-/// A force has this share in the highest of eight polynomials where something bends or jumps in a step.
-const SEAM: f64 = 0.01;
+/// On a smooth motion what the sixth and the seventh polynomial have of a force is this part, or less, of what the fourth and the fifth
+/// have; where something bends or jumps in a step it is as large as they, however small.
+const FALLS: f64 = 2.0 / 3.0;
+/// What the seventh has beside the largest push, in steps that are far too long.
+const LARGE: f64 = 0.15;
 /// Beyond so many ulp of the largest push it is no rounding.
-const NO_ROUNDING: f64 = 1e3;
+const NO_ROUNDING: f64 = 1e4;
 
-/// Whether the highest polynomial has a share in the force on some coordinate that tells of a bend or a jump: what eight stages
-/// cannot see is about as large.
+/// Whether the polynomials of the force on some coordinate do not fall off, or are large at the last: what eight stages cannot see is then
+/// about as large as that.
 #[cold]
 pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> R::Mask {
     let rounding = R::from_f64(NO_ROUNDING) * R::EPSILON * largest_of::<R>(pushes);
     pushes.iter().fold(R::Mask::of(false), |bent, push| {
-        let highest = times(&tableau.highest, push).sum().abs();
-        let seam = R::from_f64(SEAM) * largest_of::<R>(core::slice::from_ref(push));
-        bent.or(rounding.less(highest).and(seam.less(highest)))
+        let [fourth, fifth, sixth, seventh] = tableau.highest.each_ref().map(|row| times(row, push).sum().abs());
+        let (before, last) = (fourth.max(fifth), sixth.max(seventh));
+        let large = R::from_f64(LARGE) * largest_of::<R>(core::slice::from_ref(push));
+        let stays = (R::from_f64(FALLS) * before).less(last).or(large.less(seventh));
+        bent.or(rounding.less(last).and(stays))
     })
 }
 

@@ -48,8 +48,8 @@ pub struct Tableau {
     pub continued: Columns,
     /// 1/Πₖ(cⱼ − cₖ)/bⱼ, for steps of another length.
     pub barycentric: Row,
-    /// P₇(xⱼ): what the highest polynomial has of a force.
-    pub highest: Row,
+    /// (2k + 1) Pₖ(xⱼ) for k = 4 … 7: what the highest of Legendre's polynomials have of a force.
+    pub highest: [Row; 4],
 }
 
 /// Gauss's method itself. No static: a register of numbers that are known need not be kept beside those that change.
@@ -141,14 +141,18 @@ impl Tableau {
             working: [NO_ROW; STAGES],
             continued: [NO_ROW; STAGES],
             barycentric: NO_ROW,
-            highest: NO_ROW,
+            highest: [NO_ROW; 4],
         };
         let mut j = 0;
         while j < STAGES {
             all.nodes.set(j, nodes[j].on_grid(GRIDS[1]));
             all.rests.set(j, Digits::ONE.minus(nodes[j]).on_grid(GRIDS[1]));
             all.weights.set(j, weights[j]);
-            all.highest.set(j, p[j][STAGES - 1]);
+            let mut k = STAGES - 4;
+            while k < STAGES {
+                all.highest[k + 4 - STAGES].set(j, Digits::of((2 * k + 1) as f64).times(p[j][k]));
+                k += 1;
+            }
             let mut i = 0;
             while i < STAGES {
                 all.speeds[j].set(i, speed[i][j].on_grid(GRIDS[0]));

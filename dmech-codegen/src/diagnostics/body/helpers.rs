@@ -130,9 +130,14 @@ pub(crate) fn no_method(name: &Ident, found: &str) -> Error {
 /// A method of a field, whose type the macro does not know: another law, as a rule.
 pub(crate) fn method_of_field(name: &Ident, field: &impl ToTokens) -> Error {
     const OF_LAWS: [&str; 5] = ["potential", "energy", "gradient", "force", "acceleration"];
+    const OF_OTHERS: [&str; 9] =
+        ["unwrap", "unwrap_or", "unwrap_or_default", "unwrap_or_else", "map_or", "is_some", "get", "into", "as_ref"];
     let (called, field) = (name.to_string(), text(field));
     let instead = if OF_LAWS.contains(&called.as_str()) {
         "write its formula as a helper `fn` of this block, or give a scene both laws: `.field(one).field(other)`".into()
+    } else if OF_OTHERS.contains(&called.as_str()) {
+        "a field that a law reads is an `f64`, an array of them, or has such fields; put the number there beforehand"
+            .into()
     } else {
         format!("read the fields themselves (`{field}.k`), or write its formula as a helper `fn` of this block")
     };

@@ -670,12 +670,13 @@ fn helpers() {
         ],
     );
     refused(
-        "self.a.«potential»(&q) + self.well.«depth»(q[0]) + self.k.«Cos»() + q[0].«Cos»()",
+        "self.a.«potential»(&q) + self.well.«depth»(q[0]) + self.k.«Cos»() + q[0].«Cos»() + self.b.«unwrap_or»(1.0)",
         &[
             "`potential` is a method of `self.a`, which the macro cannot see; write its formula as a helper `fn` of this block, or give a scene both laws: `.field(one).field(other)`",
             "`depth` is a method of `self.well`, which the macro cannot see; read the fields themselves (`self.well.k`), or write its formula as a helper `fn` of this block",
             "`Cos` is not a function of numbers; did you mean `cos`?",
             "`Cos` is not a function of numbers; did you mean `cos`?",
+            "`unwrap_or` is a method of `self.b`, which the macro cannot see; a field that a law reads is an `f64`, an array of them, or has such fields; put the number there beforehand",
         ],
     );
     refused_block(

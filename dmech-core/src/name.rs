@@ -73,3 +73,19 @@ impl fmt::Debug for Name {
         fmt::Debug::fmt(self.text(), f)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Name;
+
+    /// What does not fit is left out by whole letters.
+    #[test]
+    fn names_end_with_a_whole_letter() {
+        for letter in ["a", "θ", "→", "𝛼"] {
+            let long = Name::of(&["n", &letter.repeat(Name::ROOM)]);
+            let fits = (Name::ROOM - 1) / letter.len();
+            assert_eq!(long.text(), format!("n{}", letter.repeat(fits)));
+        }
+        assert_eq!(Name::of(&["one", "θ"]).text(), "oneθ");
+    }
+}

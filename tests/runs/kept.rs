@@ -1,6 +1,7 @@
 //! What a run says that it must keep.
 
 use dmech::Kept;
+use dmech::extend::Field;
 use dmech::models::pairs::LennardJones;
 use dmech::models::{DampedPendulum, DrivenPendulum, Kepler, Quartic, Wall};
 use dmech::prelude::*;
@@ -74,6 +75,55 @@ fn nothing_is_bounded_over_rough_steps() {
     let run = fall.run_until(3.0).unwrap();
     assert!(run.report().rough() > 0 && run.drift(Invariant::Energy).unwrap().max_relative() > 1.0);
     assert_eq!(run.kept(Invariant::Energy), Kept::BetweenSeams);
+}
+
+/// A law by hand may be central and rub: the angular momentum is kept by what it is central of, and not by the force beside it.
+#[test]
+fn a_central_law_with_a_force_keeps_no_angular_momentum() {
+    #[derive(Clone, Copy, Debug)]
+    struct Rubbed {
+        k: f64,
+        c: f64,
+    }
+    impl Law<2> for Rubbed {
+        type Field<'a> = Rubbed;
+        fn field(&self, _: f64, _: f64) -> Rubbed {
+            *self
+        }
+    }
+    impl Potential<2> for Rubbed {
+        const CENTRAL: bool = true;
+        fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+            0.5 * self.k * (x * x + y * y)
+        }
+        fn gradient(&self, q: [f64; 2]) -> [f64; 2] {
+            q.map(|x| self.k * x)
+        }
+        fn hessian(&self, _: [f64; 2]) -> [[f64; 2]; 2] {
+            [[self.k, 0.0], [0.0, self.k]]
+        }
+        fn discrete_gradient(&self, a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+            core::array::from_fn(|i| 0.5 * self.k * (a[i] + b[i]))
+        }
+        fn discrete_gradient_jacobian(&self, _: [f64; 2], _: [f64; 2]) -> [[f64; 2]; 2] {
+            [[0.5 * self.k, 0.0], [0.0, 0.5 * self.k]]
+        }
+    }
+    impl Field<2> for Rubbed {
+        const FORCED: bool = true;
+        fn force(&self, _: [f64; 2], v: [f64; 2], _: f64) -> [f64; 2] {
+            v.map(|v| -self.c * v)
+        }
+        fn force_dv(&self, _: [f64; 2], _: [f64; 2], _: f64) -> [[f64; 2]; 2] {
+            [[-self.c, 0.0], [0.0, -self.c]]
+        }
+    }
+    let (law, start) = (Rubbed { k: 1.3, c: 0.2 }, State::new([1.0, 0.0], [0.0, 0.7]));
+    let run = Simulation::new(law, start).scheme(DiscreteGradient).dt(0.1).run(50).unwrap();
+    assert_eq!((run.drift(Invariant::AngularMomentum), run.kept(Invariant::AngularMomentum)), (None, Kept::No));
+    let scene = Scene::<2>::new().body(1.0, start.q, start.v).field(law);
+    let run = Simulation::scene(scene).scheme(DiscreteGradient).dt(0.1).run(50).unwrap();
+    assert_eq!((run.drift(Invariant::AngularMomentum), run.kept(Invariant::AngularMomentum)), (None, Kept::No));
 }
 
 /// Where the law bends or jumps a bounded energy walks, and the report says so: of a choice, of a cut-off, of the images in a box. What is

@@ -1,7 +1,7 @@
 //! What a run says that it must keep.
 
 use dmech::Kept;
-use dmech::extend::Field;
+use dmech::extend::{Field, Particle, Scheme};
 use dmech::models::pairs::LennardJones;
 use dmech::models::{DampedPendulum, DrivenPendulum, Kepler, Quartic, Wall};
 use dmech::prelude::*;
@@ -75,6 +75,56 @@ fn nothing_is_bounded_over_rough_steps() {
     let run = fall.run_until(3.0).unwrap();
     assert!(run.report().rough() > 0 && run.drift(Invariant::Energy).unwrap().max_relative() > 1.0);
     assert_eq!(run.kept(Invariant::Energy), Kept::BetweenSeams);
+}
+
+/// Steps over jumps that are small beside the force are seen, but for those at their very ends; and none where nothing jumps.
+#[test]
+fn rough_steps_are_those_over_jumps() {
+    #[derive(Clone, Copy, Debug)]
+    struct Switched {
+        k: f64,
+        on: f64,
+        push: f64,
+    }
+    #[dmech::law]
+    impl Switched {
+        #[potential]
+        fn energy(&self, q: f64) -> f64 {
+            0.5 * self.k * q * q
+        }
+        #[force]
+        fn thrust(&self, q: f64, t: f64) -> f64 {
+            if t > self.on { self.push } else { 0.0 * q }
+        }
+    }
+    fn rough<S: Scheme<Particle<Switched, 1>>>(scheme: S, push: f64) -> usize {
+        let seen = (0..50).filter(|&k| {
+            let law = Switched { k: 1.0, on: 3.0 + 0.0377 * f64::from(k), push };
+            let run = Simulation::new(law, State::new([1.0], [0.0])).scheme(scheme).dt(0.3).run_until(9.0).unwrap();
+            assert!(run.report().rough() <= 1);
+            run.report().rough() == 1
+        });
+        seen.count()
+    }
+    for push in [1.0, 0.1, 1e-2, 1e-3, 1e-4] {
+        assert!(rough(Gauss::order16(), push) > 42, "{push}");
+        assert!(rough(LineIntegral::order8(), push) > 42, "{push}");
+    }
+    assert_eq!([rough(Gauss::order16(), 1e-10), rough(Gauss::order16(), 0.0)], [0, 0]);
+    let mut smooth = 0;
+    for dt in [0.01, 0.03, 0.1, 0.2, 0.3] {
+        for e in [0.0, 0.1, 0.3, 0.5_f64] {
+            let start = State::new([1.0 + e, 0.0], [0.0, ((1.0 - e) / (1.0 + e)).sqrt()]);
+            let orbit = Simulation::new(Kepler { gm: 1.0 }, start).scheme(Gauss::order16()).dt(dt).run_until(30.0);
+            let bob = State::new([0.3 + 5.0 * e], [0.1]);
+            let swing = Simulation::new(Quartic { beta: 0.3 }, bob).scheme(Gauss::order16()).dt(dt).run_until(30.0);
+            for report in [orbit.unwrap().report(), swing.unwrap().report()] {
+                assert_eq!(report.rough(), 0, "e = {e}: {report}");
+                smooth += report.steps();
+            }
+        }
+    }
+    assert!(smooth > 20_000);
 }
 
 /// A law by hand may be central and rub: the angular momentum is kept by what it is central of, and not by the force beside it.

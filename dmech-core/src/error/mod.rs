@@ -182,11 +182,11 @@ pub enum Error {
         /// The time of the start.
         time: f64,
     },
-    /// The motion has been, in a state that was looked at, where the potential of the law is no finite number: what a step that is too long
-    /// leaps over, as the wall of a logarithm, a scheme that asks for forces alone may not notice.
+    /// The energy of the motion has been no finite number in a state that was looked at: what a step that is too long leaps over, as the wall
+    /// of a logarithm, a scheme that asks for forces alone may not notice.
     #[error(
-        "the motion has left where the potential of the law is a finite number, at t = {} or before, as by a step over a wall that was too \
-         long: take shorter steps",
+        "the motion has left where its energy is a finite number, at t = {} or before, as by a step that was too long over a wall, to where \
+         there is no potential: take shorter steps",
         Number(*time)
     )]
     LeftDomain {
@@ -322,11 +322,11 @@ pub enum Error {
         /// The time since it has happened before; 0 where the motion has not left the wall.
         since: f64,
     },
-    /// A motion begins behind a wall of [`bounce_off`](crate::Simulation::bounce_off), or something else has put it there: nothing would
-    /// hold it.
+    /// A motion that is behind a wall of [`bounce_off`](crate::Simulation::bounce_off), where it has begun or something else has put it, goes
+    /// further: nothing would hold it.
     #[error(
-        "at t = {} the motion is behind the wall of event {event}, where its function is {}: a wall holds what is in front of it, where \
-         the function is positive",
+        "at t = {} the motion is behind the wall of event {event}, where its function is {}, and goes further: a wall holds what is in front \
+         of it, where the function is positive",
         Number(*time),
         Number(*value)
     )]

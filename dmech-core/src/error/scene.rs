@@ -51,9 +51,10 @@ pub enum SceneError {
         /// The refused distance.
         distance: f64,
     },
-    /// Two bodies of `collide_at` are nearer than they may come, at the start or where something else has put them.
+    /// Two bodies of `collide_at` that are nearer than they may come, as they have begun or something else has put them, come nearer still.
     #[error(
-        "at t = {} bodies {a} and {b} are {} apart, nearer than the {} at which bodies collide here: nothing would keep them apart",
+        "at t = {} bodies {a} and {b} are {} apart, nearer than the {} at which bodies collide here, and come nearer \
+         still: nothing would keep them apart",
         Number(*time),
         Number(*apart),
         Number(*distance)

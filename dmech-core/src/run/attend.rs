@@ -22,11 +22,11 @@ pub trait Attend<X> {
     /// How many quantities it watches.
     const QUANTITIES: usize = 0;
 
-    /// Looks at the first state; the number of its first event is `which`.
+    /// Looks at the first state.
     ///
     /// # Errors
     /// [`Error`] for what cannot be looked for.
-    fn begin(&mut self, _which: usize, _start: &X) -> Result<(), Error> {
+    fn begin(&mut self, _start: &X) -> Result<(), Error> {
         Ok(())
     }
 
@@ -59,13 +59,8 @@ pub trait Attend<X> {
         Ok(())
     }
 
-    /// The motion goes on from a state that was changed; the number of its first event is `which`.
-    ///
-    /// # Errors
-    /// [`Error::BehindWall`]
-    fn turn(&mut self, _which: usize, _state: &X) -> Result<(), Error> {
-        Ok(())
-    }
+    /// The motion goes on from a state that was changed.
+    fn turn(&mut self, _state: &X) {}
 
     /// After so many steps, may look at the state, and stop the run.
     fn observe(&mut self, _steps: u64, _now: &mut dyn FnMut() -> X) -> ControlFlow<()> {
@@ -105,9 +100,9 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
     const CHANGES: bool = A::CHANGES || B::CHANGES;
     const QUANTITIES: usize = A::QUANTITIES + B::QUANTITIES;
 
-    fn begin(&mut self, which: usize, start: &X) -> Result<(), Error> {
-        self.0.begin(which, start)?;
-        self.1.begin(which + A::EVENTS, start)
+    fn begin(&mut self, start: &X) -> Result<(), Error> {
+        self.0.begin(start)?;
+        self.1.begin(start)
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
@@ -134,9 +129,9 @@ impl<X, A: Attend<X>, B: Attend<X>> Attend<X> for (A, B) {
         if event.which() < others { self.0.change(which, event, state) } else { self.1.change(others, event, state) }
     }
 
-    fn turn(&mut self, which: usize, state: &X) -> Result<(), Error> {
-        self.0.turn(which, state)?;
-        self.1.turn(which + A::EVENTS, state)
+    fn turn(&mut self, state: &X) {
+        self.0.turn(state);
+        self.1.turn(state);
     }
 
     fn observe(&mut self, steps: u64, now: &mut dyn FnMut() -> X) -> ControlFlow<()> {

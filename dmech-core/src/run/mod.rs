@@ -64,7 +64,7 @@ pub use simulation::{Attended, Simulation};
 pub use stream::{Sink, Stream};
 pub use wall::Bounce;
 #[cfg(feature = "scene")]
-pub(crate) use wall::Wall;
+pub(crate) use wall::{Wall, is_further_behind};
 pub use watch::Watch;
 
 use crate::drift::{Drift, Drifts, OwnDrifts};
@@ -191,13 +191,6 @@ impl<X> Run<X> {
         {
             self.events.pop();
         }
-    }
-
-    /// Where the energy, which was a number at the start, has been none.
-    fn left_the_domain(&self, time: fn(&X) -> f64) -> Option<Error> {
-        let energy = self.drift(Invariant::Energy)?;
-        let left = energy.start().is_finite() && !energy.max_abs().is_finite();
-        left.then(|| Error::LeftDomain { time: time(&self.last) })
     }
 
     fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: (Drifts, OwnDrifts), work: Work) {

@@ -101,7 +101,7 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: Change<X>> Attend<X> for Passage<
     const EVENTS: usize = 1;
     const CHANGES: bool = C::CHANGES;
 
-    fn begin(&mut self, _: usize, start: &X) -> Result<(), Error> {
+    fn begin(&mut self, start: &X) -> Result<(), Error> {
         self.last = (self.function)(start);
         Ok(())
     }
@@ -128,8 +128,7 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: Change<X>> Attend<X> for Passage<
         Ok(())
     }
 
-    fn turn(&mut self, _: usize, state: &X) -> Result<(), Error> {
+    fn turn(&mut self, state: &X) {
         self.last = (self.function)(state);
-        Ok(())
     }
 }

@@ -88,7 +88,7 @@ fn told(error: &io::Error) -> Error {
 impl<X, W: Sink<X>> Attend<X> for Stream<W> {
     const STREAMS: bool = true;
 
-    fn begin(&mut self, _: usize, start: &X) -> Result<(), Error> {
+    fn begin(&mut self, start: &X) -> Result<(), Error> {
         self.sink.begin(start).map_err(|error| told(&error))
     }
 

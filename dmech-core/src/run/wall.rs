@@ -17,8 +17,8 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// wall at the end of a step has not left it, it is changed once more where it was: three balls that meet at once, a change of something
     /// else, a start on the wall. What bounces with a loss comes to rest after hops ever shorter: nothing holds it there, and the run
     /// ends with [`Error::ComesToRest`](crate::Error::ComesToRest) once there are more than 64 in a step, or none that its numbers tell.
-    /// What begins behind the wall by more than rounding, or is put there by something else, is refused. A wall that is passed
-    /// and left again within one step may be missed. The function is continuous at the wall and negative behind it; what is no number is
+    /// What is behind the wall by more than rounding, at the start or where something else has put it, may come to the front, and is held from
+    /// there on; if it goes further behind it is refused. A wall that is passed and left again within one step may be missed. The function is continuous at the wall and negative behind it; what is no number is
     /// behind, too.
     ///
     /// The state of the event is the nearest to the zero of the function that the rounding of the time leaves.
@@ -50,6 +50,15 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     }
 }
 
+/// What a motion may be behind a wall by rounding alone, beside what its time moves it.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Whether a motion that is behind a wall at the start of a step is further behind at its end. What is no number is behind.
+pub(crate) fn is_further_behind([start, end]: [f64; 2]) -> bool {
+    let comes = end > 0.0 || end >= start;
+    !(start >= 0.0 || comes)
+}
+
 /// What is known of a motion and a wall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wall {
@@ -67,37 +76,48 @@ pub(crate) struct Wall {
 impl Wall {
     pub(crate) const FAR: Self = Wall { on: false, off: 0.0, leaves: false, rounding: 0.0, often: Often::NEVER };
 
-    /// The motion goes on from a state with this value, by its own change, before which its rounding was this, or otherwise; whether it is
-    /// held. What was put in front begins there.
-    pub(crate) fn go_on(&mut self, value: f64, changed: Option<f64>, rounding: impl FnOnce() -> f64) -> bool {
+    /// The motion goes on from a state with this value, by its own change, before which its rounding was this, or otherwise. What was put
+    /// in front begins there.
+    pub(crate) fn go_on(&mut self, value: f64, changed: Option<f64>, rounding: impl FnOnce() -> f64) {
         let (off, own) = (value.abs(), changed.is_some());
         let least = rounding().max(changed.unwrap_or(0.0)).max(core::mem::take(&mut self.rounding));
         let stays = self.on && off <= self.off;
         self.on = off <= least || own && value < 0.0 || stays;
         self.off = if stays { self.off } else { off.min(least) };
         self.leaves = false;
-        self.on || value > 0.0
     }
 
-    /// Where the function falls to zero in a step, from its values at the ends.
+    /// Where the function falls to zero in a step, from its values at the ends. `None` where the motion is behind and goes further: nothing
+    /// holds it.
     pub(crate) fn meet<X: Clone>(
         &mut self,
         step: &mut Within<'_, X>,
         values: [f64; 2],
         function: &mut impl FnMut(&X) -> f64,
         rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
-    ) -> Result<Option<X>, Error> {
+    ) -> Option<Result<Option<X>, Error>> {
         self.often.dt = step.times[1] - step.times[0];
         self.on &= !self.leaves;
         self.leaves = false;
+        if !self.on && is_further_behind(values) {
+            let [start, end] = step.times;
+            // What the rounding of the time moves it, as fast as it is in this step.
+            let in_time = (1.0 + start.abs().max(end.abs()) / (end - start)) * (values[1] - values[0]).abs();
+            let depth = -values[0];
+            self.on = depth <= rounding(step.end, function).max(ROUNDING * in_time);
+            if !self.on {
+                return None;
+            }
+            self.off = depth;
+        }
         if self.on {
             let (now, least) = (values[1], self.off.max(rounding(step.end, function)));
             self.leaves = now > least;
             if now >= -least {
-                return Ok(None);
+                return Some(Ok(None));
             }
         }
-        self.falls(step, values[0], function, rounding)
+        Some(self.falls(step, values[0], function, rounding))
     }
 
     /// Where it has fallen to zero before a state in which something else has happened, and which is clearly behind it.
@@ -199,14 +219,17 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
     const EVENTS: usize = 1;
     const CHANGES: bool = true;
 
-    fn begin(&mut self, which: usize, start: &X) -> Result<(), Error> {
-        self.turn(which, start)
+    fn begin(&mut self, start: &X) -> Result<(), Error> {
+        self.turn(start);
+        Ok(())
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
         let Bounce { function, values, wall, .. } = self;
         *values = [values[1], function(step.end)];
-        if let Some(state) = wall.meet(step, *values, function, |state, function| rounding(state, function))? {
+        let met = wall.meet(step, *values, function, |state, function| rounding(state, function));
+        let behind = || Error::BehindWall { event: which, time: step.times[0], value: values[0] };
+        if let Some(state) = met.ok_or_else(behind)?? {
             step.happened(After::Change, Event::new(which, state, Crossing::Falling, None));
         }
         Ok(())
@@ -232,11 +255,9 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
         Ok(())
     }
 
-    fn turn(&mut self, which: usize, state: &X) -> Result<(), Error> {
+    fn turn(&mut self, state: &X) {
         let Bounce { function, values: [_, last], wall, own, .. } = self;
-        let value = function(state);
-        *last = value;
-        let held = wall.go_on(value, own.take(), || rounding(state, function));
-        if held { Ok(()) } else { Err(Error::BehindWall { event: which, time: state.time(), value }) }
+        *last = function(state);
+        wall.go_on(*last, own.take(), || rounding(state, function));
     }
 }

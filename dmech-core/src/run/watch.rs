@@ -210,6 +210,15 @@ impl<X: Clone, R: Real> Watch<X, R> {
         }
     }
 
+    /// Whether the energy has been a finite number wherever it was looked at, up to a time.
+    ///
+    /// # Errors
+    /// [`Error::LeftDomain`]
+    pub fn in_domain(&self, time: f64) -> Result<(), Error> {
+        let left = |energy: Drift| energy.start().is_finite() && !energy.max_abs().is_finite();
+        if self.drifts[Invariant::Energy as usize].is_some_and(left) { Err(Error::LeftDomain { time }) } else { Ok(()) }
+    }
+
     /// How they moved.
     pub fn drifts(&self) -> Drifts {
         self.drifts

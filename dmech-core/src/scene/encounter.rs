@@ -6,7 +6,9 @@ use super::builder::Scene;
 use super::space::Space;
 use super::state::SceneState;
 use crate::error::{Error, SceneError};
-use crate::run::{After, Attend, Attended, Change, Crossing, Event, Simulation, Wall, Within, passes};
+use crate::run::{
+    After, Attend, Attended, Change, Crossing, Event, Simulation, Wall, Within, is_further_behind, passes,
+};
 use crate::span::is_rounding;
 use crate::vector::{difference, dot};
 
@@ -70,12 +72,13 @@ impl<const D: usize, P, L, B: Space<D>, S, O> Simulation<(), Scene<D, P, L, B>, 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Bodies that pass through one another within a step are not kept apart. Where two come to rest on each other the whole run ends, as
+    /// Bodies that are nearer at the start may part, and are refused if they come nearer still. Those that pass through one another within a
+    /// step are not kept apart. Where two come to rest on each other the whole run ends, as
     /// for a ball on a floor.
     ///
     /// # Errors
     /// As [`encounter`](Simulation::encounter) and [`change_when`](Simulation::change_when), and [`SceneError::Overlap`] where two bodies
-    /// are nearer at the start, or are put so near by something else.
+    /// that are nearer come nearer still.
     pub fn collide_at<C: FnMut(&mut SceneState<D>, [usize; 2])>(
         self,
         distance: f64,
@@ -169,17 +172,21 @@ impl<B, C> Encounter<B, C> {
         B: Space<D>,
         C: Change<SceneState<D>>,
     {
-        let Encounter { distance, space, contacts, .. } = self;
+        let Encounter { distance, space, held, contacts, .. } = self;
         let mut function = |state: &SceneState<D>| excess(state, pair, *distance, space);
         let meets = passes(values, Crossing::Falling).is_some();
         if !C::CHANGES {
             return if meets { step.zero(values, &mut function).map(Some) } else { Ok(None) };
         }
-        if meets {
+        if meets || is_further_behind(values) && !pair.iter().all(|body| held.contains(body)) {
             contacts.entry(k).or_insert(Wall::FAR);
         }
         let Some(wall) = contacts.get_mut(&k) else { return Ok(None) };
-        wall.meet(step, values, &mut function, |state, _| rounding(state, pair, *distance))
+        let met = wall.meet(step, values, &mut function, |state, _| rounding(state, pair, *distance));
+        met.unwrap_or_else(|| {
+            let (apart, [a, b]) = ((values[0] + *distance * *distance).sqrt(), pair);
+            Err(SceneError::Overlap { a, b, apart, distance: *distance, time: step.times[0] }.into())
+        })
     }
 }
 
@@ -187,11 +194,12 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
     const EVENTS: usize = 1;
     const CHANGES: bool = C::CHANGES;
 
-    fn begin(&mut self, which: usize, start: &SceneState<D>) -> Result<(), Error> {
+    fn begin(&mut self, start: &SceneState<D>) -> Result<(), Error> {
         if !(self.distance > 0.0 && self.distance.is_finite()) {
             return Err(SceneError::Encounter { distance: self.distance }.into());
         }
-        self.turn(which, start)
+        self.turn(start);
+        Ok(())
     }
 
     fn meet(&mut self, which: usize, step: &mut Within<'_, SceneState<D>>) -> Result<(), Error> {
@@ -245,24 +253,19 @@ impl<const D: usize, B: Space<D>, C: Change<SceneState<D>>> Attend<SceneState<D>
         Ok(())
     }
 
-    fn turn(&mut self, _: usize, state: &SceneState<D>) -> Result<(), Error> {
-        let Encounter { distance, space, held, excess: all, contacts, own, .. } = self;
+    fn turn(&mut self, state: &SceneState<D>) {
+        let Encounter { distance, space, excess: all, contacts, own, .. } = self;
         all.clear();
         for (k, pair) in pairs(state.q.len()).enumerate() {
             let value = excess(state, pair, *distance, space);
             all.push(value);
-            let near = || value <= rounding(state, pair, *distance);
-            if C::CHANGES && (contacts.contains_key(&k) || near()) {
+            let touches = || value.abs() <= rounding(state, pair, *distance);
+            if C::CHANGES && (contacts.contains_key(&k) || touches()) {
                 let wall = contacts.entry(k).or_insert(Wall::FAR);
                 let changed = own.iter().find(|(of, _)| *of == k).map(|&(_, rounding)| rounding);
-                let is_held = wall.go_on(value, changed, || rounding(state, pair, *distance));
-                if !is_held && !pair.iter().all(|body| held.contains(body)) {
-                    let (apart, [a, b]) = ((value + *distance * *distance).sqrt(), pair);
-                    return Err(SceneError::Overlap { a, b, apart, distance: *distance, time: state.t }.into());
-                }
+                wall.go_on(value, changed, || rounding(state, pair, *distance));
             }
         }
         own.clear();
-        Ok(())
     }
 }

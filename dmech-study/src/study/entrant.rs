@@ -60,6 +60,7 @@ impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Runner<L, X> for Entrant<
                 watch.observe(&stepper, &state);
             }
         }
+        watch.in_domain(stepper.t())?;
         let (evaluations, iterations) = (stepper.evaluations(), stepper.iterations());
         Ok(Watched { q: numbers(&stepper.state()), steps, drifts: watch.drifts(), evaluations, iterations })
     }

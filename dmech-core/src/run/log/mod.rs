@@ -154,7 +154,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         let mut own = watch.own_drifts();
         attend.drifts(&mut |name, drift| own.add(name, drift));
         run.finish(stopped, || failed_at.unwrap_or_else(|| motion.state()), (watch.drifts(), own), work);
-        match failure.or_else(|| run.left_the_domain(time)) {
+        match failure.or_else(|| watch.in_domain(time(&run.last)).err()) {
             None => Ok(run),
             Some(cause) => Err(Interrupted::new(run, cause)),
         }
@@ -164,7 +164,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     pub(crate) fn begin(&mut self, motion: &dyn Motion<X, R>) -> Result<(), Error> {
         let state = motion.state();
         const { assert!(O::QUANTITIES <= MAX_OWN, "a run watches eight quantities at most") };
-        self.attend.begin(0, &state)?;
+        self.attend.begin(&state)?;
         self.look_as_well(&state);
         if O::QUANTITIES > 0 {
             self.check_names()?;

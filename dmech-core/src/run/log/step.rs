@@ -170,10 +170,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         }
         let state = motion.state();
         self.watch.go_on(motion, &state, so_far);
-        if let Err(cause) = self.attend.turn(0, &state) {
-            self.failed_at = Some(before);
-            return Err(cause);
-        }
+        self.attend.turn(&state);
         if let Some(end) = self.until {
             let span = Span::Until(end.max(from));
             self.ends_at = motion.steps() + span.steps(from, motion.dt(), motion.resolution())?;

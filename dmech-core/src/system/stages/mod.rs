@@ -137,18 +137,21 @@ fn mixed<R: Real, E: Eight<R>>(columns: &[E; STAGES], x: &E, part: usize) -> E::
 const FALLS: f64 = 2.0 / 3.0;
 /// What the seventh has beside the largest push, in steps that are far too long.
 const LARGE: f64 = 0.15;
-/// Beyond so many ulp of the largest push it is no rounding.
-const NO_ROUNDING: f64 = 1e4;
+/// Beyond so many ulp of the largest push, and this part of its own, it is no rounding: a force that is a small difference of large numbers
+/// has many.
+const NO_ROUNDING: [f64; 2] = [1e4, 1e-6];
 
 /// Whether the polynomials of the force on some coordinate do not fall off, or are large at the last: what eight stages cannot see is then
 /// about as large as that.
 #[cold]
 pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> R::Mask {
-    let rounding = R::from_f64(NO_ROUNDING) * R::EPSILON * largest_of::<R>(pushes);
+    let [ulps, part] = NO_ROUNDING.map(R::from_f64);
+    let of_all = ulps * R::EPSILON * largest_of::<R>(pushes);
     pushes.iter().fold(R::Mask::of(false), |bent, push| {
         let [fourth, fifth, sixth, seventh] = tableau.highest.each_ref().map(|row| times(row, push).sum().abs());
         let (before, last) = (fourth.max(fifth), sixth.max(seventh));
-        let large = R::from_f64(LARGE) * largest_of::<R>(core::slice::from_ref(push));
+        let own = largest_of::<R>(core::slice::from_ref(push));
+        let (rounding, large) = (of_all.max(part * own), R::from_f64(LARGE) * own);
         let stays = (R::from_f64(FALLS) * before).less(last).or(large.less(seventh));
         bent.or(rounding.less(last).and(stays))
     })

@@ -50,8 +50,8 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     }
 }
 
-/// What a motion may be behind a wall by rounding alone, beside what its time moves it.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// What a motion may be behind a wall by rounding alone, beside what its time moves it: it may have come there many times as fast as it leaves.
+const ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
 /// Whether a motion that is behind a wall at the start of a step is further behind at its end. What is no number is behind.
 pub(crate) fn is_further_behind([start, end]: [f64; 2]) -> bool {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use dmech::extend::{Columns, Company, Fields, Reach, Rides, StoreError};
+use dmech::extend::{Columns, Company, Fields, Flat, Reach, Rides, StoreError};
 use dmech::models::pairs::{LennardJones, Spring};
 use dmech::prelude::*;
 use dmech::scene::{OnBonds, OnNear, Scene};
@@ -456,7 +456,7 @@ impl Weight {
 fn nothing_is_left_of_what_failed() {
     const WEIGHT: Weight = Weight { g: 1.0 };
     const END: f64 = 8.0;
-    fn check<X: Clone + Columns + Debug>(
+    fn check<X: Clone + Columns + Debug + Flat>(
         place: &Place,
         moved: impl Fn(f64, Option<PathBuf>) -> Result<EnsembleRun<X>, Error>,
     ) {
@@ -469,6 +469,17 @@ fn nothing_is_left_of_what_failed() {
         the_same(&plain, &kept(0.9));
         assert!(lossy > 4 * 20 && events() < 4 * 5, "{lossy}, {}", events());
         the_same(&plain, &kept(0.9));
+        // From where a motion went on is as sealed as where it was.
+        let (table, of) = if X::LISTED { ("body", "what = 'change' AND body = 1 AND") } else { ("change", "") };
+        let scaled = |by: f64| format!("UPDATE {table} SET v0 = {by:?} * v0 WHERE {of} k = 1 AND n = 0;");
+        let lost = "DELETE FROM change WHERE k = 2 AND n = 0;";
+        for (sql, member) in [(scaled(2.0), 1), (scaled(0.5) + lost, 2)] {
+            place.sql(&sql);
+            match moved(0.9, Some(place.file())) {
+                Err(Error::Store(StoreError::Changed { member: told, .. })) => assert_eq!(told, member, "{sql}"),
+                other => panic!("{sql}: {:?}", other.err()),
+            }
+        }
     }
     let start = |k: usize| State::new([1.0 + 0.1 * k as f64], [0.0]);
     let falling = || Ensemble::of(4).law(|_| WEIGHT).start(start).scheme(Leapfrog).dt(0.01);

@@ -125,6 +125,10 @@ fn rough_steps_are_those_over_jumps() {
         }
     }
     assert!(smooth > 20_000);
+    // A smooth force in steps that are far too long: of more than these the polynomials do fall off.
+    let start = State::new([1.6, 0.0], [0.0, 0.5]);
+    let orbit = Simulation::new(Kepler { gm: 1.0 }, start).scheme(Gauss::order16()).dt(0.8).run_until(60.0).unwrap();
+    assert!(orbit.report().rough() >= 8, "{}", orbit.report());
 }
 
 /// A law by hand may be central and rub: the angular momentum is kept by what it is central of, and not by the force beside it.

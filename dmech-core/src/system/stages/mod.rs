@@ -146,15 +146,20 @@ const NO_ROUNDING: [f64; 2] = [1e4, 1e-6];
 #[cold]
 pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> R::Mask {
     let [ulps, part] = NO_ROUNDING.map(R::from_f64);
-    let of_all = ulps * R::EPSILON * largest_of::<R>(pushes);
-    pushes.iter().fold(R::Mask::of(false), |bent, push| {
-        let [fourth, fifth, sixth, seventh] = tableau.highest.each_ref().map(|row| times(row, push).sum().abs());
-        let (before, last) = (fourth.max(fifth), sixth.max(seventh));
-        let own = largest_of::<R>(core::slice::from_ref(push));
-        let (rounding, large) = (of_all.max(part * own), R::from_f64(LARGE) * own);
-        let stays = (R::from_f64(FALLS) * before).less(last).or(large.less(seventh));
-        bent.or(rounding.less(last).and(stays))
-    })
+    let (of_all, mut bent) = (ulps * R::EPSILON * largest_of::<R>(pushes), R::Mask::of(false));
+    for push in pushes {
+        let share = |row: &Row| times(row, push).sum().abs();
+        let [fourth, fifth, sixth, seventh] = &tableau.highest;
+        let (own, seventh) = (largest_of::<R>(core::slice::from_ref(push)), share(seventh));
+        let last = share(sixth).max(seventh);
+        let told = of_all.max(part * own).less(last);
+        // On most motions there is nothing to be told.
+        if told.any() {
+            let stays = (R::from_f64(FALLS) * share(fourth).max(share(fifth))).less(last);
+            bent = bent.or(told.and(stays.or((R::from_f64(LARGE) * own).less(seventh))));
+        }
+    }
+    bent
 }
 
 /// Coefficients times numbers.

@@ -348,7 +348,8 @@ impl<L, X, S, O> Simulation<L, X, S, O> {
     /// Makes as many steps as it takes to reach the time `end`: ⌈n⌉ with n = (end − t₀)/dt, where an n that is a whole
     /// number but for rounding, or for 10⁻⁹ of it and a thousandth of a step at most, is that number. The last state may lie
     /// beyond `end` by less than dt, also after an event that [changes](Simulation::change_when) the motion, where the steps begin anew;
-    /// `.stop_when(|s| s.t - end, Crossing::Rising)` ends the run at `end` itself, and steps that are [`adaptive`](Simulation::adaptive) end there exactly.
+    /// `.stop_when(|s| s.t - end, Crossing::Rising)` ends the run at `end` itself. Steps that are [`adaptive`](Simulation::adaptive) end
+    /// there exactly.
     ///
     /// # Errors
     /// As [`run`](Simulation::run); an `end` before the start is refused.

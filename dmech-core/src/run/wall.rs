@@ -18,8 +18,8 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// else, a start on the wall. What bounces with a loss comes to rest after hops ever shorter: nothing holds it there, and the run
     /// ends with [`Error::ComesToRest`](crate::Error::ComesToRest) once there are more than 64 in a step, or none that its numbers tell.
     /// What is behind the wall by more than rounding, at the start or where something else has put it, may come to the front, and is held from
-    /// there on; if it goes further behind it is refused. A wall that is passed and left again within one step may be missed. The function is continuous at the wall and negative behind it; what is no number is
-    /// behind, too.
+    /// there on; if it goes further behind it is refused. A wall that is passed and left again within one step may be missed. The function
+    /// is continuous at the wall and negative behind it; what is no number is behind, too.
     ///
     /// The state of the event is the nearest to the zero of the function that the rounding of the time leaves.
     ///

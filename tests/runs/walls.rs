@@ -180,6 +180,11 @@ fn on_the_wall() {
     let put = |s: &mut State<2>| (s.q[1], s.v[1]) = (0.0, 0.2);
     let run = fall(5.0, 0.0).change_when(|s| s.t - 1.1, Crossing::Rising, put).bounce_off(|s| s.q[1], bounce);
     assert!(hops(run.run_until(3.0).unwrap()) > 4);
+    // From behind it comes to the front, and is held from there on.
+    let run = fall(-0.5, 1.5).bounce_off(|s| s.q[1], bounce).run_until(9.0).unwrap();
+    assert!(
+        run.events().len() > 2 && run.states().iter().filter(|state| state.t > 1.0).all(|state| state.q[1] > -1e-14)
+    );
     // A function of the velocity along the wall, too.
     let run =
         fall(0.1, 0.0).bounce_off(|s| s.q[1] - 1e-3 * s.v[0] * s.v[0], |s| s.v[1] *= -0.95).run_until(4.0).unwrap();

@@ -87,15 +87,15 @@ impl Wall {
         self.leaves = false;
     }
 
-    /// Where the function falls to zero in a step, from its values at the ends. `None` where the motion is behind and goes further: nothing
-    /// holds it.
+    /// Where the function falls to zero in a step, from its values at the ends; refused where the motion is behind and goes further.
     pub(crate) fn meet<X: Clone>(
         &mut self,
         step: &mut Within<'_, X>,
         values: [f64; 2],
         function: &mut impl FnMut(&X) -> f64,
         rounding: impl Fn(&X, &mut dyn FnMut(&X) -> f64) -> f64,
-    ) -> Option<Result<Option<X>, Error>> {
+        behind: impl FnOnce() -> Error,
+    ) -> Result<Option<X>, Error> {
         self.often.dt = step.times[1] - step.times[0];
         self.on &= !self.leaves;
         self.leaves = false;
@@ -106,7 +106,7 @@ impl Wall {
             let depth = -values[0];
             self.on = depth <= rounding(step.end, function).max(ROUNDING * in_time);
             if !self.on {
-                return None;
+                return Err(behind());
             }
             self.off = depth;
         }
@@ -114,10 +114,10 @@ impl Wall {
             let (now, least) = (values[1], self.off.max(rounding(step.end, function)));
             self.leaves = now > least;
             if now >= -least {
-                return Some(Ok(None));
+                return Ok(None);
             }
         }
-        Some(self.falls(step, values[0], function, rounding))
+        self.falls(step, values[0], function, rounding)
     }
 
     /// Where it has fallen to zero before a state in which something else has happened, and which is clearly behind it.
@@ -227,9 +227,9 @@ impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Boun
     fn meet(&mut self, which: usize, step: &mut Within<'_, X>) -> Result<(), Error> {
         let Bounce { function, values, wall, .. } = self;
         *values = [values[1], function(step.end)];
-        let met = wall.meet(step, *values, function, |state, function| rounding(state, function));
-        let behind = || Error::BehindWall { event: which, time: step.times[0], value: values[0] };
-        if let Some(state) = met.ok_or_else(behind)?? {
+        let ([value, _], time) = (*values, step.times[0]);
+        let behind = || Error::BehindWall { event: which, time, value };
+        if let Some(state) = wall.meet(step, *values, function, |state, function| rounding(state, function), behind)? {
             step.happened(After::Change, Event::new(which, state, Crossing::Falling, None));
         }
         Ok(())

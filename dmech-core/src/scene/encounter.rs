@@ -182,11 +182,10 @@ impl<B, C> Encounter<B, C> {
             contacts.entry(k).or_insert(Wall::FAR);
         }
         let Some(wall) = contacts.get_mut(&k) else { return Ok(None) };
-        let met = wall.meet(step, values, &mut function, |state, _| rounding(state, pair, *distance));
-        met.unwrap_or_else(|| {
-            let (apart, [a, b]) = ((values[0] + *distance * *distance).sqrt(), pair);
-            Err(SceneError::Overlap { a, b, apart, distance: *distance, time: step.times[0] }.into())
-        })
+        let ([a, b], distance, time) = (pair, *distance, step.times[0]);
+        let behind =
+            || SceneError::Overlap { a, b, apart: (values[0] + distance * distance).sqrt(), distance, time }.into();
+        wall.meet(step, values, &mut function, |state, _| rounding(state, pair, distance), behind)
     }
 }
 

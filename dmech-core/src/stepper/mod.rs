@@ -267,15 +267,16 @@ impl<Y: System, S: Scheme<Y>> Stepper<Y, S> {
         let end = self.steps.saturating_add(possible(steps, self.t(), self.dt, self.resolution())?);
         let mut last = self.copy();
         self.scheme.watch(false, &mut self.workspace);
-        let counts = self.run_to(end, &mut last);
-        self.scheme.watch(true, &mut self.workspace);
-        if let Some([evaluations, iterations]) = counts {
+        let made = if let Some([evaluations, iterations]) = self.run_to(end, &mut last) {
             self.go_on_from(last);
             (self.steps, self.evaluations, self.iterations) = (end, evaluations, iterations);
-            return Ok(());
-        }
-        self.lay_aside(last);
-        self.one_by_one(steps)
+            Ok(())
+        } else {
+            self.lay_aside(last);
+            self.one_by_one(steps)
+        };
+        self.scheme.watch(true, &mut self.workspace);
+        made
     }
 
     /// Steps until there are `end`; the evaluations and corrections then, or nothing if a step failed.

@@ -61,11 +61,6 @@ impl StudyReport {
         dmech_plot::save(path, &self.svg(title)?)
     }
 
-    /// Whether the reference tells an error from none.
-    fn tells(&self, error: f64) -> bool {
-        error >= self.resolution()
-    }
-
     fn svg(&self, title: &str) -> io::Result<String> {
         let lines: Vec<_> = (0..self.schemes().len()).map(|scheme| self.line(scheme)).collect();
         let families = self.families();
@@ -160,15 +155,15 @@ impl StudyReport {
         let next = |k: usize| rows.get(k + 1).map(|row| row.steps());
         let apart =
             rows.iter().enumerate().filter(|(k, row)| row.tolerance().is_none() || next(*k) != Some(row.steps()));
-        let figures = apart.filter_map(|(_, row)| row.result().ok());
+        let figures: Vec<_> = apart.filter_map(|(_, row)| row.result().ok()).collect();
         let point = |figures: &Figures| {
             let error = figures.error().max(self.resolution()).max(f64::MIN_POSITIVE);
             (figures.time().as_secs_f64().max(1e-9).log10(), error.log10())
         };
         // The first error that the reference does not tell from none ends the line.
-        let mut told = true;
-        let figures = figures.take_while(|figures| core::mem::replace(&mut told, self.tells(figures.error())));
-        let mut points: Vec<_> = figures.map(point).collect();
+        let untold = figures.iter().position(|figures| figures.error() < self.resolution());
+        let told = untold.map_or(&figures[..], |first| &figures[..=first]);
+        let mut points: Vec<_> = told.iter().copied().map(point).collect();
         let size = self.length().log10();
         let rounding = size - 8.0;
         let lost = points.iter().rposition(|point| point.1 > size + 0.5);

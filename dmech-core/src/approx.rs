@@ -15,6 +15,7 @@ use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 use crate::drift::Drift;
 #[cfg(feature = "scene")]
 use crate::scene::SceneState;
+use crate::snapshot::Snapshot;
 use crate::state::State;
 
 /// Numbers that are compared one by one.
@@ -24,21 +25,11 @@ trait Numbers {
 }
 
 /// Time, positions and velocities.
-impl<const D: usize> Numbers for State<D> {
+impl<X: Snapshot<Scalar = f64>> Numbers for X {
     fn alike(&self, other: &Self, same: impl Fn(&f64, &f64) -> bool) -> bool {
-        let all = |x: &[f64; D], y: &[f64; D]| x.iter().zip(y).all(|(x, y)| same(x, y));
-        same(&self.t, &other.t) && all(&self.q, &other.q) && all(&self.v, &other.v)
-    }
-}
-
-#[cfg(feature = "scene")]
-impl<const D: usize> Numbers for SceneState<D> {
-    fn alike(&self, other: &Self, same: impl Fn(&f64, &f64) -> bool) -> bool {
-        let all = |x: &[[f64; D]], y: &[[f64; D]]| {
-            let numbers = x.as_flattened().iter().zip(y.as_flattened());
-            x.len() == y.len() && numbers.into_iter().all(|(x, y)| same(x, y))
-        };
-        same(&self.t, &other.t) && all(&self.q, &other.q) && all(&self.v, &other.v)
+        let lists = self.lists().into_iter().zip(other.lists());
+        let all = |(x, y): (&[f64], &[f64])| x.len() == y.len() && x.iter().zip(y).all(|(x, y)| same(x, y));
+        same(&self.time(), &other.time()) && lists.into_iter().all(all)
     }
 }
 

@@ -139,8 +139,7 @@ pub use crate::law::{Masses, Numbered};
 pub use crate::name::Name;
 pub use crate::newton::{self, Equation, Increment, NotConverged};
 pub use crate::run::{
-    After, Attend, Attended, Blend, Bounce, Change, Changed, Columns, Observer, Passage, Quantity, Sink, Stream, Watch,
-    Weights, Within,
+    After, Attend, Attended, Bounce, Change, Changed, Columns, Observer, Passage, Quantity, Sink, Stream, Watch, Within,
 };
 #[cfg(feature = "scene")]
 pub use crate::scene::{Collision, Encounter, Met};
@@ -149,6 +148,7 @@ pub use crate::scheme::{
 };
 pub use crate::scheme::{ByLane, NoScheme};
 pub use crate::setup::Setup;
+pub use crate::snapshot::Snapshot;
 pub use crate::span::steps_until;
 pub use crate::system::{
     Ahead, AtStages, Beginning, ImplicitSteps, Kick, Particle, Staged, Step, Stride, System, TimeScale,

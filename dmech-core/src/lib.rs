@@ -31,6 +31,7 @@ pub mod off;
 mod resume;
 mod run;
 mod setup;
+mod snapshot;
 mod span;
 mod state;
 mod stepper;

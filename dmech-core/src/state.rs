@@ -2,6 +2,8 @@
 
 use dmech_scalar::Real;
 
+use crate::snapshot::Snapshot;
+
 /// Time, position and velocity of a particle in D coordinates.
 ///
 /// ```
@@ -52,24 +54,22 @@ impl<const D: usize, R: Real> State<D, R> {
     }
 }
 
-#[cfg(any(feature = "ranks", feature = "store"))]
-impl<const D: usize, R: dmech_scalar::Exact> crate::flat::Flat for State<D, R> {
+impl<const D: usize, R: Real> Snapshot for State<D, R> {
     type Scalar = R;
 
     const DIMENSION: usize = D;
     const LISTED: bool = false;
 
-    fn flat(&self) -> Vec<f64> {
-        let mut numbers = Vec::with_capacity(1 + Self::BODY);
-        crate::run::Columns::parts(self, &mut |x| numbers.push(x));
-        numbers
+    fn time(&self) -> f64 {
+        self.t
     }
 
-    fn of_flat(numbers: &[f64]) -> Self {
-        let mut numbers = numbers.iter().copied();
-        let mut next = || numbers.next().unwrap_or(f64::NAN);
-        let t = next();
-        let [q, v] = core::array::from_fn(|_| core::array::from_fn(|_| R::of_parts(&mut next)));
-        State { t, q, v }
+    fn lists(&self) -> [&[R]; 2] {
+        [&self.q, &self.v]
+    }
+
+    fn from_numbers(time: f64, _: usize, mut number: impl FnMut(usize, usize) -> R) -> Self {
+        let [q, v] = [0, 1].map(|list| core::array::from_fn(|i| number(list, i)));
+        State { t: time, q, v }
     }
 }

@@ -1,71 +1,34 @@
 //! States between those that were recorded.
 
-use dmech_scalar::Real;
+use dmech_scalar::Real as _;
 
 use super::{Event, Run};
-use crate::state::State;
-
-/// A state between others.
-pub trait Blend: Sized {
-    /// Its time.
-    fn time(&self) -> f64;
-    /// At a time: Σ (a q + b v) and its derivative Σ (a′ q + b′ v) over some states, with their weights.
-    fn blend(time: f64, states: &[Self], weights: &[Weights]) -> Self;
-    /// The largest |Δq| of a coordinate.
-    fn apart(&self, other: &Self) -> f64;
-    /// How many numbers it has.
-    fn numbers(&self) -> usize;
-    /// The same but for roundings: eight up or eight down in each of its numbers, as their places in it say.
-    fn nudged(&self, up: &dyn Fn(usize) -> bool) -> Self;
-}
+use crate::snapshot::Snapshot;
 
 /// What position and velocity of a state count in those of another.
 #[derive(Clone, Copy, Debug)]
-pub struct Weights {
+pub(super) struct Weights {
     /// a and b.
-    pub position: [f64; 2],
+    pub(super) position: [f64; 2],
     /// a′ and b′.
-    pub velocity: [f64; 2],
+    pub(super) velocity: [f64; 2],
 }
 
-/// A number eight roundings up or down, in the scalar of its motion but not finer than in `f64`.
-pub(crate) fn nudge<R: Real>(x: R, up: bool) -> R {
-    let by = 8.0 * R::EPSILON.to_f64().max(f64::EPSILON);
-    x * R::from_f64(if up { 1.0 + by } else { 1.0 - by })
+/// At a time: Σ (a q + b v) and its derivative Σ (a′ q + b′ v) over some states, with their weights.
+pub(super) fn blend<X: Snapshot>(time: f64, states: &[X], weights: &[Weights]) -> X {
+    let bodies = states.first().map_or(0, X::bodies);
+    X::from_numbers(time, bodies, |list, i| {
+        states.iter().zip(weights).fold(X::Scalar::ZERO, |sum, (state, &Weights { position, velocity })| {
+            let [a, b] = [position, velocity][list].map(X::Scalar::from_f64);
+            sum + (a * state.number(0, i) + b * state.number(1, i))
+        })
+    })
 }
 
-impl<const D: usize, R: Real> Blend for State<D, R> {
-    fn time(&self) -> f64 {
-        self.t
-    }
-
-    fn blend(time: f64, states: &[Self], weights: &[Weights]) -> Self {
-        let mut sum = State { t: time, q: [R::ZERO; D], v: [R::ZERO; D] };
-        for (state, weights) in states.iter().zip(weights) {
-            let [[a, b], [c, d]] = [weights.position, weights.velocity].map(|x| x.map(R::from_f64));
-            for i in 0..D {
-                sum.q[i] += a * state.q[i] + b * state.v[i];
-                sum.v[i] += c * state.q[i] + d * state.v[i];
-            }
-        }
-        sum
-    }
-
-    fn apart(&self, other: &Self) -> f64 {
-        self.q.iter().zip(&other.q).fold(0.0, |most, (x, y)| most.max((*x - *y).to_f64().abs()))
-    }
-
-    fn numbers(&self) -> usize {
-        1 + 2 * D
-    }
-
-    fn nudged(&self, up: &dyn Fn(usize) -> bool) -> Self {
-        State {
-            t: nudge(self.t, up(0)),
-            q: core::array::from_fn(|i| nudge(self.q[i], up(1 + i))),
-            v: core::array::from_fn(|i| nudge(self.v[i], up(1 + D + i))),
-        }
-    }
+/// The largest |Δq| of a coordinate.
+fn apart<X: Snapshot>(one: &X, other: &X) -> f64 {
+    let pairs = one.lists()[0].iter().zip(other.lists()[0]);
+    pairs.fold(0.0, |most, (&x, &y)| most.max((x - y).to_f64().abs()))
 }
 
 /// Hermite's weights at a time: with ℓⱼ Lagrange's polynomials, a = (1 − 2 (t − tⱼ) ℓⱼ′(tⱼ)) ℓⱼ² and b = (t − tⱼ) ℓⱼ².
@@ -89,7 +52,7 @@ fn hermite(time: f64, nodes: &[f64]) -> Vec<Weights> {
     nodes.iter().enumerate().map(of).collect()
 }
 
-impl<X: Blend + Clone> Run<X> {
+impl<X: Snapshot> Run<X> {
     /// The state at a time between two that were recorded: the polynomial through positions and velocities of the nearest, of so
     /// high a degree that after every step recorded it has the order of the scheme, or of a lower one where a higher brings it no
     /// nearer. `None` before the first and after the last.
@@ -125,7 +88,7 @@ impl<X: Blend + Clone> Run<X> {
         let mut earlier = from.into_iter().chain(earlier).rev();
         let mut later = later.iter().chain([end]);
         let (before, behind) = (earlier.next()?, later.next()?);
-        let [start, end] = [before, behind].map(Blend::time);
+        let [start, end] = [before, behind].map(Snapshot::time);
         let least = 0.1 * (end - start);
         let mut earlier = spaced(start, least, earlier).peekable();
         let mut later = spaced(end, least, later).peekable();
@@ -168,11 +131,11 @@ struct Piece<'a, X> {
 
 /// Of the polynomials through two of the states, three, … the one from which the next two differ least. Where steps are long
 /// beside the motion, those through many states go astray.
-fn nearest<X: Blend>(t: f64, states: &[X]) -> X {
-    let nodes: Vec<f64> = states.iter().map(Blend::time).collect();
-    let through = |n: usize| X::blend(t, &states[..n], &hermite(t, &nodes[..n]));
+fn nearest<X: Snapshot>(t: f64, states: &[X]) -> X {
+    let nodes: Vec<f64> = states.iter().map(Snapshot::time).collect();
+    let through = |n: usize| blend(t, &states[..n], &hermite(t, &nodes[..n]));
     let mut all: Vec<X> = (2..=states.len()).map(through).collect();
-    let steps: Vec<f64> = all.windows(2).map(|two| two[0].apart(&two[1])).collect();
+    let steps: Vec<f64> = all.windows(2).map(|two| apart(&two[0], &two[1])).collect();
     // Of the last no more is known than how far it is from the one before.
     let off = |k: usize| {
         let next = steps[k.min(steps.len().saturating_sub(1))..].iter().take(2);
@@ -183,7 +146,7 @@ fn nearest<X: Blend>(t: f64, states: &[X]) -> X {
 }
 
 /// Of states in a row those that lie apart: between two that all but coincide nothing is to be divided by.
-fn spaced<'a, X: Blend + 'a>(
+fn spaced<'a, X: Snapshot + 'a>(
     from: f64,
     least: f64,
     states: impl Iterator<Item = &'a X>,

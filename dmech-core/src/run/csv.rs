@@ -3,12 +3,12 @@
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use dmech_scalar::Exact;
+use dmech_scalar::{Exact, Real as _};
 use fs_err::File;
 
 use super::Run;
 use super::stream::Sink;
-use crate::state::State;
+use crate::snapshot::Snapshot;
 
 /// A state that can be written as a row of numbers.
 pub trait Columns {
@@ -30,33 +30,34 @@ pub trait Columns {
     }
 }
 
-impl<const D: usize, R: Exact> Columns for State<D, R> {
+/// Those of one body are `t,q0,q1,v0,v1`; of a scene `q3_0` is component 0 of the position of body 3, and `v3_0` that of its velocity.
+impl<X: Snapshot<Scalar: Exact>> Columns for X {
     fn write_names(&self, out: &mut dyn Write) -> io::Result<()> {
         write!(out, "t")?;
-        for name in ["q", "v"] {
-            for i in 0..D {
-                write!(out, ",{name}{i}")?;
+        for (name, list) in ["q", "v"].iter().zip(self.lists()) {
+            for i in 0..list.len() {
+                match X::LISTED {
+                    true => write!(out, ",{name}{}_{}", i / X::DIMENSION, i % X::DIMENSION)?,
+                    false => write!(out, ",{name}{i}")?,
+                }
             }
         }
         Ok(())
     }
 
     fn write_values(&self, out: &mut dyn Write) -> io::Result<()> {
-        write!(out, "{}", self.t)?;
-        for x in self.q.iter().chain(&self.v) {
-            write!(out, ",{x}")?;
-        }
-        Ok(())
+        write!(out, "{}", self.time())?;
+        self.lists().into_iter().flatten().try_for_each(|x| write!(out, ",{x}"))
     }
 
     fn numbers(&self, see: &mut dyn FnMut(f64)) {
-        see(self.t);
-        self.q.iter().chain(&self.v).for_each(|x| see(x.to_f64()));
+        see(self.time());
+        self.lists().into_iter().flatten().for_each(|x| see(x.to_f64()));
     }
 
     fn parts(&self, see: &mut dyn FnMut(f64)) {
-        see(self.t);
-        self.q.iter().chain(&self.v).for_each(|x| x.parts(see));
+        see(self.time());
+        self.lists().into_iter().flatten().for_each(|x| x.parts(see));
     }
 }
 

@@ -32,9 +32,6 @@ mod watch;
 mod zero;
 
 pub use attend::{After, Attend, Within};
-#[cfg(feature = "scene")]
-pub(crate) use between::nudge;
-pub use between::{Blend, Weights};
 pub use change::{Change, Changed};
 pub use csv::{Columns, Csv};
 pub(crate) use due::Due;

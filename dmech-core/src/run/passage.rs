@@ -1,12 +1,12 @@
 //! Events: where a function of the state passes through zero.
 
 use super::attend::{After, Attend, Within};
-use super::between::Blend;
 use super::change::{Change, Changed, Often};
 use super::event::{Crossing, Event};
 use super::simulation::{Attended, Simulation};
 use crate::error::Error;
 use crate::setup::Setup;
+use crate::snapshot::Snapshot;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// Watches for passages of a function of the state through zero, which [`Run::events`](crate::Run::events) then has: a
@@ -97,7 +97,7 @@ impl<F, C> core::fmt::Debug for Passage<F, C> {
     }
 }
 
-impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: Change<X>> Attend<X> for Passage<F, C> {
+impl<X: Snapshot, F: FnMut(&X) -> f64, C: Change<X>> Attend<X> for Passage<F, C> {
     const EVENTS: usize = 1;
     const CHANGES: bool = C::CHANGES;
 

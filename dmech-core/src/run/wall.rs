@@ -1,12 +1,15 @@
 //! Walls: events that keep the motion on their front.
 
+use dmech_scalar::Real;
+
 use super::attend::{After, Attend, Within};
-use super::between::{Blend, Weights};
+use super::between::{Weights, blend};
 use super::change::{Change, Changed, Often};
 use super::event::{Crossing, Event};
 use super::simulation::{Attended, Simulation};
 use crate::error::Error;
 use crate::setup::Setup;
+use crate::snapshot::Snapshot;
 use crate::span::is_rounding;
 
 impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
@@ -180,15 +183,28 @@ impl Wall {
 }
 
 /// What a few roundings of the state, and of the time that it takes to get there, change in a function of it.
-pub(crate) fn rounding<X: Blend>(state: &X, function: &mut dyn FnMut(&X) -> f64) -> f64 {
-    let (value, numbers, time) = (function(state), state.numbers(), state.time());
+pub(crate) fn rounding<X: Snapshot>(state: &X, function: &mut dyn FnMut(&X) -> f64) -> f64 {
+    let (value, time, half) = (function(state), state.time(), X::DIMENSION * state.bodies());
+    let mut off = |other: &X| (function(other) - value).abs();
     // Any two of the numbers go different ways at least once.
-    let ways = (0..usize::BITS).map(|bit| 1_usize << bit).take_while(|&bit| bit < 2 * numbers);
-    let nudged = ways.map(|bit| (function(&state.nudged(&|k| (k + 1) & bit != 0)) - value).abs()).fold(0.0, f64::max);
+    let ways = (0..usize::BITS).map(|bit| 1_usize << bit).take_while(|&bit| bit < 2 * (1 + 2 * half));
+    let nudged = ways.map(|bit| off(&nudged(state, half, |k| (k + 1) & bit != 0))).fold(0.0, f64::max);
     let later = 4.0 * f64::EPSILON * time.abs();
     let weights = Weights { position: [1.0, later], velocity: [0.0, 1.0] };
-    let moved = X::blend(time + later, core::slice::from_ref(state), &[weights]);
-    nudged.max((function(&moved) - value).abs())
+    nudged.max(off(&blend(time + later, core::slice::from_ref(state), &[weights])))
+}
+
+/// The same but for roundings: eight up or eight down in its time and each of its numbers, of each list so many, as their places say.
+fn nudged<X: Snapshot>(state: &X, half: usize, up: impl Fn(usize) -> bool) -> X {
+    X::from_numbers(nudge(state.time(), up(0)), state.bodies(), |list, i| {
+        nudge(state.number(list, i), up(1 + list * half + i))
+    })
+}
+
+/// A number eight roundings up or down, in the scalar of its motion but not finer than in `f64`.
+fn nudge<R: Real>(x: R, up: bool) -> R {
+    let by = 8.0 * R::EPSILON.to_f64().max(f64::EPSILON);
+    x * R::from_f64(if up { 1.0 + by } else { 1.0 - by })
 }
 
 /// A function of the state that keeps the motion where it is positive, and what does so.
@@ -215,7 +231,7 @@ impl<F, C> core::fmt::Debug for Bounce<F, C> {
     }
 }
 
-impl<X: Blend + Clone, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Bounce<F, C> {
+impl<X: Snapshot, F: FnMut(&X) -> f64, C: FnMut(&mut X)> Attend<X> for Bounce<F, C> {
     const EVENTS: usize = 1;
     const CHANGES: bool = true;
 

@@ -1,10 +1,8 @@
 //! The state of a scene.
 
-use std::io::{self, Write};
-
 use dmech_scalar::Compensated;
 
-use crate::run::{Blend, Columns, Weights, nudge};
+use crate::snapshot::Snapshot;
 
 /// Time, positions and velocities of the bodies of a scene, in the order in which they were added.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,90 +50,24 @@ fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     sum.value()
 }
 
-impl<const D: usize> Blend for SceneState<D> {
-    fn time(&self) -> f64 {
-        self.t
-    }
-
-    fn blend(time: f64, states: &[Self], weights: &[Weights]) -> Self {
-        let zero = || states.first().map_or(Vec::new(), |state| vec![[0.0; D]; state.q.len()]);
-        let mut sum = SceneState { t: time, q: zero(), v: zero() };
-        for (state, &Weights { position: [a, b], velocity: [c, d] }) in states.iter().zip(weights) {
-            for (i, (q, v)) in state.q.iter().zip(&state.v).enumerate() {
-                for k in 0..D {
-                    sum.q[i][k] += a * q[k] + b * v[k];
-                    sum.v[i][k] += c * q[k] + d * v[k];
-                }
-            }
-        }
-        sum
-    }
-
-    fn apart(&self, other: &Self) -> f64 {
-        let pairs = self.q.iter().flatten().zip(other.q.iter().flatten());
-        pairs.fold(0.0, |most, (x, y)| most.max((x - y).abs()))
-    }
-
-    fn numbers(&self) -> usize {
-        1 + 2 * D * self.q.len()
-    }
-
-    fn nudged(&self, up: &dyn Fn(usize) -> bool) -> Self {
-        let all = |vectors: &[[f64; D]], first: usize| {
-            let place = |i: usize, k: usize| first + i * D + k;
-            let each = |(i, x): (usize, &[f64; D])| core::array::from_fn(|k| nudge(x[k], up(place(i, k))));
-            vectors.iter().enumerate().map(each).collect()
-        };
-        SceneState { t: nudge(self.t, up(0)), q: all(&self.q, 1), v: all(&self.v, 1 + D * self.q.len()) }
-    }
-}
-
-/// The columns are `t`, then `q3_0` for component 0 of the position of body 3, and `v3_0` for that of its velocity.
-impl<const D: usize> Columns for SceneState<D> {
-    fn write_names(&self, out: &mut dyn Write) -> io::Result<()> {
-        write!(out, "t")?;
-        for (name, list) in [("q", &self.q), ("v", &self.v)] {
-            for body in 0..list.len() {
-                for component in 0..D {
-                    write!(out, ",{name}{body}_{component}")?;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn write_values(&self, out: &mut dyn Write) -> io::Result<()> {
-        write!(out, "{}", self.t)?;
-        for x in self.q.iter().chain(&self.v).flatten() {
-            write!(out, ",{x}")?;
-        }
-        Ok(())
-    }
-
-    fn numbers(&self, see: &mut dyn FnMut(f64)) {
-        see(self.t);
-        self.q.iter().chain(&self.v).flatten().for_each(|&x| see(x));
-    }
-}
-
-/// Where a list is shorter, as in a state that is refused, NaN stands in it.
-#[cfg(any(feature = "ranks", feature = "store"))]
-impl<const D: usize> crate::flat::Flat for SceneState<D> {
+impl<const D: usize> Snapshot for SceneState<D> {
     type Scalar = f64;
 
     const DIMENSION: usize = D;
     const LISTED: bool = true;
 
-    fn flat(&self) -> Vec<f64> {
-        let lists = [&self.q, &self.v];
-        let bodies = self.q.len().max(self.v.len());
-        let body = |i: usize| lists.into_iter().flat_map(move |list| list.get(i).copied().unwrap_or([f64::NAN; D]));
-        core::iter::once(self.t).chain((0..bodies).flat_map(body)).collect()
+    fn time(&self) -> f64 {
+        self.t
     }
 
-    fn of_flat(numbers: &[f64]) -> Self {
-        let bodies = numbers[1..].chunks_exact(2 * D);
-        let list = |from: usize| bodies.clone().map(|body| core::array::from_fn(|i| body[from + i])).collect();
-        SceneState { t: numbers[0], q: list(0), v: list(D) }
+    fn lists(&self) -> [&[f64]; 2] {
+        [self.q.as_flattened(), self.v.as_flattened()]
+    }
+
+    fn from_numbers(time: f64, bodies: usize, mut number: impl FnMut(usize, usize) -> f64) -> Self {
+        let mut all = |list| {
+            (0..bodies).map(|body| core::array::from_fn(|k| number(list, body * D + k))).collect::<Vec<[f64; D]>>()
+        };
+        SceneState { t: time, q: all(0), v: all(1) }
     }
 }

@@ -8,6 +8,7 @@ use crate::flat::Flat;
 use crate::run::{Attend, Restored, Run, Simulation};
 use crate::scheme::Scheme;
 use crate::setup::Setup;
+use crate::snapshot::Snapshot as _;
 use crate::system::System;
 
 impl<L, X, S, O> Told<X::State> for OneByOne<'_, L, X, S, O>

@@ -9,8 +9,8 @@ use dmech_plot::{
 };
 
 use super::Run;
-use crate::state::State;
-use dmech_scalar::Real;
+use crate::snapshot::Snapshot;
+use dmech_scalar::Real as _;
 
 /// Bodies that have a colour each.
 const COLOURS: [RGBColor; 6] = [BLUE, RED, GREEN, OCHRE, PURPLE, TEAL];
@@ -28,48 +28,6 @@ const FLAT: f64 = 15.0;
 /// A path as it stands on the axes.
 type Line = Vec<(f64, f64)>;
 
-/// A state that can be drawn.
-pub(super) trait Seen {
-    const D: usize;
-    fn time(&self) -> f64;
-    fn bodies(&self) -> usize;
-    fn position(&self, body: usize, k: usize) -> f64;
-    fn velocity(&self, body: usize, k: usize) -> f64;
-}
-
-impl<const D: usize, R: Real> Seen for State<D, R> {
-    const D: usize = D;
-    fn time(&self) -> f64 {
-        self.t
-    }
-    fn bodies(&self) -> usize {
-        1
-    }
-    fn position(&self, _: usize, k: usize) -> f64 {
-        self.q[k].to_f64()
-    }
-    fn velocity(&self, _: usize, k: usize) -> f64 {
-        self.v[k].to_f64()
-    }
-}
-
-#[cfg(feature = "scene")]
-impl<const D: usize> Seen for crate::SceneState<D> {
-    const D: usize = D;
-    fn time(&self) -> f64 {
-        self.t
-    }
-    fn bodies(&self) -> usize {
-        self.q.len()
-    }
-    fn position(&self, body: usize, k: usize) -> f64 {
-        self.q.get(body).map_or(f64::NAN, |q| q[k])
-    }
-    fn velocity(&self, body: usize, k: usize) -> f64 {
-        self.v.get(body).map_or(f64::NAN, |v| v[k])
-    }
-}
-
 #[derive(Clone, Copy, PartialEq)]
 enum Quantity {
     Time,
@@ -80,11 +38,11 @@ enum Quantity {
 use Quantity::{Position, Time, Velocity};
 
 impl Quantity {
-    fn of<X: Seen>(self, state: &X, body: usize) -> f64 {
+    fn of<X: Snapshot>(self, state: &X, body: usize) -> f64 {
         match self {
             Time => state.time(),
-            Position(k) => state.position(body, k),
-            Velocity(k) => state.velocity(body, k),
+            Position(k) => state.number(0, body * X::DIMENSION + k).to_f64(),
+            Velocity(k) => state.number(1, body * X::DIMENSION + k).to_f64(),
         }
     }
 
@@ -117,13 +75,13 @@ struct Motion<'a, X> {
     lost: usize,
 }
 
-impl<'a, X: Seen> Motion<'a, X> {
+impl<'a, X: Snapshot> Motion<'a, X> {
     fn of(run: &'a Run<X>) -> Self {
         let last = run.last();
         let beyond = run.states().last().is_none_or(|recorded| recorded.time() != last.time());
         let all: Vec<_> = run.states().iter().chain(beyond.then_some(last)).collect();
         let bodies = last.bodies();
-        let sound = |body: usize, state: &X| (0..X::D).all(|k| state.position(body, k).is_finite());
+        let sound = |body: usize, state: &X| (0..X::DIMENSION).all(|k| Position(k).of(state, body).is_finite());
         let finite = |state: &&X| state.time().is_finite() && (0..bodies).any(|body| sound(body, state));
         let whole = |state: &&X| state.time().is_finite() && (0..bodies).all(|body| sound(body, state));
         let lost = all.iter().filter(|state| !whole(state)).count();
@@ -141,7 +99,7 @@ impl<'a, X: Seen> Motion<'a, X> {
 
     /// Whether a body never left its place, of a motion that others make.
     fn stays(&self, body: usize) -> bool {
-        let place = |state: &X| (0..X::D).map(move |k| state.position(body, k)).collect::<Vec<_>>();
+        let place = |state: &X| (0..X::DIMENSION).map(move |k| Position(k).of(state, body)).collect::<Vec<_>>();
         let first = self.states.first().map(|state| place(state));
         self.bodies > 1 && self.states.len() > 1 && self.states.iter().all(|state| Some(place(state)) == first)
     }
@@ -159,27 +117,27 @@ impl<'a, X: Seen> Motion<'a, X> {
     }
 }
 
-pub(super) fn svg<X: Seen>(run: &Run<X>) -> io::Result<String> {
+pub(super) fn svg<X: Snapshot>(run: &Run<X>) -> io::Result<String> {
     if run.states().is_empty() {
         let says = "the run recorded no state that could be drawn; a stream hands its states on";
         return Err(io::Error::new(io::ErrorKind::Unsupported, says));
     }
     let motion = Motion::of(run);
-    let all = || run.states().iter().chain([run.last()]).map(Seen::time).filter(|t| t.is_finite());
+    let all = || run.states().iter().chain([run.last()]).map(Snapshot::time).filter(|t| t.is_finite());
     let times = [all().next().unwrap_or(f64::NAN), all().last().unwrap_or(f64::NAN)];
-    let panels = if motion.bodies == 0 { Vec::new() } else { panels(X::D) };
+    let panels = if motion.bodies == 0 { Vec::new() } else { panels(X::DIMENSION) };
     let width = match panels.len() {
         0 | 1 => 820,
         n => 560 * n as u32,
     };
-    let kind = match X::D {
+    let kind = match X::DIMENSION {
         1 => "Motion by ",
         2 => "Path by ",
         _ => "Path, projected, by ",
     };
-    let height = if X::D == 1 { 480 } else { 640 };
+    let height = if X::DIMENSION == 1 { 480 } else { 640 };
     draw([width, height], |area| {
-        let key = key(&motion, X::D);
+        let key = key(&motion, X::DIMENSION);
         let title = format!("{kind}{}", run.made(times));
         let area = headed(area, &title, &(motion.words() + &key))?;
         let parts = area.split_evenly((1, panels.len().max(1)));
@@ -191,7 +149,7 @@ pub(super) fn svg<X: Seen>(run: &Run<X>) -> io::Result<String> {
 }
 
 /// What the marks mean.
-fn key<X: Seen>(motion: &Motion<'_, X>, d: usize) -> String {
+fn key<X: Snapshot>(motion: &Motion<'_, X>, d: usize) -> String {
     match (motion.bodies, d) {
         (0, _) | (_, 0) => "; nothing to draw".to_owned(),
         (1, _) => String::new(),
@@ -203,7 +161,7 @@ fn key<X: Seen>(motion: &Motion<'_, X>, d: usize) -> String {
     }
 }
 
-fn panel<X: Seen>(area: &Area<'_>, motion: &Motion<'_, X>, [x, y]: [Quantity; 2], panels: usize) -> Drawn {
+fn panel<X: Snapshot>(area: &Area<'_>, motion: &Motion<'_, X>, [x, y]: [Quantity; 2], panels: usize) -> Drawn {
     let [mut across, mut up] = [x, y].map(|quantity| motion.fit(quantity));
     let places = matches!((x, y), (Position(_), Position(_)));
     let flat = places && across.width().max(up.width()) > FLAT * across.width().min(up.width());
@@ -212,11 +170,11 @@ fn panel<X: Seen>(area: &Area<'_>, motion: &Motion<'_, X>, [x, y]: [Quantity; 2]
     if equal {
         [across, up] = across.alike(&up);
     }
-    let [x_name, y_name] = [(x, across), (y, up)].map(|(quantity, fit)| fit.name(&quantity.name(X::D)));
+    let [x_name, y_name] = [(x, across), (y, up)].map(|(quantity, fit)| fit.name(&quantity.name(X::DIMENSION)));
     let title = match (panels, flat && !equal) {
         (1, false) => String::new(),
-        (_, false) => format!("{} over {}", y.name(X::D), x.name(X::D)),
-        (_, true) => format!("{} over {}, on different scales", y.name(X::D), x.name(X::D)),
+        (_, false) => format!("{} over {}", y.name(X::DIMENSION), x.name(X::DIMENSION)),
+        (_, true) => format!("{} over {}, on different scales", y.name(X::DIMENSION), x.name(X::DIMENSION)),
     };
     // A little more than the motion, so that marks at its ends are whole.
     let beside = if x == Time { 0.03 } else { 0.08 };
@@ -229,7 +187,12 @@ fn panel<X: Seen>(area: &Area<'_>, motion: &Motion<'_, X>, [x, y]: [Quantity; 2]
     bodies(&mut chart, motion, [(x, across), (y, up)], panels)
 }
 
-fn bodies<X: Seen>(chart: &mut Chart<'_>, motion: &Motion<'_, X>, axes: [(Quantity, Fit); 2], panels: usize) -> Drawn {
+fn bodies<X: Snapshot>(
+    chart: &mut Chart<'_>,
+    motion: &Motion<'_, X>,
+    axes: [(Quantity, Fit); 2],
+    panels: usize,
+) -> Drawn {
     let few = motion.bodies <= COLOURS.len();
     let paths: Vec<_> = (0..motion.bodies).map(|body| motion.line(body, axes)).collect();
     let groups: Vec<(RGBColor, &[Line])> = match few {

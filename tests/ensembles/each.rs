@@ -4,7 +4,9 @@ use std::fmt::Debug;
 use std::fs;
 use std::ops::ControlFlow;
 
-use dmech::extend::{Attend, Columns, DoubleDouble, Flat, Ranks, Reach, Saved, Scheme, Setup, StoreError};
+use dmech::extend::{
+    Attend, Columns, DoubleDouble, Flat, Ranks, Reach, Saved, Scheme, Setup, Snapshot as _, StoreError,
+};
 use dmech::models::pairs::{Charge, Coulomb, Gravity, LennardJones, Spring};
 use dmech::prelude::*;
 use dmech::scene::{OnBonds, OnChain, OnNear, OnPairs, Periodic};

@@ -19,13 +19,13 @@ use crate::snapshot::Snapshot;
 use crate::state::State;
 
 /// Numbers that are compared one by one.
-trait Numbers {
+trait Alike {
     /// Whether there are as many of them, and all are the same to `same`.
     fn alike(&self, other: &Self, same: impl Fn(&f64, &f64) -> bool) -> bool;
 }
 
 /// Time, positions and velocities.
-impl<X: Snapshot<Scalar = f64>> Numbers for X {
+impl<X: Snapshot<Scalar = f64>> Alike for X {
     fn alike(&self, other: &Self, same: impl Fn(&f64, &f64) -> bool) -> bool {
         let lists = self.lists().into_iter().zip(other.lists());
         let all = |(x, y): (&[f64], &[f64])| x.len() == y.len() && x.iter().zip(y).all(|(x, y)| same(x, y));
@@ -34,7 +34,7 @@ impl<X: Snapshot<Scalar = f64>> Numbers for X {
 }
 
 /// The values at the start and at the end, and the largest deviation.
-impl Numbers for Drift {
+impl Alike for Drift {
     fn alike(&self, other: &Self, same: impl Fn(&f64, &f64) -> bool) -> bool {
         let numbers = |drift: &Drift| [drift.start(), drift.last(), drift.max_abs()];
         numbers(self).iter().zip(&numbers(other)).all(|(x, y)| same(x, y))

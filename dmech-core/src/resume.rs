@@ -1,6 +1,6 @@
 //! Checkpoints.
 
-use crate::checkpoint::{Carried, Checkpoint, FORMAT, Fingerprint, Fingerprints, Numbers, Saved, load, save};
+use crate::checkpoint::{Carried, Checkpoint, Digits, FORMAT, Fingerprint, Fingerprints, Saved, load, save};
 use crate::error::{Difference, Error};
 use crate::run::Simulation;
 use crate::scheme::Scheme;
@@ -47,8 +47,8 @@ where
             options: Checkpoint::options(&self.scheme),
             dimension: Y::DIMENSION,
             bodies: masses.len(),
-            times: Numbers(vec![self.first, dt, self.t(), Y::time(&self.start)]),
-            masses: Numbers(masses),
+            times: Digits(vec![self.first, dt, self.t(), Y::time(&self.start)]),
+            masses: Digits(masses),
             pins,
             laws: self.fingerprint(),
             fields: self.fields().saved(),
@@ -56,7 +56,7 @@ where
             steps_before: self.steps_before,
             evaluations: self.evaluations,
             iterations: self.iterations,
-            start: system.vectors(&self.start).map(|mut x| Numbers(Y::numbers(&mut x).to_vec())).into(),
+            start: system.vectors(&self.start).map(|mut x| Digits(Y::numbers(&mut x).to_vec())).into(),
             memory: save(&self.memory),
             seals: Vec::new(),
         }

@@ -2,7 +2,7 @@
 
 use dmech_scalar::{CompensatedVector, Exact, Lanes};
 
-use super::Numbers;
+use super::Digits;
 use crate::error::Difference;
 use crate::law::{Field, Law, Potential};
 use crate::system::{Particle, System};
@@ -72,11 +72,11 @@ impl<L: Law<D, R>, const D: usize, R: Exact> Saved for Particle<L, D, R> {
 }
 
 /// A copy of what a scheme carries.
-pub(crate) fn save(memory: &impl Carried) -> Vec<Numbers> {
-    memory.clone().carried().into_iter().map(|numbers| Numbers(numbers.to_vec())).collect()
+pub(crate) fn save(memory: &impl Carried) -> Vec<Digits> {
+    memory.clone().carried().into_iter().map(|numbers| Digits(numbers.to_vec())).collect()
 }
 
 /// Replaces what a scheme carries.
-pub(crate) fn load(memory: &mut impl Carried, saved: &[Numbers]) -> Result<(), Difference> {
+pub(crate) fn load(memory: &mut impl Carried, saved: &[Digits]) -> Result<(), Difference> {
     memory.carried().into_iter().zip(saved).try_for_each(|(place, numbers)| numbers.copy_to(place))
 }

@@ -1,16 +1,16 @@
 //! Saving a simulation and going on with it, bit for bit.
 
 mod carried;
+mod digits;
 mod fields;
 mod fingerprint;
-mod numbers;
 mod seal;
 
 pub use carried::{Carried, Saved};
 pub(crate) use carried::{load, save};
+pub(crate) use digits::Digits;
 pub(crate) use fields::Fingerprints;
 pub(crate) use fingerprint::Fingerprint;
-pub(crate) use numbers::Numbers;
 
 use std::collections::BTreeSet;
 
@@ -65,8 +65,8 @@ pub struct Checkpoint {
     pub(crate) dimension: usize,
     pub(crate) bodies: usize,
     /// t₀, dt, the time now, and that of the last change of the stepper, from which it counts its steps.
-    pub(crate) times: Numbers,
-    pub(crate) masses: Numbers,
+    pub(crate) times: Digits,
+    pub(crate) masses: Digits,
     pub(crate) pins: Vec<usize>,
     pub(crate) laws: Fingerprint,
     pub(crate) fields: Fingerprints,
@@ -76,8 +76,8 @@ pub struct Checkpoint {
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
     /// The positions and velocities of the start: a scheme may hold those only to rounding.
-    pub(crate) start: Vec<Numbers>,
-    pub(crate) memory: Vec<Numbers>,
+    pub(crate) start: Vec<Digits>,
+    pub(crate) memory: Vec<Digits>,
     /// What was written, part by part.
     pub(crate) seals: Vec<Fingerprint>,
 }
@@ -145,7 +145,7 @@ impl Checkpoint {
         if !same(start, start_here) {
             return Err(Difference::Start { checkpoint: start, here: start_here });
         }
-        Numbers::fit([&self.masses], [&here.masses])?;
+        Digits::fit([&self.masses], [&here.masses])?;
         for (body, (&mass, &mass_here)) in self.masses.0.iter().zip(&here.masses.0).enumerate() {
             if !same(mass, mass_here) {
                 return Err(Difference::Mass { body, checkpoint: mass, here: mass_here });
@@ -155,8 +155,8 @@ impl Checkpoint {
         if let Some(&body) = pins.symmetric_difference(&pins_here).next() {
             return Err(Difference::Pin { body, pinned: pins.contains(&body) });
         }
-        Numbers::fit(&self.start, &here.start)?;
-        Numbers::fit(&self.memory, &here.memory)?;
+        Digits::fit(&self.start, &here.start)?;
+        Digits::fit(&self.memory, &here.memory)?;
         self.check_seals()
     }
 }

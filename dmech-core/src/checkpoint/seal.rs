@@ -1,6 +1,6 @@
 //! Fingerprints of what a checkpoint holds: nothing of it was changed after it was written.
 
-use super::{Checkpoint, Fingerprint, Numbers};
+use super::{Checkpoint, Digits, Fingerprint};
 use crate::error::Difference;
 
 impl Checkpoint {
@@ -27,7 +27,7 @@ impl Checkpoint {
     /// together.
     fn parts(&self) -> [(&'static str, Fingerprint); 6] {
         let mut seal = Fingerprint::new();
-        let lists = |seal: &mut Fingerprint, lists: &[Numbers]| {
+        let lists = |seal: &mut Fingerprint, lists: &[Digits]| {
             seal.add_bits(lists.len() as u64);
             lists.iter().for_each(|list| seal.add_list(&list.0));
         };

@@ -7,8 +7,8 @@ use core::ops::Range;
 use dmech_scalar::{Real, Rows};
 
 use super::counts::Counts;
+use super::deviations::{Deviations, States};
 use super::member::Member;
-use super::seen::{Seen, States};
 use super::steps::InLanes;
 use super::together::{Together, together};
 use crate::invariant::Invariant;
@@ -28,7 +28,7 @@ pub(super) struct Convoy<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, cons
     now: States<D, W>,
     /// Where those are whose motion was changed in the last step: where they were set, and not to rounding.
     changed: Vec<(usize, State<D>)>,
-    seen: Seen<D, W>,
+    seen: Deviations<D, W>,
     pub(super) counts: Counts,
     cost: Effort<Rows<W>>,
 }
@@ -40,7 +40,7 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
         let Member { stepper, log, .. } = &seats[0];
         let scheme = stepper.scheme;
         let all = scheme.alike(&system, stepper);
-        let seen = Seen::alike::<L>(&system, &stepper.start, log.watch.drifts());
+        let seen = Deviations::alike::<L>(&system, &stepper.start, log.watch.drifts());
         let (now, counts, cost) = (States::default(), Counts::default(), Effort::default());
         let mut convoy = Convoy { scheme, numbers, system, all, now, changed: Vec::new(), seen, counts, cost };
         for (lane, member) in seats.iter().enumerate() {
@@ -113,7 +113,7 @@ impl<L: Fields<D>, S: InLanes<L, D, W>, const D: usize, const W: usize> Convoy<L
 
     /// So many steps, or fewer if one arrives; false, and perhaps some of them, where they cannot be made together.
     pub(super) fn advance(&mut self, steps: u64) -> bool {
-        let Convoy { scheme, system, all, cost, seen: Seen { work, .. }, .. } = self;
+        let Convoy { scheme, system, all, cost, seen: Deviations { work, .. }, .. } = self;
         // Work is that of each step by itself: rows have nothing of it where nobody asks.
         let row = if work.is_some() { 1 } else { steps };
         let (mut made, mut last) = (0, Some(row));

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::block::{Block, Outcome};
 use crate::error::Error;
 use crate::law::Fields;
-use crate::run::{Attend, Due, Follow, Interrupted, Log, Motion, Plan, Run};
+use crate::run::{Attend, Due, Extent, Follow, Interrupted, Log, Motion, Run};
 use crate::scheme::Scheme;
 use crate::state::State;
 use crate::stepper::Stepper;
@@ -29,7 +29,7 @@ pub(super) struct Member<L: Fields<D>, S: Scheme<Particle<L, D>>, O, const D: us
 impl<L: Fields<D>, S: Scheme<Particle<L, D>>, O: Attend<State<D>>, const D: usize> Member<L, S, O, D> {
     pub(super) fn begin(block: &Block<'_, L, S, O, D>, k: usize) -> Result<Self, Interrupted<State<D>>> {
         let (simulation, attend) = (block.member)(k).apart();
-        let (mut stepper, run, Plan { steps, until, states, settings }) = simulation.set_out(block.span)?;
+        let (mut stepper, run, Extent { steps, until, states, settings }) = simulation.set_out(block.span)?;
         let due = settings.due;
         let every = if let Due::Every(n) = due { Some(n) } else { None };
         stepper.scheme.watch(S::SEES_ROUGH || block.work, &mut stepper.workspace);

@@ -4,6 +4,7 @@ mod block;
 mod company;
 mod convoy;
 mod counts;
+mod deviations;
 mod each;
 mod export;
 mod in_order;
@@ -16,7 +17,6 @@ mod ranks;
 mod rides;
 mod rows;
 mod run;
-mod seen;
 mod share;
 #[cfg(feature = "progress")]
 mod shown;

@@ -47,14 +47,14 @@ pub use passage::Passage;
 pub(crate) use passage::passes;
 pub(crate) use progress::{Follow, Shown};
 pub use quantity::Quantity;
-pub use report::Report;
 #[cfg(any(feature = "ranks", feature = "store"))]
-pub(crate) use report::Work;
+pub(crate) use report::Cost;
+pub use report::Report;
 #[cfg(any(feature = "ranks", feature = "store"))]
 pub(crate) use restored::Restored;
 #[cfg(feature = "progress")]
 pub(crate) use shown::bar;
-pub(crate) use simulation::Plan;
+pub(crate) use simulation::Extent;
 #[cfg(any(feature = "ranks", feature = "store"))]
 pub(crate) use simulation::Settings;
 pub use simulation::{Attended, Simulation};
@@ -68,7 +68,7 @@ use crate::drift::{Drift, Drifts, OwnDrifts};
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 #[cfg(not(any(feature = "ranks", feature = "store")))]
-use report::Work;
+use report::Cost;
 
 /// The recorded states of a simulation, what it kept and what it cost.
 ///
@@ -190,7 +190,7 @@ impl<X> Run<X> {
         }
     }
 
-    fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: (Drifts, OwnDrifts), work: Work) {
+    fn finish(&mut self, stopped: Option<X>, last: impl FnOnce() -> X, drifts: (Drifts, OwnDrifts), work: Cost) {
         self.stopped = stopped.is_some();
         self.last = stopped.unwrap_or_else(last);
         self.report.finish(drifts.0, drifts.1, work);

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dmech_scalar::Real;
 
 use super::Watch;
-use super::report::Work;
+use super::report::Cost;
 use crate::error::Error;
 use crate::invariant::{Invariant, Kept};
 use crate::scheme::Scheme;
@@ -61,7 +61,7 @@ pub(crate) trait Motion<X, R: Real> {
     fn own(&self, k: usize, state: &X) -> R;
 
     /// What it has cost so far.
-    fn work(&self) -> Work;
+    fn work(&self) -> Cost;
 }
 
 /// The invariants in one state.
@@ -149,10 +149,10 @@ impl<Y: System, S: Scheme<Y>> Motion<Y::State, Y::Scalar> for Stepper<Y, S> {
         self.system.own_invariant(k, state)
     }
 
-    fn work(&self) -> Work {
+    fn work(&self) -> Cost {
         let (rough, range) = (self.scheme.rough(&self.memory), self.scheme.range(&self.memory));
         let (steps, evaluations, iterations) = (Stepper::steps(self), self.evaluations(), self.iterations());
-        Work { steps, evaluations, iterations, rough, elapsed: Duration::ZERO, range }
+        Cost { steps, evaluations, iterations, rough, elapsed: Duration::ZERO, range }
     }
 }
 

@@ -12,7 +12,7 @@ use crate::words::Word;
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Work {
+pub(crate) struct Cost {
     pub(crate) steps: u64,
     pub(crate) evaluations: u64,
     pub(crate) iterations: u64,
@@ -37,7 +37,7 @@ pub struct Report {
     kept: [Kept; Invariant::ALL.len()],
     drifts: Drifts,
     own: OwnDrifts,
-    work: Work,
+    work: Cost,
 }
 
 impl Report {
@@ -55,11 +55,11 @@ impl Report {
     }
 
     #[cfg(any(feature = "ranks", feature = "store"))]
-    pub(crate) fn work(&self) -> Work {
+    pub(crate) fn work(&self) -> Cost {
         self.work
     }
 
-    pub(crate) fn finish(&mut self, drifts: Drifts, own: OwnDrifts, work: Work) {
+    pub(crate) fn finish(&mut self, drifts: Drifts, own: OwnDrifts, work: Cost) {
         self.drifts = drifts;
         self.own = own;
         self.work = work;
@@ -153,7 +153,7 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Work { steps, evaluations, iterations, elapsed, .. } = self.work;
+        let Cost { steps, evaluations, iterations, elapsed, .. } = self.work;
         let per_step = |total: f64| if steps == 0 { 0.0 } else { total / steps as f64 };
         write!(f, "{}, order {}, ", self.scheme, self.order)?;
         match (self.tolerance, self.dt_range()) {

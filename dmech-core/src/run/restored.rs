@@ -1,7 +1,7 @@
 //! Runs that were made before, put together again.
 
 use super::motion::kept;
-use super::report::{Report, Work};
+use super::report::{Cost, Report};
 use super::{Event, Run, Simulation};
 use crate::drift::{Drifts, OwnDrifts};
 use crate::error::Error;
@@ -22,7 +22,7 @@ pub(crate) struct Restored<X> {
     pub(crate) drifts: Drifts,
     /// Of the law itself, then those that were watched.
     pub(crate) own: OwnDrifts,
-    pub(crate) work: Work,
+    pub(crate) work: Cost,
 }
 
 impl<X: Clone> Run<X> {

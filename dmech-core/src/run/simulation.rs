@@ -71,14 +71,20 @@ impl Settings {
     }
 
     /// What a scheme says of the steps.
-    fn pace<R: Real>(&self, scheme: &impl Method, mass: f64) -> Pace {
+    fn pace<R: Real>(&self, scheme: &impl Method, mass: f64) -> Stepping {
         let equal = scheme.tolerance().is_none();
-        Pace { dt: self.step_length::<R>(scheme), equal, report: Report::new(scheme, self.dt, mass) }
+        Stepping { dt: self.step_length::<R>(scheme), equal, report: Report::new(scheme, self.dt, mass) }
     }
 
     /// The system where it starts, a run without a state, and how far it goes.
-    fn set_out<L, X: Setup<L>>(self, pace: Pace, law: L, start: X, span: Span) -> SetOut<Opening<X::System>, X::State> {
-        let Pace { dt, equal, report } = pace;
+    fn set_out<L, X: Setup<L>>(
+        self,
+        pace: Stepping,
+        law: L,
+        start: X,
+        span: Span,
+    ) -> SetOut<Opening<X::System>, X::State> {
+        let Stepping { dt, equal, report } = pace;
         let run = Run::empty(start.start(), report);
         let opened = self.due.check(X::System::time(&run.last)).and_then(|()| {
             let opening = self.open(dt, law, start)?;
@@ -87,7 +93,7 @@ impl Settings {
             let steps = span.steps(t, dt, equal.then_some(resolution))?;
             let states = self.due.states(steps, span.time(t, steps, dt));
             let until = if let (Span::Until(end), true) = (span, equal) { Some(end) } else { None };
-            Ok((opening, Plan { steps, until, states, settings: self }))
+            Ok((opening, Extent { steps, until, states, settings: self }))
         });
         match opened {
             Ok((opening, plan)) => Ok((opening, run, plan)),
@@ -391,10 +397,10 @@ impl<L, X: Setup<L>, S: Scheme<X::System>> Simulation<L, X, S> {
 }
 
 /// What moves, a run without a state, and how far it goes.
-type SetOut<Y, X> = Result<(Y, Run<X>, Plan), Interrupted<X>>;
+type SetOut<Y, X> = Result<(Y, Run<X>, Extent), Interrupted<X>>;
 
 /// What a scheme says of the steps of a run, whatever moves.
-struct Pace {
+struct Stepping {
     dt: Result<f64, Error>,
     /// Whether they are of equal length.
     equal: bool,
@@ -402,7 +408,7 @@ struct Pace {
 }
 
 /// How far a run goes, and what it records.
-pub(crate) struct Plan {
+pub(crate) struct Extent {
     /// Steps that it makes, or fewer if the motion arrives or is stopped before.
     pub(crate) steps: u64,
     /// The time to which they were counted, if they were.

@@ -9,7 +9,7 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, ErrorCode, OpenFlags, Transaction, TransactionBehavior};
 
 use super::layout::{Layout, TABLES};
-use super::record::{Members, read};
+use super::record::{Writers, read};
 use super::settings::set;
 use super::table::of_table;
 use crate::ensemble::plan::Moved;
@@ -148,7 +148,7 @@ impl Store {
         for (table, forget) in self.layout.forget() {
             of_table(table, self.database.prepare_cached(&forget))?.execute(range)?;
         }
-        let mut members = Members::new::<X>(&self.database, &self.layout)?;
+        let mut members = Writers::new::<X>(&self.database, &self.layout)?;
         moved.iter().try_for_each(|(k, member)| members.write(*k, member))?;
         drop(members);
         Ok(transaction.commit()?)

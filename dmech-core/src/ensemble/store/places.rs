@@ -50,11 +50,11 @@ impl Head {
 pub(super) type What = &'static str;
 
 /// Writes the bodies of states.
-pub(super) struct Bodies<'a>(Option<Writer<'a>>);
+pub(super) struct BodyWriter<'a>(Option<Writer<'a>>);
 
-impl<'a> Bodies<'a> {
+impl<'a> BodyWriter<'a> {
     pub(super) fn new<X: Flat>(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
-        Ok(Bodies(if X::LISTED { Some(Writer::new(database, layout, "body")?) } else { None }))
+        Ok(BodyWriter(if X::LISTED { Some(Writer::new(database, layout, "body")?) } else { None }))
     }
 
     /// Writes those of the n-th state of a kind.

@@ -6,14 +6,14 @@ use std::time::Duration;
 use rusqlite::Connection;
 
 use super::layout::Layout;
-use super::places::{Bodies, Head, Placed, What, rows};
+use super::places::{BodyWriter, Head, Placed, What, rows};
 use super::table::{Reader, Writer};
 use crate::drift::{Drift, Drifts, OwnDrifts};
 use crate::ensemble::{Checksum, Outcome};
 use crate::error::StoreError;
 use crate::flat::Flat;
 use crate::invariant::Invariant;
-use crate::run::{Crossing, Event, Interrupted, Restored, Work};
+use crate::run::{Cost, Crossing, Event, Interrupted, Restored};
 use crate::words::{Word, word};
 
 /// Those that there are, each with its number and its name: of all laws, then of this one and those that were watched.
@@ -32,7 +32,7 @@ fn seal<X: Flat>(k: u64, failed: bool, run: &Restored<X>) -> i64 {
     let mut seal = Checksum::default();
     [k, failed.into()].into_iter().for_each(|n| seal.word(n));
     seal.list(&run.last.flat());
-    let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
+    let Cost { steps, evaluations, iterations, rough, elapsed, range } = run.work;
     let counts = [run.stopped.into(), steps, evaluations, iterations, rough, elapsed.as_nanos() as u64];
     counts.into_iter().for_each(|n| seal.word(n));
     range.iter().for_each(|range| seal.list(range));
@@ -52,21 +52,21 @@ fn seal<X: Flat>(k: u64, failed: bool, run: &Restored<X>) -> i64 {
 }
 
 /// The statements that write members.
-pub(super) struct Members<'a> {
+pub(super) struct Writers<'a> {
     last: Writer<'a>,
     drift: Writer<'a>,
     event: Writer<'a>,
     change: Writer<'a>,
     state: Writer<'a>,
-    bodies: Bodies<'a>,
+    bodies: BodyWriter<'a>,
 }
 
-impl<'a> Members<'a> {
+impl<'a> Writers<'a> {
     pub(super) fn new<X: Flat>(database: &'a Connection, layout: &Layout) -> Result<Self, StoreError> {
         let writer = |table| Writer::new(database, layout, table);
         let [last, drift, event] = [writer("last")?, writer("drift")?, writer("event")?];
         let [change, state] = [writer("change")?, writer("state")?];
-        Ok(Members { last, drift, event, change, state, bodies: Bodies::new::<X>(database, layout)? })
+        Ok(Writers { last, drift, event, change, state, bodies: BodyWriter::new::<X>(database, layout)? })
     }
 
     /// Writes a member.
@@ -77,7 +77,7 @@ impl<'a> Members<'a> {
         row.count(k)?;
         row.put(member.as_ref().err().map(|failed| failed.cause().to_string()))?;
         head.put::<X>(row)?;
-        let Work { steps, evaluations, iterations, rough, elapsed, range } = run.work;
+        let Cost { steps, evaluations, iterations, rough, elapsed, range } = run.work;
         let nanoseconds = elapsed.as_nanos() as u64;
         let counts = [run.stopped.into(), steps, evaluations, iterations, rough, nanoseconds];
         counts.into_iter().try_for_each(|n| row.count(n))?;
@@ -123,7 +123,7 @@ impl<'a> Members<'a> {
 /// Writes the n-th state of a kind.
 fn write_state<X: Flat>(
     row: &mut Writer<'_>,
-    bodies: &mut Bodies<'_>,
+    bodies: &mut BodyWriter<'_>,
     (what, k, n): (What, u64, usize),
     state: &X,
 ) -> Result<(), StoreError> {
@@ -206,7 +206,7 @@ struct End {
     last: Head,
     failed: bool,
     stopped: bool,
-    work: Work,
+    work: Cost,
     seal: i64,
 }
 
@@ -225,7 +225,7 @@ fn end<X: Flat>(row: &mut Reader<'_>) -> Option<End> {
     let stopped = stopped != 0;
     let elapsed = Duration::from_nanos(nanoseconds);
     let range = (!range[0].is_nan()).then_some(range);
-    let work = Work { steps, evaluations, iterations, rough, elapsed, range };
+    let work = Cost { steps, evaluations, iterations, rough, elapsed, range };
     Some(End { last, failed, stopped, work, seal })
 }
 

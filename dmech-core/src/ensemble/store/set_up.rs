@@ -6,7 +6,7 @@ use rusqlite::Connection;
 use rusqlite::types::Value;
 
 use super::layout::Layout;
-use super::places::{Bodies, Head, Placed, rows};
+use super::places::{BodyWriter, Head, Placed, rows};
 use super::settings::{beside, get, set};
 use super::table::{Reader, Writer};
 use crate::ensemble::Checksum;
@@ -58,7 +58,7 @@ impl<X: Flat> dyn Told<X> + '_ {
         let mut all = Checksum::default();
         let mut row = Writer::new(database, layout, "member")?;
         let mut list = if layout.has_lists() { Some(Writer::new(database, layout, "number")?) } else { None };
-        let mut bodies = Bodies::new::<X>(database, layout)?;
+        let mut bodies = BodyWriter::new::<X>(database, layout)?;
         for k in 0..self.members() {
             let member = self.set_up(k);
             let (seal, head, k) = (member.seal(k), Head::of::<X>(&member.start), k as u64);

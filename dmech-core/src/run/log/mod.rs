@@ -10,8 +10,8 @@ use super::attend::{Attend, Happened};
 use super::due::Due;
 use super::motion::Motion;
 use super::progress::Follow;
-use super::report::Work;
-use super::simulation::{Plan, Settings};
+use super::report::Cost;
+use super::simulation::{Extent, Settings};
 use super::{Interrupted, Run, Watch};
 use crate::drift::MAX_OWN;
 use crate::error::Error;
@@ -21,7 +21,7 @@ use crate::stepper::in_parts;
 pub(crate) fn record<X: Clone, R: Real, O: Attend<X>>(
     motion: &mut dyn Motion<X, R>,
     run: Run<X>,
-    Plan { steps, until, states, settings: Settings { due, shown, .. } }: Plan,
+    Extent { steps, until, states, settings: Settings { due, shown, .. } }: Extent,
     (attend, histories): (O, bool),
 ) -> Result<Run<X>, Interrupted<X>> {
     let mut log = Log::new(motion, run, due, attend);
@@ -146,7 +146,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         run.histories = watch.take_histories();
         let work = motion.work();
         let (evaluations, iterations) = (evaluations + work.evaluations, iterations + work.iterations);
-        let work = Work { evaluations, iterations, elapsed, ..work };
+        let work = Cost { evaluations, iterations, elapsed, ..work };
         let (stopped, failure) = match outcome {
             Ok(stopped) => (stopped, None),
             Err(cause) => (None, Some(cause)),

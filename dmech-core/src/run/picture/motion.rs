@@ -69,13 +69,13 @@ fn panels(d: usize) -> Vec<[Quantity; 2]> {
 }
 
 /// The recorded states, and the last where it comes after them; those that are not finite are counted.
-struct Motion<'a, X> {
+struct Paths<'a, X> {
     states: Vec<&'a X>,
     bodies: usize,
     lost: usize,
 }
 
-impl<'a, X: Snapshot> Motion<'a, X> {
+impl<'a, X: Snapshot> Paths<'a, X> {
     fn of(run: &'a Run<X>) -> Self {
         let last = run.last();
         let beyond = run.states().last().is_none_or(|recorded| recorded.time() != last.time());
@@ -85,7 +85,7 @@ impl<'a, X: Snapshot> Motion<'a, X> {
         let finite = |state: &&X| state.time().is_finite() && (0..bodies).any(|body| sound(body, state));
         let whole = |state: &&X| state.time().is_finite() && (0..bodies).all(|body| sound(body, state));
         let lost = all.iter().filter(|state| !whole(state)).count();
-        Motion { states: all.into_iter().filter(finite).collect(), bodies, lost }
+        Paths { states: all.into_iter().filter(finite).collect(), bodies, lost }
     }
 
     fn line(&self, body: usize, [x, y]: [(Quantity, Fit); 2]) -> Line {
@@ -122,7 +122,7 @@ pub(super) fn svg<X: Snapshot>(run: &Run<X>) -> io::Result<String> {
         let says = "the run recorded no state that could be drawn; a stream hands its states on";
         return Err(io::Error::new(io::ErrorKind::Unsupported, says));
     }
-    let motion = Motion::of(run);
+    let motion = Paths::of(run);
     let all = || run.states().iter().chain([run.last()]).map(Snapshot::time).filter(|t| t.is_finite());
     let times = [all().next().unwrap_or(f64::NAN), all().last().unwrap_or(f64::NAN)];
     let panels = if motion.bodies == 0 { Vec::new() } else { panels(X::DIMENSION) };
@@ -131,7 +131,7 @@ pub(super) fn svg<X: Snapshot>(run: &Run<X>) -> io::Result<String> {
         n => 560 * n as u32,
     };
     let kind = match X::DIMENSION {
-        1 => "Motion by ",
+        1 => "Paths by ",
         2 => "Path by ",
         _ => "Path, projected, by ",
     };
@@ -149,7 +149,7 @@ pub(super) fn svg<X: Snapshot>(run: &Run<X>) -> io::Result<String> {
 }
 
 /// What the marks mean.
-fn key<X: Snapshot>(motion: &Motion<'_, X>, d: usize) -> String {
+fn key<X: Snapshot>(motion: &Paths<'_, X>, d: usize) -> String {
     match (motion.bodies, d) {
         (0, _) | (_, 0) => "; nothing to draw".to_owned(),
         (1, _) => String::new(),
@@ -161,7 +161,7 @@ fn key<X: Snapshot>(motion: &Motion<'_, X>, d: usize) -> String {
     }
 }
 
-fn panel<X: Snapshot>(area: &Area<'_>, motion: &Motion<'_, X>, [x, y]: [Quantity; 2], panels: usize) -> Drawn {
+fn panel<X: Snapshot>(area: &Area<'_>, motion: &Paths<'_, X>, [x, y]: [Quantity; 2], panels: usize) -> Drawn {
     let [mut across, mut up] = [x, y].map(|quantity| motion.fit(quantity));
     let places = matches!((x, y), (Position(_), Position(_)));
     let flat = places && across.width().max(up.width()) > FLAT * across.width().min(up.width());
@@ -189,7 +189,7 @@ fn panel<X: Snapshot>(area: &Area<'_>, motion: &Motion<'_, X>, [x, y]: [Quantity
 
 fn bodies<X: Snapshot>(
     chart: &mut Chart<'_>,
-    motion: &Motion<'_, X>,
+    motion: &Paths<'_, X>,
     axes: [(Quantity, Fit); 2],
     panels: usize,
 ) -> Drawn {

@@ -12,7 +12,7 @@ use crate::state::State;
 use crate::system::System;
 
 /// How the invariants of members side by side moved, whatever the scheme.
-pub(super) struct Seen<const D: usize, const W: usize> {
+pub(super) struct Deviations<const D: usize, const W: usize> {
     first: State<D, Rows<W>>,
     /// From where energies are counted, and what is to be added to the deviations of momenta.
     energies: [Rows<W>; Invariant::ALL.len()],
@@ -29,7 +29,7 @@ pub(super) struct States<const D: usize, const W: usize> {
     pub(super) v: [Rows<W>; D],
 }
 
-impl<const D: usize, const W: usize> Seen<D, W> {
+impl<const D: usize, const W: usize> Deviations<D, W> {
     /// What is seen of one is seen of all.
     pub(super) fn alike<L: Fields<D>>(system: &Together<L, D, W>, start: &State<D>, watched: Drifts) -> Self {
         let first = State::of(ByLane::alike(&start.q), ByLane::alike(&start.v));
@@ -41,7 +41,7 @@ impl<const D: usize, const W: usize> Seen<D, W> {
         }
         let work = drifts[Invariant::WorkEnergy as usize].map(|_| Compensated::new(Rows::ZERO));
         let (energies, carried) = ([Rows::ZERO; Invariant::ALL.len()], [Rows::ZERO; 2]);
-        Seen { first, energies, carried, drifts, work }
+        Deviations { first, energies, carried, drifts, work }
     }
 
     /// Takes up a member in its lane.

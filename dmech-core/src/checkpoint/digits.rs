@@ -9,16 +9,16 @@ use crate::error::Difference;
 
 /// A list of `f64`, written as one text with spaces between.
 #[derive(Clone, Debug)]
-pub(crate) struct Numbers(pub(crate) Vec<f64>);
+pub(crate) struct Digits(pub(crate) Vec<f64>);
 
 /// Equal to the bit.
-impl PartialEq for Numbers {
+impl PartialEq for Digits {
     fn eq(&self, other: &Self) -> bool {
         self.0.iter().map(|x| x.to_bits()).eq(other.0.iter().map(|x| x.to_bits()))
     }
 }
 
-impl Numbers {
+impl Digits {
     /// Copies the numbers to where as many belong.
     pub(crate) fn copy_to(&self, place: &mut [f64]) -> Result<(), Difference> {
         if place.len() != self.0.len() {
@@ -30,10 +30,10 @@ impl Numbers {
 
     /// Whether the lists that were saved have the lengths of those here.
     pub(super) fn fit<'a>(
-        saved: impl IntoIterator<Item = &'a Numbers>,
-        here: impl IntoIterator<Item = &'a Numbers>,
+        saved: impl IntoIterator<Item = &'a Digits>,
+        here: impl IntoIterator<Item = &'a Digits>,
     ) -> Result<(), Difference> {
-        let lengths = |lists: &mut dyn Iterator<Item = &'a Numbers>| lists.map(|x| x.0.len()).collect::<Vec<_>>();
+        let lengths = |lists: &mut dyn Iterator<Item = &'a Digits>| lists.map(|x| x.0.len()).collect::<Vec<_>>();
         let (saved, here) = (lengths(&mut saved.into_iter()), lengths(&mut here.into_iter()));
         if saved.len() != here.len() {
             return Err(Difference::Damaged { found: saved.len(), expected: here.len() });
@@ -43,7 +43,7 @@ impl Numbers {
     }
 }
 
-impl Serialize for Numbers {
+impl Serialize for Digits {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut text = String::with_capacity(20 * self.0.len());
         for (i, x) in self.0.iter().enumerate() {
@@ -54,14 +54,14 @@ impl Serialize for Numbers {
     }
 }
 
-impl<'de> Deserialize<'de> for Numbers {
+impl<'de> Deserialize<'de> for Digits {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let read = |word: &str| match word.parse() {
             Ok(x) if f64::is_finite(x) => Ok(x),
             _ => Err(D::Error::custom(format_args!("`{word}` is not a finite number"))),
         };
-        text.split_ascii_whitespace().map(read).collect::<Result<_, _>>().map(Numbers)
+        text.split_ascii_whitespace().map(read).collect::<Result<_, _>>().map(Digits)
     }
 }
 
@@ -73,22 +73,22 @@ mod tests {
     proptest! {
         #[test]
         fn every_number_survives_json(bits: Vec<u64>) {
-            let numbers = Numbers(bits.into_iter().map(f64::from_bits).filter(|x| x.is_finite()).collect());
+            let numbers = Digits(bits.into_iter().map(f64::from_bits).filter(|x| x.is_finite()).collect());
             let text = serde_json::to_string(&numbers).unwrap();
-            prop_assert_eq!(&serde_json::from_str::<Numbers>(&text).unwrap(), &numbers);
+            prop_assert_eq!(&serde_json::from_str::<Digits>(&text).unwrap(), &numbers);
         }
     }
 
     #[test]
     fn edges_survive_and_words_do_not() {
         let smallest = f64::from_bits(1);
-        let numbers = Numbers(vec![0.0, -0.0, smallest, -f64::MIN_POSITIVE, f64::MAX, 0.1, 1e300]);
+        let numbers = Digits(vec![0.0, -0.0, smallest, -f64::MIN_POSITIVE, f64::MAX, 0.1, 1e300]);
         let text = serde_json::to_string(&numbers).unwrap();
-        let read: Numbers = serde_json::from_str(&text).unwrap();
+        let read: Digits = serde_json::from_str(&text).unwrap();
         assert_eq!(read, numbers);
-        assert_ne!(Numbers(vec![0.0]), Numbers(vec![-0.0]));
+        assert_ne!(Digits(vec![0.0]), Digits(vec![-0.0]));
         for word in ["x", "NaN", "inf", "1e999"] {
-            let error = serde_json::from_str::<Numbers>(&format!("\"1.5 {word} 2\"")).unwrap_err().to_string();
+            let error = serde_json::from_str::<Digits>(&format!("\"1.5 {word} 2\"")).unwrap_err().to_string();
             assert!(error.starts_with(&format!("`{word}` is not a finite number")), "{error}");
         }
     }

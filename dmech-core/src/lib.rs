@@ -20,6 +20,7 @@ mod ensemble;
 mod error;
 #[cfg(any(feature = "ranks", feature = "store"))]
 mod flat;
+mod fnv;
 mod invariant;
 mod law;
 mod look;

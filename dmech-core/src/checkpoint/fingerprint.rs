@@ -7,16 +7,15 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Saved;
+use crate::fnv::Fnv;
 
-/// A hash of numbers by their bits: FNV-1a with 64 bits, the same on every machine.
-///
-/// G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, T. Hansen, "The FNV Non-Cryptographic Hash Algorithm", IETF draft.
+/// A hash of numbers by their bits, the same on every machine.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Fingerprint(u64);
+pub(crate) struct Fingerprint(Fnv);
 
 impl Fingerprint {
     pub(crate) fn new() -> Self {
-        Fingerprint(0xcbf2_9ce4_8422_2325)
+        Fingerprint(Fnv::NOTHING)
     }
 
     /// Of what acts at a place, and where position and velocity are displaced.
@@ -41,13 +40,13 @@ impl Fingerprint {
 
     /// Takes in a whole number.
     pub(super) fn add_bits(&mut self, bits: u64) {
-        self.add_bytes(&bits.to_le_bytes());
+        self.0.word(bits);
     }
 
     /// Takes in a text, and where it ends.
     pub(super) fn add_text(&mut self, text: &str) {
         self.add_bits(text.len() as u64);
-        self.add_bytes(text.as_bytes());
+        self.0.bytes(text.as_bytes());
     }
 
     /// Takes in a list, and where it ends.
@@ -56,15 +55,9 @@ impl Fingerprint {
         self.add_all(numbers);
     }
 
-    fn add_bytes(&mut self, bytes: &[u8]) {
-        for &byte in bytes {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    }
-
     /// The hash itself.
     pub(crate) fn bits(self) -> u64 {
-        self.0
+        self.0.0
     }
 
     fn add_all(&mut self, numbers: &[f64]) {
@@ -85,7 +78,7 @@ fn displaced<R: Exact>(numbers: &mut [R]) {
 
 impl fmt::Debug for Fingerprint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:016x}", self.0)
+        write!(f, "{:016x}", self.bits())
     }
 }
 
@@ -99,7 +92,7 @@ impl<'de> Deserialize<'de> for Fingerprint {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
         let bits = u64::from_str_radix(&text, 16);
-        bits.map(Fingerprint).map_err(|_| D::Error::custom(format_args!("`{text}` is not a fingerprint")))
+        bits.map(Fnv).map(Fingerprint).map_err(|_| D::Error::custom(format_args!("`{text}` is not a fingerprint")))
     }
 }
 
@@ -116,7 +109,7 @@ mod tests {
         for byte in b"foobar\0\0" {
             expected = (expected ^ u128::from(*byte)) * 1_099_511_628_211 % (1 << 64);
         }
-        assert_eq!(u128::from(fingerprint.0), expected);
+        assert_eq!(u128::from(fingerprint.bits()), expected);
     }
 
     #[test]

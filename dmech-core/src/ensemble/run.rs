@@ -7,6 +7,7 @@ use super::Outcome;
 use super::plan::{See, Tally};
 use crate::drift::Drift;
 use crate::error::Error;
+use crate::fnv::Fnv;
 use crate::invariant::Invariant;
 use crate::run::{Columns, Interrupted, Run};
 
@@ -112,12 +113,12 @@ impl<X: Columns> EnsembleRun<X> {
 
 /// [`EnsembleRun::checksum`] of members as they come, for those that are not all kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Checksum(u64);
+pub struct Checksum(Fnv);
 
 impl Default for Checksum {
     /// Of no member.
     fn default() -> Self {
-        Checksum(0xcbf2_9ce4_8422_2325)
+        Checksum(Fnv::NOTHING)
     }
 }
 
@@ -135,13 +136,11 @@ impl Checksum {
 
     /// Of all that were added.
     pub fn value(self) -> u64 {
-        self.0
+        self.0.0
     }
 
     pub(super) fn word(&mut self, word: u64) {
-        for byte in word.to_le_bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
+        self.0.word(word);
     }
 
     /// Adds numbers, and how many they are.

@@ -3,12 +3,13 @@
 use crate::vector::{by_component, largest};
 use dmech_scalar::{Count, Real};
 
-use super::damped;
 use super::path::{Path, SWIFT};
 use super::settle::{Astray, settle};
 use super::{Correction, Equation, Increment, NotConverged};
+use super::{cancelling, damped};
 
-/// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.
+/// Where forces cancel, the root as far as they are known. Else follows the root of the equation from a step of length 0, where Δ = 0, to the
+/// whole step.
 ///
 /// Each Δ(θ) is predicted with the force extrapolated linearly in θ, so that the powers θ and θ² of the known parts are exact.
 ///
@@ -20,7 +21,11 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     astray: Astray,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    let mut evaluations = astray.evaluations;
+    let (root, spent) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, &mut correct);
+    let mut evaluations = astray.evaluations + spent;
+    if let Some(found) = root {
+        return Ok(found.after(evaluations));
+    }
     let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
     let mut gradient = correct(&start, start.guess, equation.q).gradient;
     evaluations += 1;

@@ -6,6 +6,7 @@
 //! [`twice`] and [`twice_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
 //! unknown and uses [`central`].
 
+mod cancelling;
 mod continuation;
 mod damped;
 mod dense;
@@ -16,6 +17,7 @@ mod equation;
 mod once;
 pub(crate) mod options;
 pub(crate) mod path;
+pub(crate) mod scatter;
 mod settle;
 mod settled;
 

@@ -1,5 +1,6 @@
 //! Solving the implicit steps of a scene.
 
+mod cancelling;
 mod chain;
 mod equations;
 mod follow;
@@ -139,9 +140,12 @@ impl<const D: usize> Solver<D> {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
-            Err(astray) => match self.lengthen(step, astray, 1.0) {
-                Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),
-                found => found,
+            Err(astray) => match self.cancels(step).filter(|_| !U::LINEAR) {
+                Some(evaluations) => Ok(Effort { evaluations, iterations: evaluations }),
+                None => match self.lengthen(step, astray, 1.0) {
+                    Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),
+                    found => found,
+                },
             },
         }
     }

@@ -1,5 +1,6 @@
 //! Gauss's method with eight stages, side by side.
 
+mod cancelling;
 mod ended;
 mod line_integral;
 mod step;

@@ -2,6 +2,7 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
+use super::cancelling::is_known;
 use super::ended::{Ended, Which};
 use crate::newton::{Counts, NotConverged};
 use crate::system::Tableau;
@@ -140,6 +141,13 @@ fn until_rounding<Y: Staged>(
     pushes: &mut Y::Pushes,
     Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
 ) -> Result<(), Stalled> {
+    let stalled = |aim: &mut Y::Aim, pushes: &mut Y::Pushes, made: &mut u32| {
+        let change = Y::nearing(aim).change().to_f64();
+        let (known, sweeps) =
+            if Ended::<Y>::MANY { (false, 0) } else { is_known((system, tableau), stride, aim, pushes) };
+        *made += sweeps;
+        if known { Ok(()) } else { Err(Stalled(change)) }
+    };
     let (mut ended, mut stalls) = (Ended::<Y>::none(), Y::Scalar::ZERO);
     for sweep in 1..=SWEEPS {
         *made += 1;
@@ -158,12 +166,12 @@ fn until_rounding<Y: Staged>(
         }
         stalls += Y::Scalar::either(near, Y::Scalar::ZERO, Y::Scalar::ONE);
         if stalls.equal(Y::Scalar::from_f64(STALLS)).any() {
-            return Err(Stalled(Y::nearing(aim).change().to_f64()));
+            return stalled(aim, pushes, made);
         }
     }
     // Where nothing tells what counts, rounding itself may go to and fro.
     let near = finite::<Y>(pushes).and(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
-    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Stalled(Y::nearing(aim).change().to_f64())) }
+    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { stalled(aim, pushes, made) }
 }
 
 /// A step that is made now and then: one copy of it for all that make such.

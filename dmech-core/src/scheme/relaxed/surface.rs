@@ -8,6 +8,8 @@ use crate::system::{Kick, System};
 /// Corrections of one step, and the largest that is one.
 const CORRECTIONS: u32 = 6;
 const LARGEST: f64 = 1.0 / 16.0;
+/// An energy that is off by no more than so many roundings stays so where next to nothing moves that could make it up.
+const ROUNDINGS: f64 = 64.0;
 /// A correction below the root of this many roundings leaves its square: less than one.
 const SQUARE: f64 = 1.0 / 64.0;
 
@@ -44,7 +46,8 @@ impl<Y: System> RelaxedRoom<Y> {
         for made in 0..CORRECTIONS {
             let (potential, kinetic) = (system.potential(t, q), system.kinetic_energy(v));
             let excess = potential + kinetic - level;
-            if excess.abs().less_or_equal(Y::Scalar::EPSILON * (potential.abs() + kinetic)).all() {
+            let rounding = Y::Scalar::EPSILON * (potential.abs() + kinetic);
+            if excess.abs().less_or_equal(rounding).all() {
                 return Ok(made);
             }
             system.kick(kicks, stride, Kick { t, b: Y::Scalar::ONE, e: 0.0 }, q, still, fall);
@@ -54,7 +57,9 @@ impl<Y: System> RelaxedRoom<Y> {
             // Along the way the energy rises by h² ∇Φ M⁻¹ ∇Φ + v M v.
             share = excess / (Y::Scalar::from_f64(-2.0) * (system.kinetic_energy(fall) + kinetic));
             if !share.abs().less_or_equal(Y::Scalar::from_f64(LARGEST)).all() {
-                return if Y::is_finite(q) && Y::is_finite(v) { Err(astray(made + 1, share)) } else { Ok(made) };
+                let at_rest = excess.abs().less_or_equal(Y::Scalar::from_f64(ROUNDINGS) * rounding).all();
+                let told = !at_rest && Y::is_finite(q) && Y::is_finite(v);
+                return if told { Err(astray(made + 1, share)) } else { Ok(made) };
             }
             Y::add_scaled(q, -share * Y::dt(stride), fall);
             Y::add_scaled(v, share, speed);

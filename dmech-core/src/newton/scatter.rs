@@ -1,0 +1,127 @@
+//! Whether what is left of an equation is rounding, told by how it scatters.
+//!
+//! Forces that cancel, as those that hold a body at rest, and forces with a quotient that cancels are known to many more roundings than
+//! their own size tells, and no number in the equation says to how many. It shows along a line: what is rounding is no smoother there the
+//! nearer one looks, while all else is straight.
+
+/// Values in a row: of their third differences one that is off, as at a pole, a jump or a bend, spoils four of ten.
+const VALUES: usize = 13;
+const DIFFERENCES: usize = VALUES - 3;
+/// How far apart they are, in units of what is left. Where a position has not as many digits, only the far ones differ.
+pub(crate) const SPACINGS: [f64; 5] = [4e2, 3e4, 2e6, 1e8, 7e9];
+/// By how much of the way what is left falls: less is no equation that says where the root is, and where it is more, rounding that hardly
+/// moves the root is a velocity.
+const FALLS: [f64; 2] = [1e-2, 1e6];
+/// What is left may be so many times as large as the middle one of the third differences, and these are more than so many roundings of the
+/// values.
+const SCATTERS: f64 = 16.0;
+/// Rounding changes its sign nearly always, what is smooth does not.
+const CHANGES: usize = 4;
+/// By how much of the fall between two values one may be off the straight line.
+const STRAIGHT: f64 = 0.25;
+/// Where rounding has hit upon next to nothing, what it makes shows beside what was left before, so many times as much.
+const LARGER: f64 = 1e5;
+
+/// Whether what is left of an equation Δ = f(Δ), the last of some that corrections have left, is rounding. `at`(k, s) says how much of
+/// f(Δ) − Δ there is, in the direction of the k-th, where Δ is longer by s times that: as far as nothing is neglected it falls by c s of it,
+/// with c = 1 − f′.
+///
+/// # Reference
+/// J. J. Moré and S. M. Wild, "Estimating computational noise", SIAM J. Sci. Comput. 33 (2011) 1292–1314: tables of differences.
+pub(crate) fn is_rounding(left: &[f64], spacings: &[f64], epsilon: f64, mut at: impl FnMut(usize, f64) -> f64) -> bool {
+    let mut looked_at = 0.0;
+    left.last() == Some(&0.0)
+        || (0..left.len()).rev().any(|k| {
+            let (here, unit) = (left[left.len() - 1], left[k]);
+            let looks = unit >= LARGER * looked_at;
+            looked_at = if looks { unit } else { looked_at };
+            looks && spacings.iter().any(|&spacing| scatters(here / unit, spacing, epsilon, |s| at(k, s) / unit))
+        })
+}
+
+/// The same for values so far apart, in units of what was left.
+fn scatters(here: f64, spacing: f64, epsilon: f64, mut at: impl FnMut(f64) -> f64) -> bool {
+    let mut value = |j: usize| if j == 0 { here } else { at(j as f64 * spacing) };
+    let line = Line { from: here, fall: (here - value(VALUES - 1)) / (VALUES - 1) as f64 };
+    let [least, most] = FALLS.map(|c| c * spacing);
+    // Where it is not straight, that shows in the middle most often.
+    let falls = line.fall >= least && line.fall <= most && line.has(VALUES / 2, value(VALUES / 2));
+    let own = SCATTERS * VALUES as f64 * line.fall.max(spacing) * epsilon;
+    falls && line.is_scattered_about(&core::array::from_fn(value), own.max(here / SCATTERS))
+}
+
+/// A line, by its values at 0, 1, 2, …
+struct Line {
+    from: f64,
+    fall: f64,
+}
+
+impl Line {
+    fn has(&self, j: usize, value: f64) -> bool {
+        (value - (self.from - self.fall * j as f64)).abs() <= STRAIGHT * self.fall
+    }
+
+    /// Whether values scatter about it, by so much at the least.
+    fn is_scattered_about(&self, values: &[f64; VALUES], by: f64) -> bool {
+        let third = |j: usize| (values[j + 3] - values[j]) - 3.0 * (values[j + 2] - values[j + 1]);
+        let differences: [f64; DIFFERENCES] = core::array::from_fn(third);
+        let changes = differences.windows(2).filter(|two| two[0] * two[1] < 0.0).count();
+        let mut sizes = differences.map(f64::abs);
+        sizes.sort_by(f64::total_cmp);
+        let straight = values.iter().enumerate().all(|(j, &value)| self.has(j, value));
+        straight && changes >= CHANGES && sizes[DIFFERENCES / 2] >= by
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A noise of ±1/2, the same for the same number.
+    fn noise(x: f64) -> f64 {
+        let hash = x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        ((hash ^ (hash >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    }
+
+    fn is_rounding(at: impl Fn(f64) -> f64) -> bool {
+        super::is_rounding(&[1e-9], &SPACINGS, f64::EPSILON, |_, s| 1e-9 * at(s))
+    }
+
+    #[test]
+    fn rounding_scatters() {
+        let mut told = 0;
+        for k in 0..1000 {
+            let (slope, from) = (0.1 + 0.003 * f64::from(k), 0.37 * f64::from(k));
+            told += usize::from(is_rounding(|s| 1.0 - slope * s + noise(s + from)));
+            // Less than a sixteenth of what is left.
+            assert!(!is_rounding(|s| 1.0 - slope * s + 0.01 * noise(s + from)));
+        }
+        assert_eq!(told, 1000);
+    }
+
+    #[test]
+    fn what_is_smooth_or_breaks_does_not() {
+        for k in 1..400 {
+            let at = 0.09 * f64::from(k) * SPACINGS[0];
+            for size in [1e-12, 1e-6, 1e-3, 1.0, 1e3] {
+                let bent = |s: f64| 1.0 - s + size * (s - at).max(0.0);
+                let jumps = |s: f64| if s < at { 1.0 - s } else { 1.0 + size - s };
+                let curved = |s: f64| 1.0 - s + size * (s / at) * (s / at);
+                let cubic = |s: f64| 1.0 - s + size * (s / at).powi(3);
+                let pole = |s: f64| size / (s - at);
+                for left in [&bent as &dyn Fn(f64) -> f64, &jumps, &curved, &cubic, &pole] {
+                    assert!(!is_rounding(left), "{k} {size:e}");
+                }
+            }
+            // A matrix that is another one a little further on, or a root that is left behind.
+            assert!(!is_rounding(|s| (1.0 - s / at) * (2.0 - s / at) + noise(s)), "{k}");
+            assert!(!is_rounding(|s| 1.0 + s + noise(s)));
+        }
+    }
+
+    #[test]
+    fn nothing_is_told_of_what_is_too_stiff_or_no_number() {
+        assert!(!is_rounding(|s| 1.0 - 1e7 * s + noise(s)));
+        assert!(!is_rounding(|_| f64::NAN));
+    }
+}

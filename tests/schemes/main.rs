@@ -30,6 +30,7 @@ macro_rules! law {
 mod adaptive;
 mod allocation;
 mod at_rest;
+mod balanced;
 mod bodies;
 mod compensated;
 mod composed;

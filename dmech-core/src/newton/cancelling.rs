@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
-use super::scatter::{SPACINGS, is_rounding};
+use super::scatter::{Left, SPACINGS};
 use super::settle::length;
 use super::{Correction, Equation, Increment};
 use crate::vector::by_component;
@@ -18,20 +18,21 @@ struct Iterate<const D: usize, R: Real> {
     made: Correction<D, R>,
 }
 
-/// The root, if corrections from the guess lead to where nothing is left but [rounding](is_rounding); how many evaluations it took in any
-/// case.
+/// The root, if corrections from the guess, no more than so many, lead to where nothing is left but [rounding](Left::is_rounding).
 pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
+    corrections: u32,
     correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-) -> (Option<Increment<D, R>>, u32) {
+) -> Option<Increment<D, R>> {
     let mut evaluations = 0;
     let mut at = |delta: [R; D]| {
         evaluations += 1;
         let made = correct(equation, delta, equation.end(delta));
         Iterate { delta, left: equation.rest(delta, made.parts[0]), made }
     };
+    let most = PATIENCE.min(corrections as usize);
     let (mut all, mut many) = ([at(equation.guess); PATIENCE], 1);
-    while many < PATIENCE {
+    while many < most {
         let last = all[many - 1];
         let next = at(by_component!(|i| last.delta[i] + last.made.delta[i]));
         if !length(&next.left).less(length(&last.left)).all() {
@@ -41,19 +42,24 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         many += 1;
     }
     let last = all[many - 1];
-    let left = all.map(|Iterate { left, .. }| length(&left).to_f64());
-    let is_root = is_rounding(&left[..many], &SPACINGS, R::EPSILON.to_f64(), |k, s| {
-        let left = all[k].left;
-        let there = at(by_component!(|i| R::from_f64(s).mul_add(left[i], last.delta[i]))).left;
-        let along = |i: usize| if left[i].less(R::ZERO).all() { -there[i] } else { there[i] };
+    // Both are zero at the root; of two forms of one formula the other may have hit upon next to nothing.
+    let of_correction = length(&last.left).less(length(&last.made.delta)).all();
+    let left = |there: &Iterate<D, R>| if of_correction { there.made.delta } else { there.left };
+    let lengths = all.each_ref().map(|there| length(&left(there)).to_f64());
+    let sizes = [last.delta, equation.drift, equation.frozen, last.made.parts[0].map(|x| equation.g * x)];
+    let parts = sizes.iter().map(|x| length(x).to_f64()).sum();
+    let of_equation = Left { lengths: &lengths[..many], parts, epsilon: R::EPSILON.to_f64() };
+    let is_root = of_equation.is_rounding(&SPACINGS, |k, s| {
+        let was = left(&all[k]);
+        let there = left(&at(by_component!(|i| R::from_f64(s).mul_add(was[i], last.delta[i]))));
+        let along = |i: usize| if was[i].less(R::ZERO).all() { -there[i] } else { there[i] };
         (0..D).fold(R::ZERO, |sum, i| sum + along(i)).to_f64()
     });
     let Correction { gradient, parts, continued, definite, .. } = last.made;
     let continued = if equation.definite { definite } else { continued }.all();
-    let found = (is_root && continued).then(|| {
+    (is_root && continued && most > 0).then(|| {
         let delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let made = Count::of(evaluations);
         Increment { delta, gradient, parts, evaluations: made, iterations: made }
-    });
-    (found, evaluations)
+    })
 }

@@ -4,14 +4,14 @@ use crate::vector::{by_component, largest};
 use dmech_scalar::{Count, Real};
 
 use super::path::{Path, SWIFT};
-use super::settle::{Astray, settle};
+use super::settle::{Astray, length, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 use super::{cancelling, damped};
 
-/// Where forces cancel, the root as far as they are known. Else follows the root of the equation from a step of length 0, where Δ = 0, to the
-/// whole step.
-///
-/// Each Δ(θ) is predicted with the force extrapolated linearly in θ, so that the powers θ and θ² of the known parts are exact.
+/// A last correction that is this part of the position, or less, may be rounding.
+const NEAR: f64 = 1e-6;
+
+/// Where the guess has not led to the root: that of forces that cancel as far as they are known, or the one that lengthening the step leads to.
 ///
 /// The equation comes by value: were it borrowed, every step that does not come here would still lay it out in memory.
 #[cold]
@@ -21,11 +21,28 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     astray: Astray,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    let (root, spent) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, &mut correct);
-    let mut evaluations = astray.evaluations + spent;
-    if let Some(found) = root {
-        return Ok(found.after(evaluations));
+    let reach = length(&equation.q) + length(&equation.guess);
+    let near = astray.residual <= NEAR * reach.to_f64();
+    let more = equation.max_iterations.saturating_sub(astray.evaluations);
+    let known = |correct: &mut _| cancelling::root::<ONCE_ROUNDED, D, R>(&equation, more, correct);
+    if let Some(found) = near.then(|| known(&mut correct)).flatten() {
+        return Ok(found);
     }
+    match lengthen::<ONCE_ROUNDED, D, R>(equation, astray, &mut correct) {
+        Err(lost) if !near => known(&mut correct).ok_or(lost),
+        found => found,
+    }
+}
+
+/// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.
+///
+/// Each Δ(θ) is predicted with the force extrapolated linearly in θ, so that the powers θ and θ² of the known parts are exact.
+fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
+    equation: Equation<D, R>,
+    astray: Astray,
+    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+) -> Result<Increment<D, R>, NotConverged> {
+    let mut evaluations = astray.evaluations;
     let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
     let mut gradient = correct(&start, start.guess, equation.q).gradient;
     evaluations += 1;

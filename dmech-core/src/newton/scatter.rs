@@ -9,12 +9,16 @@ const VALUES: usize = 13;
 const DIFFERENCES: usize = VALUES - 3;
 /// How far apart they are, in units of what is left. Where a position has not as many digits, only the far ones differ.
 pub(crate) const SPACINGS: [f64; 5] = [4e2, 3e4, 2e6, 1e8, 7e9];
+/// Within what is left: there rounding scatters too, or is the same everywhere. Waves, which do not, scatter where they are looked at far
+/// apart.
+const WITHIN: [f64; 3] = [0.061, 0.043, 0.027];
 /// By how much of the way what is left falls: less is no equation that says where the root is, and where it is more, rounding that hardly
 /// moves the root is a velocity.
 const FALLS: [f64; 2] = [1e-2, 1e6];
-/// What is left may be so many times as large as the middle one of the third differences, and these are more than so many roundings of the
-/// values.
+/// What is left may be so many times as large as the middle one of the third differences.
 const SCATTERS: f64 = 16.0;
+/// These are more than so many roundings of the values themselves.
+const OWN: f64 = 1e3;
 /// Rounding changes its sign nearly always, what is smooth does not.
 const CHANGES: usize = 4;
 /// By how much of the fall between two values one may be off the straight line.
@@ -22,32 +26,58 @@ const STRAIGHT: f64 = 0.25;
 /// Where rounding has hit upon next to nothing, what it makes shows beside what was left before, so many times as much.
 const LARGER: f64 = 1e5;
 
-/// Whether what is left of an equation Δ = f(Δ), the last of some that corrections have left, is rounding. `at`(k, s) says how much of
-/// f(Δ) − Δ there is, in the direction of the k-th, where Δ is longer by s times that: as far as nothing is neglected it falls by c s of it,
-/// with c = 1 − f′.
-///
-/// # Reference
-/// J. J. Moré and S. M. Wild, "Estimating computational noise", SIAM J. Sci. Comput. 33 (2011) 1292–1314: tables of differences.
-pub(crate) fn is_rounding(left: &[f64], spacings: &[f64], epsilon: f64, mut at: impl FnMut(usize, f64) -> f64) -> bool {
-    let mut looked_at = 0.0;
-    left.last() == Some(&0.0)
-        || (0..left.len()).rev().any(|k| {
-            let (here, unit) = (left[left.len() - 1], left[k]);
-            let looks = unit >= LARGER * looked_at;
-            looked_at = if looks { unit } else { looked_at };
-            looks && spacings.iter().any(|&spacing| scatters(here / unit, spacing, epsilon, |s| at(k, s) / unit))
-        })
+/// What is left of an equation Δ = f(Δ).
+pub(crate) struct Left<'a> {
+    /// What some corrections have left of it; the last counts.
+    pub(crate) lengths: &'a [f64],
+    /// The length of the numbers of which it is a difference.
+    pub(crate) parts: f64,
+    /// The rounding of a number.
+    pub(crate) epsilon: f64,
 }
 
-/// The same for values so far apart, in units of what was left.
-fn scatters(here: f64, spacing: f64, epsilon: f64, mut at: impl FnMut(f64) -> f64) -> bool {
-    let mut value = |j: usize| if j == 0 { here } else { at(j as f64 * spacing) };
-    let line = Line { from: here, fall: (here - value(VALUES - 1)) / (VALUES - 1) as f64 };
-    let [least, most] = FALLS.map(|c| c * spacing);
-    // Where it is not straight, that shows in the middle most often.
-    let falls = line.fall >= least && line.fall <= most && line.has(VALUES / 2, value(VALUES / 2));
-    let own = SCATTERS * VALUES as f64 * line.fall.max(spacing) * epsilon;
-    falls && line.is_scattered_about(&core::array::from_fn(value), own.max(here / SCATTERS))
+impl Left<'_> {
+    /// Whether it is rounding. `at`(k, s) says how much of f(Δ) − Δ there is, in the direction of the k-th of those that were left, where Δ
+    /// is longer by s times that: as far as nothing is neglected it falls by c s of it, with c = 1 − f′.
+    ///
+    /// # Reference
+    /// J. J. Moré and S. M. Wild, "Estimating computational noise", SIAM J. Sci. Comput. 33 (2011) 1292–1314: tables of differences.
+    pub(crate) fn is_rounding(&self, spacings: &[f64], mut at: impl FnMut(usize, f64) -> f64) -> bool {
+        let Some(&last) = self.lengths.last() else { return false };
+        if last == 0.0 {
+            return true;
+        }
+        let mut looked_at = 0.0;
+        (0..self.lengths.len()).rev().any(|k| {
+            let unit = self.lengths[k];
+            let looks = unit >= LARGER * looked_at;
+            looked_at = if looks { unit } else { looked_at };
+            let mut value = |s: f64| at(k, s) / unit;
+            let tiny = 4.0 * SCATTERS * self.epsilon * (1.0 + self.parts / unit);
+            looks
+                && spacings.iter().any(|&spacing| self.scatters(last / unit, spacing, &mut value))
+                && WITHIN.iter().any(|&spacing| {
+                    let within = Values::of(last / unit, spacing * last / unit, &mut value);
+                    within.change_sign() || within.middle() <= tiny
+                })
+        })
+    }
+
+    /// Whether values so far apart scatter about a line.
+    fn scatters(&self, here: f64, spacing: f64, value: &mut impl FnMut(f64) -> f64) -> bool {
+        // Where there is none, that shows at its end or in the middle most often.
+        let (end, middle) = (value((VALUES - 1) as f64 * spacing), value((VALUES / 2) as f64 * spacing));
+        let line = Line { from: here, fall: (here - end) / (VALUES - 1) as f64 };
+        let [least, most] = FALLS.map(|c| c * spacing);
+        if !(line.fall >= least && line.fall <= most && line.has(VALUES / 2, middle)) {
+            return false;
+        }
+        let values = Values::of(here, spacing, value);
+        let own = OWN * VALUES as f64 * line.fall.max(spacing) * self.epsilon;
+        values.0.iter().enumerate().all(|(j, &value)| line.has(j, value))
+            && values.change_sign()
+            && values.middle() >= own.max(here / SCATTERS)
+    }
 }
 
 /// A line, by its values at 0, 1, 2, …
@@ -60,16 +90,31 @@ impl Line {
     fn has(&self, j: usize, value: f64) -> bool {
         (value - (self.from - self.fall * j as f64)).abs() <= STRAIGHT * self.fall
     }
+}
 
-    /// Whether values scatter about it, by so much at the least.
-    fn is_scattered_about(&self, values: &[f64; VALUES], by: f64) -> bool {
-        let third = |j: usize| (values[j + 3] - values[j]) - 3.0 * (values[j + 2] - values[j + 1]);
-        let differences: [f64; DIFFERENCES] = core::array::from_fn(third);
-        let changes = differences.windows(2).filter(|two| two[0] * two[1] < 0.0).count();
-        let mut sizes = differences.map(f64::abs);
+/// Values in a row.
+struct Values([f64; VALUES]);
+
+impl Values {
+    fn of(here: f64, spacing: f64, value: &mut impl FnMut(f64) -> f64) -> Self {
+        Values(core::array::from_fn(|j| if j == 0 { here } else { value(j as f64 * spacing) }))
+    }
+
+    fn third_differences(&self) -> [f64; DIFFERENCES] {
+        let Values(x) = self;
+        core::array::from_fn(|j| (x[j + 3] - x[j]) - 3.0 * (x[j + 2] - x[j + 1]))
+    }
+
+    /// The middle one of their sizes; infinite where one is no number.
+    fn middle(&self) -> f64 {
+        let mut sizes = self.third_differences().map(|x| if x.is_nan() { f64::INFINITY } else { x.abs() });
         sizes.sort_by(f64::total_cmp);
-        let straight = values.iter().enumerate().all(|(j, &value)| self.has(j, value));
-        straight && changes >= CHANGES && sizes[DIFFERENCES / 2] >= by
+        sizes[DIFFERENCES / 2]
+    }
+
+    /// Whether they change their sign as those of numbers that scatter do.
+    fn change_sign(&self) -> bool {
+        self.third_differences().windows(2).filter(|two| two[0] * two[1] < 0.0).count() >= CHANGES
     }
 }
 
@@ -84,7 +129,8 @@ mod tests {
     }
 
     fn is_rounding(at: impl Fn(f64) -> f64) -> bool {
-        super::is_rounding(&[1e-9], &SPACINGS, f64::EPSILON, |_, s| 1e-9 * at(s))
+        let left = Left { lengths: &[1e-9], parts: 1e-6, epsilon: f64::EPSILON };
+        left.is_rounding(&SPACINGS, |_, s| 1e-9 * at(s))
     }
 
     #[test]

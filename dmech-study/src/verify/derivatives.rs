@@ -10,7 +10,7 @@ use super::report::Check;
 use crate::motion::{largest, largest_entry};
 use dmech_core::extend::Field;
 use dmech_core::extend::vector::dot;
-use dmech_core::{Law, Potential, State};
+use dmech_core::{Law, Potential};
 
 /// Units of rounding that a formula may lose beyond its condition.
 pub(super) const ULPS: f64 = 64.0;
@@ -29,7 +29,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
         let (g, whole) = (field.gradient(q), subject.weighted(field.gradient(q)));
         let second = field.hessian(q);
         let size = largest_entry(&second);
-        let parts = largest(&g).max(size * largest(&q));
+        let parts = largest(&g).max(size * subject.reach(&q));
         let stiffness = largest(&subject.weighted(second.map(|row| largest(&row))));
         for j in (0..D).filter(|&j| moves[j]) {
             let at = |x: f64| with(q, j, x);
@@ -44,7 +44,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     }
     checks.push(row("gradient", gradient, "against differences of the potential, relative"));
     checks.push(row("Hessian", hessian, "against differences of the gradient, relative"));
-    slope(&field, &points, start, checks);
+    slope(subject, &field, &points, checks);
     force(subject, &field, &points, checks);
     claims(subject, &field, &points, checks);
 }
@@ -63,13 +63,19 @@ pub(super) fn row(name: &str, worst: Worst, note: &str) -> Check {
 }
 
 /// The kick of the explicit formulas and of leap-frog uses the same force as the implicit steps: v − c (∇Φ − F).
-fn slope<F: Field<D>, const D: usize>(field: &F, points: &[[f64; D]], start: &State<D>, checks: &mut Vec<Check>) {
+fn slope<L: Law<D>, F: Field<D>, const D: usize>(
+    subject: &Subject<L, D>,
+    field: &F,
+    points: &[[f64; D]],
+    checks: &mut Vec<Check>,
+) {
+    let start = &subject.start;
     let (mut kick, mut alone) = (0.0_f64, 0.0_f64);
     let c = 0.37;
     for &q in points {
         let (slope, gradient, force) = (field.slope(q, start.v), field.gradient(q), field.force(q, start.v, start.t));
         let kicked = field.kick(c, q, start.v);
-        let curvature = largest_entry(&field.hessian(q)) * largest(&q);
+        let curvature = largest_entry(&field.hessian(q)) * subject.reach(&q);
         let unit = f64::EPSILON * floor(largest(&gradient).max(largest(&slope)).max(curvature), largest(&start.v));
         for i in 0..D {
             kick = worse(kick, (kicked[i] - (start.v[i] - c * slope[i])).abs() / unit);

@@ -30,7 +30,7 @@ use dmech_core::{
     DiscreteGradient, Explicit, Implicit, Kanatani, Law, Leapfrog, Simulation, State, VelocityIndependent,
 };
 
-use crate::motion::Scales;
+use crate::motion::{Scales, largest};
 use trial::Trial;
 
 /// Puts a law through its checks around a start, with [`Explicit`], [`Implicit`](struct@Implicit) and
@@ -149,6 +149,11 @@ impl<L: Law<D>, const D: usize> Subject<L, D> {
     /// Coordinates that may move: those of bodies that are pinned do not.
     fn moves(&self) -> [bool; D] {
         from_fn(|i| !self.law.pinned(i))
+    }
+
+    /// How far a force that is zero at a place, as parts of it cancel there, varies as they do.
+    fn reach(&self, q: &[f64; D]) -> f64 {
+        largest(q).max(self.scales.length)
     }
 
     /// The start and points around it where the potential is finite.

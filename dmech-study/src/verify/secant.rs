@@ -25,7 +25,7 @@ pub(super) fn check<L: Law<D>, const D: usize>(subject: &Subject<L, D>, checks: 
     for &a in &points {
         let (phi, gradient) = (field.potential(a), field.gradient(a));
         let curvature = largest_entry(&field.hessian(a));
-        let size = floor(largest(&gradient), curvature * largest(&a));
+        let size = floor(largest(&gradient), curvature * subject.reach(&a));
         let same = field.discrete_gradient(a, a);
         limit = worse(limit, largest_difference(same, gradient) / (f64::EPSILON * size));
         for gap in GAPS {

@@ -1,7 +1,8 @@
 //! Where forces cancel: a root is known as well as they are.
 
-use super::{Part, Solver, Unknown};
-use crate::newton::scatter::{SPACINGS, is_rounding};
+use super::{Equations, Part, Solver, Unknown};
+use crate::newton::NotConverged;
+use crate::newton::scatter::{Left, SPACINGS};
 use crate::scene::vectors::Vectors;
 
 /// Corrections to where they no longer shrink.
@@ -19,14 +20,15 @@ fn length<const D: usize>(x: &Vectors<D>) -> f64 {
 }
 
 impl<const D: usize> Solver<D> {
-    /// Goes to the root of the whole step if corrections from the guess lead to where nothing is left but [rounding](is_rounding); how many
+    /// Goes to the root of the whole step if corrections from the guess lead to where nothing is left but [rounding](Left::is_rounding); how many
     /// evaluations it took then.
     #[cold]
-    pub(super) fn cancels<U: Unknown<D>>(&mut self, step: Part<'_, U, D>) -> Option<u32> {
-        let mut evaluations = 0;
+    pub(super) fn cancels<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, astray: NotConverged) -> Option<u32> {
+        let mut evaluations = astray.iterations as u32;
+        let most = PATIENCE.min(step.equation.newton.limit().saturating_sub(evaluations) as usize);
         self.guess(step.equation);
         let (mut all, mut lengths): (Vec<Iterate<D>>, Vec<f64>) = Default::default();
-        while all.len() < PATIENCE {
+        while all.len() < most {
             evaluations += 1;
             self.take_gradient(step);
             if !self.take_jacobian(step) {
@@ -44,7 +46,11 @@ impl<const D: usize> Solver<D> {
             all.push(Iterate { delta, left, correction: self.place.clone() });
         }
         let last = all.last()?;
-        let is_root = is_rounding(&lengths, &SPACINGS, f64::EPSILON, |k, s| {
+        let Equations { v, h, g, .. } = *step.equation;
+        let pull = self.gradient.flat().iter().zip(g.flat()).map(|(slope, g)| (g * slope).abs()).sum::<f64>();
+        let parts = length(&last.delta) + h.abs() * length(v) + 2.0 * pull;
+        let left = Left { lengths: &lengths, parts, epsilon: f64::EPSILON };
+        let is_root = left.is_rounding(&SPACINGS, |k, s| {
             evaluations += 1;
             let left = &all[k].left;
             let starts = last.delta.flat().iter().zip(left.flat());

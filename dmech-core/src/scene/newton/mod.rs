@@ -140,13 +140,21 @@ impl<const D: usize> Solver<D> {
             Ok(iterations) => Ok(Effort { evaluations: iterations, iterations }),
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
-            Err(astray) => match self.cancels(step).filter(|_| !U::LINEAR) {
-                Some(evaluations) => Ok(Effort { evaluations, iterations: evaluations }),
-                None => match self.lengthen(step, astray, 1.0) {
+            Err(astray) => {
+                let known = |solver: &mut Self| {
+                    let evaluations = solver.cancels(step, astray)?;
+                    Some(Effort { evaluations, iterations: evaluations })
+                };
+                let near = self.is_near(equation, astray);
+                if let Some(found) = near.then(|| known(self)).flatten() {
+                    return Ok(found);
+                }
+                let followed = match self.lengthen(step, astray, 1.0) {
                     Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),
                     found => found,
-                },
-            },
+                };
+                followed.or_else(|lost| if near { Err(lost) } else { known(self).ok_or(lost) })
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! What corrections have led to: a root to rounding, and one that continues that of a shorter step.
 
-use super::{Part, Solver, Unknown};
+use super::{Equations, Part, Solver, Unknown};
 use crate::newton::NotConverged;
 
 /// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
@@ -9,6 +9,11 @@ const NEAR: f64 = 1e-6;
 const ROUNDINGS: f64 = 4.0;
 
 impl<const D: usize> Solver<D> {
+    /// Whether the last correction may be rounding.
+    pub(super) fn is_near(&self, equation: &Equations<'_, D>, astray: NotConverged) -> bool {
+        astray.residual <= NEAR * (equation.q.largest() + self.delta.largest())
+    }
+
     /// Where corrections no longer shrink: one more, with a Jacobian of its own. It is the last if what it corrects is
     /// nothing but rounding; if not, they lead nowhere, as `astray` says.
     #[cold]
@@ -18,8 +23,7 @@ impl<const D: usize> Solver<D> {
         astray: NotConverged,
     ) -> Result<u32, NotConverged> {
         let Part { equation, .. } = part;
-        let near = astray.residual <= NEAR * (equation.q.largest() + self.delta.largest());
-        if !near {
+        if !self.is_near(equation, astray) {
             return Err(astray);
         }
         self.take_gradient(part);

@@ -70,7 +70,7 @@ impl<S: Adaptable> Adaptive<S> {
     #[inline(always)]
     pub(crate) fn plan<R: Real>(&self, longest: R, pacing: &mut Pacing<R>) {
         let dt = (pacing.angle / pacing.density).min(longest);
-        let left = (R::from_f64(self.end) - pacing.time.hi) - pacing.time.lo;
+        let left = self.left(pacing);
         // A little longer rather than another step that is nothing but rounding.
         pacing.landing = dt.finite().and(left.less_or_equal(dt * R::from_f64(1.0 + 1e-9)));
         pacing.dt = R::either(pacing.landing, left, dt);
@@ -139,9 +139,15 @@ impl<S: Adaptable> Adaptive<S> {
         end.finite().not().or(left.less_or_equal(most.max(dt) * steps))
     }
 
-    /// Where the end is reached.
+    /// Where the end is reached, not only as far as a rounded time tells.
     pub(crate) fn has_arrived<R: Real>(&self, pacing: &Pacing<R>) -> R::Mask {
-        R::from_f64(self.end).less_or_equal(pacing.time.value())
+        self.left(pacing).less_or_equal(R::ZERO)
+    }
+
+    /// The time that is left to the end.
+    #[inline(always)]
+    fn left<R: Real>(&self, pacing: &Pacing<R>) -> R {
+        (R::from_f64(self.end) - pacing.time.hi) - pacing.time.lo
     }
 }
 

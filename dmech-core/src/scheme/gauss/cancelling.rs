@@ -3,7 +3,7 @@
 use dmech_scalar::Real;
 
 use super::sweeps::With;
-use crate::newton::scatter::{SPACINGS, is_rounding};
+use crate::newton::scatter::{Left, SPACINGS};
 use crate::system::{Eight, Staged, Staging};
 
 /// Sweeps that are looked at.
@@ -11,8 +11,8 @@ const LOOKED_AT: usize = 3;
 
 type EightOf<Y> = <<Y as crate::system::System>::Scalar as Staging>::Eight;
 
-/// Sweeps on, and says whether nothing is left of their equation, L = the pushes of L, but [rounding](is_rounding); and how many sweeps were
-/// made.
+/// Sweeps on, and says whether nothing is left of their equation, L = the pushes of L, but [rounding](Left::is_rounding); how many sweeps were made,
+/// and by what length they last changed the pushes.
 #[cold]
 #[inline(never)]
 pub(super) fn is_known<Y: Staged>(
@@ -20,7 +20,7 @@ pub(super) fn is_known<Y: Staged>(
     stride: &Y::Stride,
     aim: &mut Y::Aim,
     pushes: &mut Y::Pushes,
-) -> (bool, u32) {
+) -> (bool, u32, f64) {
     let mut sweeps = 0;
     let mut swept = |pushes: &mut Y::Pushes| {
         sweeps += 1;
@@ -34,7 +34,9 @@ pub(super) fn is_known<Y: Staged>(
         combine::<Y>(change, &last, -1.0);
     }
     let left = changes.each_ref().map(|change| along::<Y>(change, change));
-    let is_known = is_rounding(&left, &SPACINGS[..2], Y::Scalar::EPSILON.to_f64(), |k, s| {
+    let parts = along::<Y>(pushes, pushes);
+    let of_equation = Left { lengths: &left, parts, epsilon: Y::Scalar::EPSILON.to_f64() };
+    let is_known = of_equation.is_rounding(&SPACINGS[..2], |k, s| {
         let mut further = last.clone();
         combine::<Y>(&mut further, &changes[k], s);
         let mut there = further.clone();
@@ -42,7 +44,7 @@ pub(super) fn is_known<Y: Staged>(
         combine::<Y>(&mut there, &further, -1.0);
         along::<Y>(&there, &changes[k])
     });
-    (is_known, sweeps)
+    (is_known, sweeps, left[LOOKED_AT - 1])
 }
 
 /// x += c y.

@@ -19,7 +19,7 @@ const HALVINGS: u32 = 6;
 /// What moves, and by which coefficients.
 pub(super) type With<'a, Y> = (&'a Y, &'a Tableau);
 
-/// Sweeps that came no nearer: the last change of a push.
+/// Sweeps that came no nearer: the last change of the pushes, a length.
 pub(super) struct Stalled(pub(super) f64);
 
 /// Where steps are made, and what they have cost.
@@ -142,11 +142,13 @@ fn until_rounding<Y: Staged>(
     Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
 ) -> Result<(), Stalled> {
     let stalled = |aim: &mut Y::Aim, pushes: &mut Y::Pushes, made: &mut u32| {
-        let change = Y::nearing(aim).change().to_f64();
-        let (known, sweeps) =
-            if Ended::<Y>::MANY { (false, 0) } else { is_known((system, tableau), stride, aim, pushes) };
+        // Each by itself looks again.
+        if Ended::<Y>::MANY {
+            return Err(Stalled(f64::NAN));
+        }
+        let (is_known, sweeps, change) = is_known((system, tableau), stride, aim, pushes);
         *made += sweeps;
-        if known { Ok(()) } else { Err(Stalled(change)) }
+        if is_known { Ok(()) } else { Err(Stalled(change)) }
     };
     let (mut ended, mut stalls) = (Ended::<Y>::none(), Y::Scalar::ZERO);
     for sweep in 1..=SWEEPS {

@@ -48,7 +48,8 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let lengths = all.each_ref().map(|there| length(&left(there)).to_f64());
     let sizes = [last.delta, equation.drift, equation.frozen, last.made.parts[0].map(|x| equation.g * x)];
     let parts = sizes.iter().map(|x| length(x).to_f64()).sum();
-    let of_equation = Left { lengths: &lengths[..many], parts, epsilon: R::EPSILON.to_f64() };
+    let reach = (length(&equation.q) + length(&last.delta)).to_f64();
+    let of_equation = Left { lengths: &lengths[..many], parts, reach, epsilon: R::EPSILON.to_f64() };
     let is_root = of_equation.is_rounding(&SPACINGS, |k, s| {
         let was = left(&all[k]);
         let there = left(&at(by_component!(|i| R::from_f64(s).mul_add(was[i], last.delta[i]))));

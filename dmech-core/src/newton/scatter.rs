@@ -9,16 +9,19 @@ const VALUES: usize = 13;
 const DIFFERENCES: usize = VALUES - 3;
 /// How far apart they are, in units of what is left. Where a position has not as many digits, only the far ones differ.
 pub(crate) const SPACINGS: [f64; 5] = [4e2, 3e4, 2e6, 1e8, 7e9];
-/// Within what is left: there rounding scatters too, or is the same everywhere. Waves, which do not, scatter where they are looked at far
-/// apart.
-const WITHIN: [f64; 3] = [0.061, 0.043, 0.027];
+/// A part of a position that no force waves in.
+const SMALL: f64 = 1e-6;
+/// Within what is left, where that is no such part: there rounding scatters too, or is the same everywhere. Waves, which do not, scatter where
+/// they are looked at far apart. By chance it may fail to at one of these spacings.
+const WITHIN: [f64; 5] = [0.061, 0.043, 0.027, 0.019, 0.0117];
 /// By how much of the way what is left falls: less is no equation that says where the root is, and where it is more, rounding that hardly
 /// moves the root is a velocity.
 const FALLS: [f64; 2] = [1e-2, 1e6];
 /// What is left may be so many times as large as the middle one of the third differences.
 const SCATTERS: f64 = 16.0;
-/// These are more than so many roundings of the values themselves.
-const OWN: f64 = 1e3;
+/// So many times as far apart they are no larger than so many times: the rounding of the values themselves grows with the way.
+const FURTHER: f64 = 16.0;
+const GROWS: f64 = 5.0;
 /// Rounding changes its sign nearly always, what is smooth does not.
 const CHANGES: usize = 4;
 /// By how much of the fall between two values one may be off the straight line.
@@ -32,6 +35,8 @@ pub(crate) struct Left<'a> {
     pub(crate) lengths: &'a [f64],
     /// The length of the numbers of which it is a difference.
     pub(crate) parts: f64,
+    /// That of the position and of its move.
+    pub(crate) reach: f64,
     /// The rounding of a number.
     pub(crate) epsilon: f64,
 }
@@ -56,9 +61,12 @@ impl Left<'_> {
             let tiny = 4.0 * SCATTERS * self.epsilon * (1.0 + self.parts / unit);
             looks
                 && spacings.iter().any(|&spacing| self.scatters(last / unit, spacing, &mut value))
-                && WITHIN.iter().any(|&spacing| {
-                    let within = Values::of(last / unit, spacing * last / unit, &mut value);
-                    within.change_sign() || within.middle() <= tiny
+                && (last <= SMALL * self.reach || {
+                    let scatters = |spacing: &&f64| {
+                        let within = Values::of(last / unit, **spacing * last / unit, &mut value);
+                        within.change_sign() || within.middle() <= tiny
+                    };
+                    WITHIN.iter().filter(scatters).count() + 1 >= WITHIN.len()
                 })
         })
     }
@@ -73,10 +81,11 @@ impl Left<'_> {
             return false;
         }
         let values = Values::of(here, spacing, value);
-        let own = OWN * VALUES as f64 * line.fall.max(spacing) * self.epsilon;
+        let own = SCATTERS * VALUES as f64 * line.fall.max(spacing) * self.epsilon;
         values.0.iter().enumerate().all(|(j, &value)| line.has(j, value))
             && values.change_sign()
             && values.middle() >= own.max(here / SCATTERS)
+            && Values::of(here, FURTHER * spacing, value).middle() <= GROWS * values.middle()
     }
 }
 
@@ -129,7 +138,7 @@ mod tests {
     }
 
     fn is_rounding(at: impl Fn(f64) -> f64) -> bool {
-        let left = Left { lengths: &[1e-9], parts: 1e-6, epsilon: f64::EPSILON };
+        let left = Left { lengths: &[1e-9], parts: 1e-6, reach: 1e-9, epsilon: f64::EPSILON };
         left.is_rounding(&SPACINGS, |_, s| 1e-9 * at(s))
     }
 

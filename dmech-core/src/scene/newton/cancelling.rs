@@ -49,7 +49,8 @@ impl<const D: usize> Solver<D> {
         let Equations { v, h, g, .. } = *step.equation;
         let pull = self.gradient.flat().iter().zip(g.flat()).map(|(slope, g)| (g * slope).abs()).sum::<f64>();
         let parts = length(&last.delta) + h.abs() * length(v) + 2.0 * pull;
-        let left = Left { lengths: &lengths, parts, epsilon: f64::EPSILON };
+        let reach = length(step.equation.q) + length(&last.delta);
+        let left = Left { lengths: &lengths, parts, reach, epsilon: f64::EPSILON };
         let is_root = left.is_rounding(&SPACINGS, |k, s| {
             evaluations += 1;
             let left = &all[k].left;

@@ -35,7 +35,7 @@ pub(super) fn is_known<Y: Staged>(
     }
     let left = changes.each_ref().map(|change| along::<Y>(change, change));
     let parts = along::<Y>(pushes, pushes);
-    let of_equation = Left { lengths: &left, parts, epsilon: Y::Scalar::EPSILON.to_f64() };
+    let of_equation = Left { lengths: &left, parts, reach: parts, epsilon: Y::Scalar::EPSILON.to_f64() };
     let is_known = of_equation.is_rounding(&SPACINGS[..2], |k, s| {
         let mut further = last.clone();
         combine::<Y>(&mut further, &changes[k], s);

@@ -218,6 +218,34 @@ fn right_laws_pass() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// A pendulum over three magnets: in the middle their forces cancel, to their own rounding and not to that of what is left.
+#[derive(Clone, Copy, Debug)]
+struct Magnets {
+    pull: f64,
+}
+
+#[dmech::law]
+impl Magnets {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let mut sum = 0.25 * (q[0] * q[0] + q[1] * q[1]);
+        for i in 0..3 {
+            let angle = 2.0943951023931953 * (i as f64);
+            let (x, y) = (q[0] - angle.cos(), q[1] - angle.sin());
+            sum += -self.pull / (x * x + y * y + 0.04).powf(1.5);
+        }
+        sum
+    }
+}
+
+#[test]
+fn a_law_passes_where_its_forces_cancel() {
+    for (q, v) in [([0.0, 0.0], [0.0, 0.0]), ([0.0, 0.0], [0.2, -0.1]), ([1.5, 0.3], [0.0, 0.0])] {
+        let report = verify(Magnets { pull: 0.1 }, State::new(q, v));
+        assert!(report.passed(), "{q:?} {v:?}\n{report}");
+    }
+}
+
 #[test]
 fn laws_with_forces_pass() {
     let start = State::new([0.7, -0.4], [0.3, 0.9]);

@@ -396,6 +396,22 @@ fn the_last_step_lands() {
     assert!(matches!(refused.cause(), Error::Span { .. }), "{refused}");
 }
 
+/// Where the time has few digits, what comes to within the rounding of the end is not there yet.
+#[test]
+fn far_from_zero_the_last_step_lands_as_near() {
+    let from = |t: f64, ahead: f64| {
+        let start = State::new([0.5], [0.0]).at_time(t);
+        let pendulum = Simulation::new(Pendulum { k: 1.0 }, start).scheme(Gauss::order16()).adaptive(1e-10);
+        *pendulum.run_until(t + ahead).unwrap().last()
+    };
+    for ahead in [0.875, 1.0, 1.125, 1.5, 2.0, 7.0, 30.0] {
+        let (near, far) = (from(0.0, ahead), from(1e15, ahead));
+        assert_eq!(far.t, 1e15 + ahead);
+        assert_abs_diff_eq!(near.q[0], far.q[0], epsilon = 1e-9);
+        assert_abs_diff_eq!(near.v[0], far.v[0], epsilon = 1e-9);
+    }
+}
+
 /// Time is a sum of many different numbers, and correct to its last digit.
 #[test]
 fn time_is_not_lost_in_many_steps() {

@@ -78,14 +78,14 @@ law!(Hangs, 1, |self, q| 0.5 * self.k * (q[0] + 9.81 / self.k).powi(2) - 9.81 * 
 const HELD: Held = Held { gravity: 9.81, stiff: 90.0, damping: 15.0 };
 const WEAK: Weak = Weak { held: HELD, most: 60.0 };
 
-/// After half a minute nothing moves, and no force is left but the rounding of those that cancel.
+/// After a while nothing moves, and no force is left but the rounding of those that cancel.
 macro_rules! rests {
     ($R:ident, $tried:ident, [$($scheme:expr),*], $law:expr, $q:expr, $large:expr) => {$({
-        for dt in [1.0 / 240.0, 1.0 / 60.0, 1.0 / 25.0] {
+        for dt in [1.0 / 120.0, 1.0 / 25.0] {
             let law = $law;
             let place = format!("{law:?} by {} in {}, {dt}", stringify!($scheme), stringify!($R));
             let start = State::of($q.map($R::from_f64), $q.map(|_| $R::ZERO));
-            let run = Simulation::new(law, start).scheme($scheme).dt(dt).record_every(10_000).run_until(30.0);
+            let run = Simulation::new(law, start).scheme($scheme).dt(dt).record_every(10_000).run_until(22.0);
             let run = run.unwrap_or_else(|e| panic!("{place}: {e}"));
             let State { q, v, .. } = *run.last();
             let left = law.field($R::ONE, $R::ZERO).slope(q, v).map(|x| x.to_f64().abs() / $large);
@@ -114,7 +114,7 @@ fn what_is_held_comes_to_rest() {
 
     all!(DoubleDouble, [DiscreteGradient]);
     rests!(f64, tried, [DiscreteGradient, Implicit], WEAK, [0.1, -0.2], 50.0);
-    assert_eq!(tried, 3 * (5 * 5 + 2));
+    assert_eq!(tried, 2 * (5 * 5 + 2));
 }
 
 /// In scenes and side by side they do as alone.
@@ -152,13 +152,13 @@ fn what_lies_between_springs_stays() {
             for dt in [0.03, 0.1, 0.17] {
                 let place = format!("{} {dt}", stringify!($scheme));
                 let law = Free { k: 10.0 };
-                let run = Simulation::new(law, State::new([0.0; 2], [0.0; 2])).scheme($scheme).dt(dt).run(3000);
+                let run = Simulation::new(law, State::new([0.0; 2], [0.0; 2])).scheme($scheme).dt(dt).run(1000);
                 let run = run.unwrap_or_else(|e| panic!("{place}: {e}"));
                 let energy = run.drift(Invariant::Energy).unwrap();
                 assert!(energy.max_relative() < 1e-14, "{place}: {energy:?}");
                 assert!(run.last().q.iter().chain(&run.last().v).all(|x| x.abs() < 3e-13), "{place}: {:?}", run.last());
                 let body = Scene::new().body(1.0, [0.0; 2], [0.0; 2]).field(law);
-                let run = Simulation::scene(body).scheme($scheme).dt(dt).run(3000);
+                let run = Simulation::scene(body).scheme($scheme).dt(dt).run(1000);
                 assert!(run.unwrap_or_else(|e| panic!("{place}: {e}")).last().q[0].iter().all(|x| x.abs() < 3e-13));
                 tried += 1;
             }
@@ -196,7 +196,7 @@ fn quotients_that_cancel_are_passed() {
                 for dt in [0.1, 0.3, 0.7] {
                     let place = format!("{:?} from {x} by {} {dt}", $law, stringify!($scheme));
                     let start = State::new([x, 0.0], [0.0, 0.3 * x]);
-                    let run = Simulation::new($law, start).scheme($scheme).dt(dt).run(1000);
+                    let run = Simulation::new($law, start).scheme($scheme).dt(dt).run(400);
                     let run = run.unwrap_or_else(|e| panic!("{place}: {e}"));
                     let energy = run.drift(Invariant::Energy).unwrap().max_abs();
                     assert!(energy < 1e-12, "{place}: {energy:e}");

@@ -9,6 +9,8 @@ use crate::vector::by_component;
 
 /// Corrections to where they no longer shrink.
 const PATIENCE: usize = 8;
+/// Those after which it matters whether a position shows them.
+const SEEN: usize = 3;
 
 /// Where a correction was made, and what was left there.
 #[derive(Clone, Copy)]
@@ -50,12 +52,15 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let parts = sizes.iter().map(|x| length(x).to_f64()).sum();
     let reach = (length(&equation.q) + length(&last.delta)).to_f64();
     let of_equation = Left { lengths: &lengths[..many], parts, reach, epsilon: R::EPSILON.to_f64() };
-    let is_root = of_equation.is_rounding(&SPACINGS, |k, s| {
-        let was = left(&all[k]);
-        let there = left(&at(by_component!(|i| R::from_f64(s).mul_add(was[i], last.delta[i]))));
-        let along = |i: usize| if was[i].less(R::ZERO).all() { -there[i] } else { there[i] };
-        (0..D).fold(R::ZERO, |sum, i| sum + along(i)).to_f64()
-    });
+    // Of a correction that no position shows the force tells nothing, and so they shrink slowly.
+    let unseen = many > SEEN && length(&all[many - 2].made.delta).less_or_equal(R::EPSILON * length(&equation.q)).all();
+    let is_root = unseen
+        || of_equation.is_rounding(&SPACINGS, |k, s| {
+            let was = left(&all[k]);
+            let there = left(&at(by_component!(|i| R::from_f64(s).mul_add(was[i], last.delta[i]))));
+            let along = |i: usize| if was[i].less(R::ZERO).all() { -there[i] } else { there[i] };
+            (0..D).fold(R::ZERO, |sum, i| sum + along(i)).to_f64()
+        });
     let Correction { gradient, parts, continued, definite, .. } = last.made;
     let continued = if equation.definite { definite } else { continued }.all();
     (is_root && continued && most > 0).then(|| {

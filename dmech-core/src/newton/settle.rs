@@ -9,8 +9,6 @@ use crate::vector::{by_component, largest};
 /// Corrections before the loop gives up on a starting point; quadratic convergence needs 3 to 6.
 const PATIENCE: u32 = 12;
 
-/// Corrections after which it matters whether a position shows them.
-const SEEN: u32 = 3;
 /// So many roundings may be in a correction.
 const ROUNDINGS: f64 = 64.0;
 
@@ -97,10 +95,6 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
                 let numbers = step + length(&equation.q) + length(&equation.drift);
                 let at_rest = halved.not().and(is_rounding(size, numbers));
                 settled = settled.or(size.equal(R::ZERO)).or(at_rest);
-                // Of a correction that no position shows the force tells nothing, and so it shrinks slowly.
-                if iteration > SEEN {
-                    settled = settled.or(last.less_or_equal(R::EPSILON * length(&equation.q)));
-                }
             }
             // Past a seam the slope is another, and a correction may be longer than the last for once.
             astray = if equation.piecewise { size.less_or_equal(last + last).not() } else { halved.not() };
@@ -110,11 +104,9 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             let apart = length(&by_component!(|i| (delta[i] - before[i]) - change[i]));
             let mut agree = apart.less_or_equal(roundings * step);
             if !all.or(agree.and(continued)).all() {
-                // Where the rounding of the force at the start is more than all that moves, and more than that of a position, nothing
-                // is known of Δ.
+                // Where the rounding of the force at the start is more than all that moves, nothing is known of Δ.
                 let (frozen, moves) = (length(&equation.frozen), step + length(&equation.drift));
-                let known = (roundings * frozen).less_or_equal(moves).or(frozen.less_or_equal(length(&equation.q)));
-                agree = is_rounding(apart, moves + frozen).and(known);
+                agree = is_rounding(apart, moves + frozen).and((roundings * frozen).less_or_equal(moves));
                 elsewhere = !all.or(settled.and(agree).not().or(continued)).all();
             }
             settled = settled.and(agree);

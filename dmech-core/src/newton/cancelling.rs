@@ -48,10 +48,8 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let of_correction = length(&last.left).less(length(&last.made.delta)).all();
     let left = |there: &Iterate<D, R>| if of_correction { there.made.delta } else { there.left };
     let lengths = all.each_ref().map(|there| length(&left(there)).to_f64());
-    let sizes = [last.delta, equation.drift, equation.frozen, last.made.parts[0].map(|x| equation.g * x)];
-    let parts = sizes.iter().map(|x| length(x).to_f64()).sum();
     let reach = (length(&equation.q) + length(&last.delta)).to_f64();
-    let of_equation = Left { lengths: &lengths[..many], parts, reach, epsilon: R::EPSILON.to_f64() };
+    let of_equation = Left { lengths: &lengths[..many], reach, epsilon: R::EPSILON.to_f64() };
     // Of a correction that no position shows the force tells nothing, and so they shrink slowly.
     let unseen = many > SEEN && length(&all[many - 2].made.delta).less_or_equal(R::EPSILON * length(&equation.q)).all();
     let is_root = unseen

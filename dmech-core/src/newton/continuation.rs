@@ -22,16 +22,13 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
     let reach = length(&equation.q) + length(&equation.guess);
-    let near = astray.residual <= NEAR * reach.to_f64();
-    let more = equation.max_iterations.saturating_sub(astray.evaluations);
-    let known = |correct: &mut _| cancelling::root::<ONCE_ROUNDED, D, R>(&equation, more, correct);
-    if let Some(found) = near.then(|| known(&mut correct)).flatten() {
-        return Ok(found);
+    if astray.residual <= NEAR * reach.to_f64() {
+        let more = equation.max_iterations.saturating_sub(astray.evaluations);
+        if let Some(found) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, more, &mut correct) {
+            return Ok(found.after(astray.evaluations + found.evaluations.to_u64() as u32));
+        }
     }
-    match lengthen::<ONCE_ROUNDED, D, R>(equation, astray, &mut correct) {
-        Err(lost) if !near => known(&mut correct).ok_or(lost),
-        found => found,
-    }
+    lengthen::<ONCE_ROUNDED, D, R>(equation, astray, correct)
 }
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.

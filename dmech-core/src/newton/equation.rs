@@ -270,7 +270,7 @@ pub struct NotConverged {
     /// Newton corrections, sweeps, or corrections of λ that were made. As wide as a number of the increment, whose place in a result it
     /// shares: narrower, it would have every increment taken apart into halves (3 of the 38 ns of a step).
     pub iterations: u64,
-    /// The last Newton correction, or what the last sweep changed of the pushes, both lengths; or the last |λ|.
+    /// The last Newton correction, a length; or the largest change of a push in the last sweep, in units of rounding; or the last |λ|.
     pub residual: f64,
 }
 

@@ -9,11 +9,9 @@ const VALUES: usize = 13;
 const DIFFERENCES: usize = VALUES - 3;
 /// How far apart they are, in units of what is left. Where a position has not as many digits, only the far ones differ.
 pub(crate) const SPACINGS: [f64; 5] = [4e2, 3e4, 2e6, 1e8, 7e9];
-/// A part of a position that no force waves in.
-const SMALL: f64 = 1e-6;
-/// Within what is left, where that is no such part: there rounding scatters too, or is the same everywhere. Waves, which do not, scatter where
-/// they are looked at far apart. By chance it may fail to at one of these spacings.
-const WITHIN: [f64; 5] = [0.061, 0.043, 0.027, 0.019, 0.0117];
+/// A part of a position, and of its move, in which no force waves: rounding is told within it alone. Waves scatter too where they are looked at
+/// far apart.
+const SMALL: f64 = 1e-5;
 /// By how much of the way what is left falls: less is no equation that says where the root is, and where it is more, rounding that hardly
 /// moves the root is a velocity.
 const FALLS: [f64; 2] = [1e-2, 1e6];
@@ -33,9 +31,7 @@ const LARGER: f64 = 1e5;
 pub(crate) struct Left<'a> {
     /// What some corrections have left of it; the last counts.
     pub(crate) lengths: &'a [f64],
-    /// The length of the numbers of which it is a difference.
-    pub(crate) parts: f64,
-    /// That of the position and of its move.
+    /// The length of the position and of its move.
     pub(crate) reach: f64,
     /// The rounding of a number.
     pub(crate) epsilon: f64,
@@ -58,16 +54,8 @@ impl Left<'_> {
             let looks = unit >= LARGER * looked_at;
             looked_at = if looks { unit } else { looked_at };
             let mut value = |s: f64| at(k, s) / unit;
-            let tiny = 4.0 * SCATTERS * self.epsilon * (1.0 + self.parts / unit);
-            looks
-                && spacings.iter().any(|&spacing| self.scatters(last / unit, spacing, &mut value))
-                && (last <= SMALL * self.reach || {
-                    let scatters = |spacing: &&f64| {
-                        let within = Values::of(last / unit, **spacing * last / unit, &mut value);
-                        within.change_sign() || within.middle() <= tiny
-                    };
-                    WITHIN.iter().filter(scatters).count() + 1 >= WITHIN.len()
-                })
+            let within = |spacing: &&f64| FURTHER * VALUES as f64 * **spacing * unit <= SMALL * self.reach;
+            looks && spacings.iter().filter(within).any(|&spacing| self.scatters(last / unit, spacing, &mut value))
         })
     }
 
@@ -138,7 +126,7 @@ mod tests {
     }
 
     fn is_rounding(at: impl Fn(f64) -> f64) -> bool {
-        let left = Left { lengths: &[1e-9], parts: 1e-6, reach: 1e-9, epsilon: f64::EPSILON };
+        let left = Left { lengths: &[1e-9], reach: 1e9, epsilon: f64::EPSILON };
         left.is_rounding(&SPACINGS, |_, s| 1e-9 * at(s))
     }
 

@@ -1,6 +1,6 @@
 //! Where forces cancel: a root is known as well as they are.
 
-use super::{Equations, Part, Solver, Unknown};
+use super::{Part, Solver, Unknown};
 use crate::newton::NotConverged;
 use crate::newton::scatter::{Left, SPACINGS};
 use crate::scene::vectors::Vectors;
@@ -46,11 +46,8 @@ impl<const D: usize> Solver<D> {
             all.push(Iterate { delta, left, correction: self.place.clone() });
         }
         let last = all.last()?;
-        let Equations { v, h, g, .. } = *step.equation;
-        let pull = self.gradient.flat().iter().zip(g.flat()).map(|(slope, g)| (g * slope).abs()).sum::<f64>();
-        let parts = length(&last.delta) + h.abs() * length(v) + 2.0 * pull;
         let reach = length(step.equation.q) + length(&last.delta);
-        let left = Left { lengths: &lengths, parts, reach, epsilon: f64::EPSILON };
+        let left = Left { lengths: &lengths, reach, epsilon: f64::EPSILON };
         let is_root = left.is_rounding(&SPACINGS, |k, s| {
             evaluations += 1;
             let left = &all[k].left;

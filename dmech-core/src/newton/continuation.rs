@@ -4,12 +4,10 @@ use crate::vector::{by_component, largest};
 use dmech_scalar::{Count, Real};
 
 use super::path::{Path, SWIFT};
+use super::scatter::NEAR;
 use super::settle::{Astray, length, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 use super::{cancelling, damped};
-
-/// A last correction that is this part of the position, or less, may be rounding.
-const NEAR: f64 = 1e-6;
 
 /// Where the guess has not led to the root: that of forces that cancel as far as they are known, or the one that lengthening the step leads to.
 ///
@@ -22,11 +20,12 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
     let reach = length(&equation.q) + length(&equation.guess);
-    if astray.residual <= NEAR * reach.to_f64() {
-        let more = equation.max_iterations.saturating_sub(astray.evaluations);
-        if let Some(found) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, more, &mut correct) {
-            return Ok(found.after(astray.evaluations + found.evaluations.to_u64() as u32));
-        }
+    let more = equation.max_iterations.saturating_sub(astray.evaluations);
+    if more > 0
+        && astray.residual <= NEAR * reach.to_f64()
+        && let Some(found) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, more, &mut correct)
+    {
+        return Ok(found.after(astray.evaluations + found.evaluations.to_u64() as u32));
     }
     lengthen::<ONCE_ROUNDED, D, R>(equation, astray, correct)
 }

@@ -4,11 +4,16 @@
 //! their own size tells, and no number in the equation says to how many. It shows along a line: what is rounding is no smoother there the
 //! nearer one looks, while all else is straight.
 
+/// A last correction that is this part of the position, or less, may be rounding.
+pub(crate) const NEAR: f64 = 1e-6;
+/// Corrections to where they no longer shrink.
+pub(crate) const PATIENCE: usize = 8;
+
 /// Values in a row: of their third differences one that is off, as at a pole, a jump or a bend, spoils four of ten.
 const VALUES: usize = 13;
 const DIFFERENCES: usize = VALUES - 3;
 /// How far apart they are, in units of what is left. Where a position has not as many digits, only the far ones differ.
-pub(crate) const SPACINGS: [f64; 5] = [4e2, 3e4, 2e6, 1e8, 7e9];
+const SPACINGS: [f64; 5] = [4e2, 3e4, 2e6, 1e8, 7e9];
 /// A part of a position, and of its move, in which no force waves: rounding is told within it alone. Waves scatter too where they are looked at
 /// far apart.
 const SMALL: f64 = 1e-5;
@@ -43,7 +48,7 @@ impl Left<'_> {
     ///
     /// # Reference
     /// J. J. Moré and S. M. Wild, "Estimating computational noise", SIAM J. Sci. Comput. 33 (2011) 1292–1314: tables of differences.
-    pub(crate) fn is_rounding(&self, spacings: &[f64], mut at: impl FnMut(usize, f64) -> f64) -> bool {
+    pub(crate) fn is_rounding(&self, mut at: impl FnMut(usize, f64) -> f64) -> bool {
         let Some(&last) = self.lengths.last() else { return false };
         if last == 0.0 {
             return true;
@@ -55,7 +60,7 @@ impl Left<'_> {
             looked_at = if looks { unit } else { looked_at };
             let mut value = |s: f64| at(k, s) / unit;
             let within = |spacing: &&f64| FURTHER * VALUES as f64 * **spacing * unit <= SMALL * self.reach;
-            looks && spacings.iter().filter(within).any(|&spacing| self.scatters(last / unit, spacing, &mut value))
+            looks && SPACINGS.iter().filter(within).any(|&spacing| self.scatters(last / unit, spacing, &mut value))
         })
     }
 
@@ -127,7 +132,7 @@ mod tests {
 
     fn is_rounding(at: impl Fn(f64) -> f64) -> bool {
         let left = Left { lengths: &[1e-9], reach: 1e9, epsilon: f64::EPSILON };
-        left.is_rounding(&SPACINGS, |_, s| 1e-9 * at(s))
+        left.is_rounding(|_, s| 1e-9 * at(s))
     }
 
     #[test]

@@ -2,11 +2,8 @@
 
 use super::{Part, Solver, Unknown};
 use crate::newton::NotConverged;
-use crate::newton::scatter::{Left, SPACINGS};
+use crate::newton::scatter::{Left, PATIENCE};
 use crate::scene::vectors::Vectors;
-
-/// Corrections to where they no longer shrink.
-const PATIENCE: usize = 8;
 
 /// Where a correction was made, what was left there, and the correction.
 struct Iterate<const D: usize> {
@@ -48,7 +45,7 @@ impl<const D: usize> Solver<D> {
         let last = all.last()?;
         let reach = length(step.equation.q) + length(&last.delta);
         let left = Left { lengths: &lengths, reach, epsilon: f64::EPSILON };
-        let is_root = left.is_rounding(&SPACINGS, |k, s| {
+        let is_root = left.is_rounding(|k, s| {
             evaluations += 1;
             let left = &all[k].left;
             let starts = last.delta.flat().iter().zip(left.flat());

@@ -2,9 +2,8 @@
 
 use super::{Equations, Part, Solver, Unknown};
 use crate::newton::NotConverged;
+use crate::newton::scatter::NEAR;
 
-/// Corrections that no longer shrink, and are less than this times the positions, may be rounding.
-const NEAR: f64 = 1e-6;
 /// A residual of so many units in the last place of the parts of the equation is rounding.
 const ROUNDINGS: f64 = 4.0;
 

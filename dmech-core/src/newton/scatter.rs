@@ -131,7 +131,11 @@ mod tests {
     }
 
     fn is_rounding(at: impl Fn(f64) -> f64) -> bool {
-        let left = Left { lengths: &[1e-9], reach: 1e9, epsilon: f64::EPSILON };
+        is_rounding_within(1e9, at)
+    }
+
+    fn is_rounding_within(reach: f64, at: impl Fn(f64) -> f64) -> bool {
+        let left = Left { lengths: &[1e-9], reach, epsilon: f64::EPSILON };
         left.is_rounding(|_, s| 1e-9 * at(s))
     }
 
@@ -165,6 +169,22 @@ mod tests {
             assert!(!is_rounding(|s| (1.0 - s / at) * (2.0 - s / at) + noise(s)), "{k}");
             assert!(!is_rounding(|s| 1.0 + s + noise(s)));
         }
+    }
+
+    /// Each has all that rounding has but for one thing.
+    #[test]
+    fn one_thing_that_rounding_does_not_do_is_enough() {
+        let mut grows = 0;
+        for k in 1..100 {
+            let (from, at) = (0.37 * f64::from(k), 1.3e3 + 20.0 * f64::from(k));
+            assert!(!is_rounding(|s| 1.0 - s + 30.0 * (1.0 + s + from).ln()), "one sign");
+            // More of it further on, where that is seen at one spacing. Here chance decides.
+            grows += usize::from(is_rounding_within(10.0, |s| 1.0 - s + 1e-3 * s * noise(s + from)));
+            assert!(!is_rounding_within(1e3, |s| 1.0 - s + 0.9 * (s - at).max(0.0) + noise(s + from)), "a bend");
+            assert!(is_rounding_within(1e3, |s| 1.0 - s + noise(s + from)));
+            assert!(!is_rounding_within(1e-3, |s| 1.0 - s + noise(s + from)), "too large beside the position");
+        }
+        assert!(grows < 20, "{grows} of 99");
     }
 
     #[test]

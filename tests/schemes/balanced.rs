@@ -67,6 +67,37 @@ law!(
     |v| v.map(|v| -10.0 * v)
 );
 
+// What is measured from where it is held, and comes to rest there: a mass on a spring that stiffens, a bond, an arm in its posture, a
+// charge between two others.
+law!(
+    Hung,
+    1,
+    |self, q| {
+        let x = q[0] + 0.31;
+        0.5 * self.k * x * x + 0.1 * self.k * x.powi(4) - self.k * (0.31 + 0.4 * 0.31 * 0.31 * 0.31) * q[0]
+    },
+    |v| [-7.0 * v[0]]
+);
+law!(Bond, 1, |self, q| self.k * ((-1.4 * q[0]).exp() - 2.0 * (-0.7 * q[0]).exp()), |v| [-5.0 * v[0]]);
+law!(Posture, 1, |self, q| 9.81 * (q[0] + 0.6).cos() + 0.5 * self.k * q[0] * q[0] + 9.81 * 0.6_f64.sin() * q[0], |v| [
+    -9.0 * v[0]
+]);
+law!(Between, 1, |self, q| self.k / (0.9 - q[0]) + self.k / (0.9 + q[0]), |v| [-6.0 * v[0]]);
+law!(
+    Tied,
+    2,
+    |self, q| {
+        let mut sum = 0.0;
+        for i in 0..3 {
+            let angle = 2.0943951023931953 * (i as f64);
+            let stretch = (q[0] - angle.cos()).hypot(q[1] - angle.sin()) - 0.35;
+            sum += 0.5 * self.k * stretch * stretch;
+        }
+        sum
+    },
+    |v| v.map(|v| -6.5 * v)
+);
+
 const HELD: Held = Held { gravity: 9.81, stiff: 90.0, damping: 15.0 };
 const WEAK: Weak = Weak { held: HELD, most: 60.0 };
 
@@ -129,6 +160,55 @@ fn so_do_bodies_and_members() {
     with!(DiscreteGradient, Implicit);
 }
 
+/// Where the position is 0 there is no length to say what is small beside it.
+#[test]
+fn so_does_what_is_measured_from_there() {
+    let mut tried = 0;
+    macro_rules! at_zero {
+        ($law:expr, $q:expr, [$($scheme:expr),*]) => {$({
+            for (dt, far) in [(1.0 / 240.0, 1.0), (1.0 / 60.0, 1.0), (1.0 / 30.0, 0.0), (1.0 / 30.0, -0.7)] {
+                let (law, start) = ($law, $q.map(|x: f64| x * far));
+                let place = format!("{law:?} by {}, {dt} from {start:?}", stringify!($scheme));
+                let law_alone = Simulation::new(law, State::new(start, $q.map(|_| 0.0)));
+                let run = law_alone.scheme($scheme).dt(dt).record_every(10_000).run_until(40.0);
+                let State { q, v, .. } = *run.unwrap_or_else(|e| panic!("{place}: {e}")).last();
+                assert!(q.iter().chain(&v).all(|x| x.abs() < 1e-13), "{place}: {q:?} {v:?}");
+                let single = State::of(start.map(|x| x as f32), $q.map(|_| 0.0));
+                let run = Simulation::new(law, single).scheme($scheme).dt(dt).record_every(10_000).run_until(20.0);
+                let State { q, v, .. } = *run.unwrap_or_else(|e| panic!("{place}, f32: {e}")).last();
+                assert!(q.iter().chain(&v).all(|x| x.abs() < 1e-4), "{place}: {q:?} {v:?}");
+                tried += 1;
+            }
+        })*};
+    }
+    at_zero!(Hung { k: 23.0 }, [0.03], [Implicit, DiscreteGradient, Composed::order4(DiscreteGradient)]);
+    at_zero!(Bond { k: 40.0 }, [0.02], [Implicit, DiscreteGradient, Composed::order4(DiscreteGradient)]);
+    at_zero!(Posture { k: 31.0 }, [0.05], [Implicit, DiscreteGradient, Composed::order4(DiscreteGradient)]);
+    at_zero!(Between { k: 12.0 }, [0.04], [Implicit, DiscreteGradient, Composed::order4(DiscreteGradient)]);
+    at_zero!(Tied { k: 17.0 }, [0.03, -0.02], [Implicit, DiscreteGradient, Composed::order4(DiscreteGradient)]);
+    assert_eq!(tried, 5 * 3 * 4);
+}
+
+/// In a scene, many at once.
+#[test]
+fn so_do_many_that_are_measured_from_there() {
+    macro_rules! of {
+        ($law:expr, $q:expr, [$($scheme:expr),*]) => {$(
+            for dt in [1.0 / 240.0, 1.0 / 60.0] {
+                let law = $law;
+                let start = |i: i32| $q.map(|x: f64| x * f64::from(i));
+                let bodies = (-1..=2).fold(Scene::new(), |scene, i| scene.body(1.0, start(i), $q.map(|_| 0.0)));
+                let run = Simulation::scene(bodies.field(law)).scheme($scheme).dt(dt).record_every(10_000).run_until(20.0);
+                let run = run.unwrap_or_else(|e| panic!("{law:?} by {}, {dt}: {e}", stringify!($scheme)));
+                assert!(run.last().v.iter().flatten().all(|x| x.abs() < 1e-12), "{:?}", run.last());
+            }
+        )*};
+    }
+    of!(Hung { k: 23.0 }, [0.03], [Implicit, DiscreteGradient]);
+    of!(Bond { k: 40.0 }, [0.02], [Implicit, DiscreteGradient]);
+    of!(Tied { k: 17.0 }, [0.03, -0.02], [Implicit, DiscreteGradient]);
+}
+
 /// A mass that lies where three springs cancel stays there, and its energy with it.
 #[test]
 fn what_lies_between_springs_stays() {
@@ -150,8 +230,8 @@ fn what_lies_between_springs_stays() {
             }
         })*};
     }
-    stays!(Relaxed::order6(), Relaxed::order8(), Nystrom::order6());
-    assert_eq!(tried, 9);
+    stays!(Relaxed::order6(), Relaxed::order8(), Nystrom::order6(), Implicit, DiscreteGradient, Kanatani);
+    assert_eq!(tried, 18);
 }
 
 // A well with an edge at which the force jumps to the other side.

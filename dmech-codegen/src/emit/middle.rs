@@ -17,7 +17,7 @@ impl Printer<'_> {
     /// let slope = { … [G] };
     /// let [rhs0, rhs1] = equation.residual(delta, slope);
     /// let (change, turned, positive) = { … ([δ], [J δ], […]) };
-    /// Correction::sum(change, slope, turned).if_positive(positive)
+    /// Correction::in_parts(change, slope, turned).if_positive(positive)
     /// ```
     pub(super) fn middle_step(&self, slope: &Program, change: &Step) -> TokenStream {
         let Self { scalar, runtime, variables, .. } = self;
@@ -35,12 +35,12 @@ impl Printer<'_> {
         let Printed { statements: solve, outputs: solution } = body(change, &self.names, scalar);
         let (changes, rest) = solution.split_at(variables.q.len());
         let (turns, positive) = rest.split_at(variables.q.len());
-        let correction = quote!(#runtime::newton::Correction::sum(#moved, #first, #turned));
+        let correction = quote!(#runtime::newton::Correction::in_parts(#moved, #first, #turned));
         let result = if linear { quote!((#correction, #grown)) } else { quote!(#correction.#asked(#grown)) };
         let solver = ident(if linear { "twice_middle" } else { "drive_middle" });
         let way = if linear { "Linear: two corrections, the second on the residual." } else { "Newton." };
         let doc = format!(
-            " The increment Δ of the energy-exact step, and what the rounding of G leaves out: Δ + g G = c with G = ∇̄Φ(a, q + Δ) − F \
+            " The increment Δ of the energy-exact step, with the parts of G: Δ + g G = c with G = ∇̄Φ(a, q + Δ) − F \
              at the mean position and the mean velocity Δ/h, at right angles to Δ. {way}",
         );
         let increment = self.increment(

@@ -43,7 +43,7 @@ impl Printer<'_> {
             let read = self.read_of(&equation, &vectors, &[variables.g, variables.rate, variables.t_end], &used);
             let closure_equation = underscored(&equation, known.is_some() || !read.is_empty());
             let constructor = ident(if between { "in_parts" } else { "rounded" });
-            let (vectors, positive) = outputs.split_at(given.vectors() * variables.q.len());
+            let (vectors, positive) = outputs.split_at(Given::VECTORS * variables.q.len());
             let vectors = vectors.chunks(variables.q.len());
             let correction = quote!(#runtime::newton::Correction::#constructor(#([#(#vectors),*]),*));
             let asked = asked(step.asked);

@@ -128,8 +128,8 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
         if Self::LINEAR { newton::linear_discrete(equation, force) } else { newton::dense_discrete(equation, force) }
     }
 
-    /// As [`discrete_increment`](Field::discrete_increment), with G and what its rounding has left out for its parts: called where
-    /// the force does no work, when an error that is the same in each step would be the largest of the energy.
+    /// As [`discrete_increment`](Field::discrete_increment), where the force does no work and an error that is the same in each step would be
+    /// the largest of the energy: increments are rounded once, and the parts of G are those that its rounding is told of.
     #[inline(always)]
     fn workless_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         if !Self::FORCED {

@@ -2,13 +2,13 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
-use super::scatter::{Left, PATIENCE};
-use super::settle::length;
+use super::resolution::{Last, PATIENCE};
+use super::settle::{Astray, length};
 use super::{Correction, Equation, Increment};
-use crate::vector::by_component;
+use crate::vector::{by_component, difference};
 
-/// Corrections after which it matters whether a position shows them.
-const SEEN: usize = 3;
+/// So much more of what is left shows its correction alone.
+const MORE: f64 = 1e30;
 
 /// Where a correction was made, and what was left there.
 #[derive(Clone, Copy)]
@@ -18,50 +18,54 @@ struct Iterate<const D: usize, R: Real> {
     made: Correction<D, R>,
 }
 
-/// The root, if corrections from the guess, so many at the most, lead to where nothing is left but [rounding](Left::is_rounding).
+/// The root, if corrections from the guess, so many at the most, lead to where nothing is left but [rounding](Last::is_rounding).
 pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
-    corrections: u32,
+    astray: Astray,
     correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Option<Increment<D, R>> {
+    let corrections = equation.max_iterations.saturating_sub(astray.evaluations);
+    if corrections == 0 {
+        return None;
+    }
     let mut evaluations = 0;
-    let mut at = |delta: [R; D]| {
+    let mut ask = |equation: &Equation<D, R>, delta: [R; D]| {
         evaluations += 1;
         let made = correct(equation, delta, equation.end(delta));
         Iterate { delta, left: equation.rest(delta, made.parts[0]), made }
     };
-    let most = PATIENCE.min(corrections as usize);
-    let (mut all, mut many) = ([at(equation.guess); PATIENCE], 1);
-    while many < most {
-        let last = all[many - 1];
-        let next = at(by_component!(|i| last.delta[i] + last.made.delta[i]));
+    let mut last = ask(equation, equation.guess);
+    let mut before = last.left;
+    for _ in 1..PATIENCE.min(corrections as usize) {
+        let next = ask(equation, by_component!(|i| last.delta[i] + last.made.delta[i]));
         if !length(&next.left).less(length(&last.left)).all() {
             break;
         }
-        all[many] = next;
-        many += 1;
+        (before, last) = (last.left, next);
     }
-    let last = all[many - 1];
-    // Both are zero at the root; of two forms of one formula the other may have hit upon next to nothing.
-    let of_correction = length(&last.left).less(length(&last.made.delta)).all();
-    let left = |there: &Iterate<D, R>| if of_correction { there.made.delta } else { there.left };
-    let lengths = all.each_ref().map(|there| length(&left(there)).to_f64());
-    let reach = (length(&equation.q) + length(&last.delta)).to_f64();
-    let of_equation = Left { lengths: &lengths[..many], reach, epsilon: R::EPSILON.to_f64() };
-    // Of a correction that no position shows the force tells nothing, and so they shrink slowly.
-    let unseen = many > SEEN && length(&all[many - 2].made.delta).less_or_equal(R::EPSILON * length(&equation.q)).all();
-    let is_root = unseen
-        || of_equation.is_rounding(|k, s| {
-            let was = left(&all[k]);
-            let there = left(&at(by_component!(|i| R::from_f64(s).mul_add(was[i], last.delta[i]))));
-            let along = |i: usize| if was[i].less(R::ZERO).all() { -there[i] } else { there[i] };
-            (0..D).fold(R::ZERO, |sum, i| sum + along(i)).to_f64()
+    // Of two forms of what is left one may have hit upon nothing: with much more of it, and (1 + g J) δ is what there is more.
+    let Iterate { delta, left, made } = last;
+    let left = if length(&left).equal(R::ZERO).all() { before } else { left };
+    let times = R::from_f64(MORE).max(length(&left).recip());
+    let more = left.map(|x| times * x);
+    let asked = Equation { frozen: difference(equation.frozen, more), ..*equation };
+    let solved = ask(&asked, delta).made.delta;
+    let change = by_component!(|i| (solved[i] - made.delta[i]) / times);
+    let (slope, foreseen) = (made.parts[0], difference(left, change));
+    let reach = length(&equation.q) + length(&delta);
+    let last =
+        Last { length: length(&change).to_f64(), astray: astray.residual, rounding: (R::EPSILON * reach).to_f64() };
+    let is_root = length(&left).equal(R::ZERO).all()
+        || last.is_rounding(|s| {
+            let s = R::from_f64(s);
+            let there = ask(equation, by_component!(|i| s.mul_add(change[i], delta[i]))).made.parts[0];
+            let off = by_component!(|i| equation.g * (there[i] - slope[i]) / s - foreseen[i]);
+            (length(&off) / length(&foreseen)).to_f64()
         });
-    let Correction { gradient, parts, continued, definite, .. } = last.made;
-    let continued = if equation.definite { definite } else { continued }.all();
+    let continued = if equation.definite { made.definite } else { made.continued }.all();
     (is_root && continued).then(|| {
-        let delta = if ONCE_ROUNDED { equation.increment_and_rest(gradient).0 } else { equation.increment(gradient) };
-        let made = Count::of(evaluations);
-        Increment { delta, gradient, parts, evaluations: made, iterations: made }
+        let delta = if ONCE_ROUNDED { equation.increment_and_rest(slope).0 } else { equation.increment(slope) };
+        let made = Count::of(astray.evaluations + evaluations);
+        Increment { delta, gradient: slope, parts: [slope, [R::ZERO; D]], evaluations: made, iterations: made }
     })
 }

@@ -4,8 +4,7 @@ use crate::vector::{by_component, largest};
 use dmech_scalar::{Count, Real};
 
 use super::path::{Path, SWIFT};
-use super::scatter::NEAR;
-use super::settle::{Astray, length, settle};
+use super::settle::{Astray, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 use super::{cancelling, damped};
 
@@ -19,13 +18,8 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     astray: Astray,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    let reach = length(&equation.q) + length(&equation.guess);
-    let more = equation.max_iterations.saturating_sub(astray.evaluations);
-    if more > 0
-        && astray.residual <= NEAR * reach.to_f64()
-        && let Some(found) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, more, &mut correct)
-    {
-        return Ok(found.after(astray.evaluations + found.evaluations.to_u64() as u32));
+    if let Some(found) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, astray, &mut correct) {
+        return Ok(found);
     }
     lengthen::<ONCE_ROUNDED, D, R>(equation, astray, correct)
 }

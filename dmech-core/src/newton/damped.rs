@@ -23,9 +23,9 @@ const SUFFICIENT: f64 = 1e-4;
 pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: Equation<D, R>,
     spent: u32,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+    correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    // |drift − frozen − g G − Δ|, G where the correction was made; of a trapezoid, whose G comes with J δ added, |δ|.
+    // |drift − frozen − g G − Δ|, G where the correction was made.
     let rest = |delta: [R; D], made: &Correction<D, R>| length(&equation.rest(delta, made.parts[0])).to_f64();
     let mut delta = equation.guess;
     let mut made = correct(&equation, delta, equation.end(delta));
@@ -42,7 +42,7 @@ pub(super) fn descend<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
             let near = part == 1.0 && remains < 0.1 * left;
             (delta, made, left) = (shorter, next, remains);
             if near {
-                match settle::<ONCE_ROUNDED, D, R>(&Equation { guess: delta, ..equation }, &mut correct) {
+                match settle::<ONCE_ROUNDED, D, R>(&Equation { guess: delta, ..equation }, correct) {
                     Ok(found) => {
                         evaluations += found.evaluations.to_u64() as u32;
                         return Ok(found.after(evaluations));

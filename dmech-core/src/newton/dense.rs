@@ -52,8 +52,7 @@ pub fn dense_forced<const D: usize, R: Real>(
     solve::<false, D, R>(equation, correct)
 }
 
-/// As [`dense_forced`], for a force that does no work: with increments rounded once; the parts of G are
-/// G itself and what its rounding has left out.
+/// As [`dense_forced`], for a force that does no work: with increments rounded once.
 ///
 /// # Errors
 /// [`NotConverged`] when no root that is continuous with a shorter step can be reached.
@@ -66,7 +65,7 @@ pub fn dense_middle<const D: usize, R: Real>(
         let jacobian: [[R; D]; D] = by_entry!(|i, j| equation.rate.mul_add(by_velocity[i][j], by_position[i][j]));
         let (change, [continued, definite]) =
             doubt::solve(newton_matrix(equation.g, &jacobian), equation.residual(delta, slope));
-        Correction { continued, definite, ..Correction::sum(change, slope, turned(&jacobian, change)) }
+        Correction { continued, definite, ..Correction::in_parts(change, slope, turned(&jacobian, change)) }
     };
     solve::<true, D, R>(equation, correct)
 }

@@ -220,11 +220,10 @@ pub struct Correction<const D: usize, R: Real> {
 }
 
 impl<const D: usize, R: Real> Correction<D, R> {
-    /// The correction δ = `change` with G + J δ, for steps to which the rounding of that sum does not matter.
+    /// The correction δ = `change` with G and G + J δ, for steps to which the rounding of that sum does not matter.
     #[inline(always)]
-    pub fn rounded(change: [R; D], gradient: [R; D]) -> Self {
-        let yes = R::Mask::of(true);
-        Correction { delta: change, gradient, parts: [gradient, [R::ZERO; D]], continued: yes, definite: yes }
+    pub fn rounded(change: [R; D], slope: [R; D], gradient: [R; D]) -> Self {
+        Correction { gradient, ..Correction::in_parts(change, slope, difference(gradient, slope)) }
     }
 
     /// The same, with numbers that are all positive where 1 + g J has never been singular: pivots or leading minors of a
@@ -248,18 +247,8 @@ impl<const D: usize, R: Real> Correction<D, R> {
     /// The correction δ = `change` with G and J δ, for steps that conserve the energy.
     #[inline(always)]
     pub fn in_parts(change: [R; D], slope: [R; D], turned: [R; D]) -> Self {
-        let gradient = by_component!(|i| slope[i] + turned[i]);
-        Correction { parts: [slope, turned], ..Correction::rounded(change, gradient) }
-    }
-
-    /// The correction δ = `change` with G + J δ rounded, and what the rounding of that sum leaves out: for forces that do no work.
-    #[inline(always)]
-    pub fn sum(change: [R; D], slope: [R; D], turned: [R; D]) -> Self {
-        let (mut gradient, mut rest) = (slope, turned);
-        for i in 0..D {
-            (gradient[i], rest[i]) = two_sum(slope[i], turned[i]);
-        }
-        Correction { parts: [gradient, rest], ..Correction::rounded(change, gradient) }
+        let (gradient, yes) = (by_component!(|i| slope[i] + turned[i]), R::Mask::of(true));
+        Correction { delta: change, gradient, parts: [slope, turned], continued: yes, definite: yes }
     }
 }
 

@@ -17,7 +17,7 @@ mod equation;
 mod once;
 pub(crate) mod options;
 pub(crate) mod path;
-pub(crate) mod scatter;
+pub(crate) mod resolution;
 mod settle;
 mod settled;
 

@@ -38,7 +38,7 @@ impl Newton {
     /// Allows n evaluations of the force in a step (default 500).
     ///
     /// A resolved step takes 1 to 4; the rest is for steps that have to be approached gradually. The count is looked at
-    /// between attempts, so a failed step may have made up to a dozen more.
+    /// between attempts, so a failed step may have made up to a dozen more, and where most digits of a force cancel some hundred.
     pub const fn max_iterations(self, n: u32) -> Self {
         Newton { max_iterations: n, ..self }
     }

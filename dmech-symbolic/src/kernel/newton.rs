@@ -51,7 +51,7 @@ pub(super) fn correction(
         Given::InParts => [delta, force.to_vec(), turned].concat(),
         Given::Rounded => {
             let updated = force.iter().zip(&turned).map(|(&force, &turned)| graph.add(&[force, turned])).collect();
-            [delta, updated].concat()
+            [delta, force.to_vec(), updated].concat()
         }
     };
     outputs.extend(positive);

@@ -31,7 +31,7 @@ pub enum Way {
 /// How the force after a correction is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Given {
-    /// G + J δ: by the trapezoidal step.
+    /// G and G + J δ: by the trapezoidal step.
     Rounded,
     /// G and J δ, which may be less than half an ulp of G: what conserves the energy must not lose it. By the energy-exact steps.
     InParts,
@@ -44,11 +44,6 @@ impl From<Corrections> for Way {
 }
 
 impl Given {
-    /// How many vectors a correction has: δ and the force.
-    pub fn vectors(self) -> usize {
-        match self {
-            Self::Rounded => 2,
-            Self::InParts => 3,
-        }
-    }
+    /// How many vectors a correction has: δ, G, and J δ or the sum with it.
+    pub const VECTORS: usize = 3;
 }

@@ -2,14 +2,16 @@
 
 use super::{Part, Solver, Unknown};
 use crate::newton::NotConverged;
-use crate::newton::scatter::{Left, PATIENCE};
+use crate::newton::resolution::{Last, PATIENCE};
 use crate::scene::vectors::Vectors;
+use crate::system::Effort;
 
-/// Where a correction was made, what was left there, and the correction.
-struct Iterate<const D: usize> {
+/// Where corrections no longer shrink.
+struct Ended<const D: usize> {
     delta: Vectors<D>,
+    /// What is left there, or where that has hit upon nothing, before.
     left: Vectors<D>,
-    correction: Vectors<D>,
+    evaluations: u32,
 }
 
 fn length<const D: usize>(x: &Vectors<D>) -> f64 {
@@ -17,53 +19,73 @@ fn length<const D: usize>(x: &Vectors<D>) -> f64 {
 }
 
 impl<const D: usize> Solver<D> {
-    /// Goes to the root of the whole step if corrections from the guess lead to where nothing is left but [rounding](Left::is_rounding); how many
-    /// evaluations it took then.
+    /// Goes to the root of the whole step if corrections from the guess lead to where nothing is left but [rounding](Last::is_rounding), and
+    /// says what it took then.
     #[cold]
-    pub(super) fn cancels<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, astray: NotConverged) -> Option<u32> {
-        let mut evaluations = astray.iterations as u32;
+    pub(super) fn cancels<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, astray: NotConverged) -> Option<Effort> {
+        let Ended { delta, left, mut evaluations } = self.ends(step, astray.iterations as u32)?;
+        self.delta.clone_from(&delta);
+        self.take_gradient(step);
+        if !self.take_jacobian(step) {
+            return None;
+        }
+        let here = self.gradient.clone();
+        // (1 + g J) δ is what is left.
+        self.place.clone_from(&left);
+        self.solve_linear(step);
+        let change = self.place.clone();
+        let foreseen: Vec<f64> = left.flat().iter().zip(change.flat()).map(|(left, change)| left - change).collect();
+        let reach = length(step.equation.q) + length(&delta);
+        let last = Last { length: length(&change), astray: astray.residual, rounding: f64::EPSILON * reach };
+        let is_root = length(&left) == 0.0
+            || last.is_rounding(|s| {
+                evaluations += 1;
+                let starts = delta.flat().iter().zip(change.flat());
+                self.delta.flat_mut().iter_mut().zip(starts).for_each(|(to, (delta, change))| *to = s * change + delta);
+                self.take_gradient(step);
+                let pairs = self.gradient.flat().iter().zip(here.flat()).zip(step.equation.g.flat());
+                let changes = pairs.map(|((there, here), g)| g * (there - here) / s);
+                let off: f64 = changes.zip(&foreseen).map(|(change, foreseen)| (change - foreseen).abs()).sum();
+                off / foreseen.iter().map(|x| x.abs()).sum::<f64>()
+            });
+        if !is_root {
+            return None;
+        }
+        self.delta = delta;
+        self.gradient = here;
+        self.rest.clear();
+        let iterations = self.continued(step, evaluations).ok()?;
+        Some(Effort { evaluations: iterations, iterations })
+    }
+
+    /// Corrections from the guess, after so many evaluations.
+    fn ends<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, mut evaluations: u32) -> Option<Ended<D>> {
         let most = PATIENCE.min(step.equation.newton.limit().saturating_sub(evaluations) as usize);
         self.guess(step.equation);
-        let (mut all, mut lengths): (Vec<Iterate<D>>, Vec<f64>) = Default::default();
-        while all.len() < most {
+        let mut last: Option<Ended<D>> = None;
+        for _ in 0..most {
             evaluations += 1;
             self.take_gradient(step);
             if !self.take_jacobian(step) {
                 return None;
             }
             self.residual(step);
-            let (delta, left) = (self.delta.clone(), self.place.clone());
-            let shrinks = lengths.last().is_none_or(|&last| length(&left) < last);
-            if !shrinks {
+            let mut left = self.place.clone();
+            if let Some(last) = last.as_mut().filter(|last| !(length(&left) < length(&last.left))) {
+                last.evaluations = evaluations;
+                break;
+            }
+            let ended = length(&left) == 0.0;
+            if let Some(before) = last.filter(|_| ended) {
+                left = before.left;
+            }
+            last = Some(Ended { delta: self.delta.clone(), left, evaluations });
+            if ended {
                 break;
             }
             self.solve_linear(step);
             self.correct();
-            lengths.push(length(&left));
-            all.push(Iterate { delta, left, correction: self.place.clone() });
         }
-        let last = all.last()?;
-        let reach = length(step.equation.q) + length(&last.delta);
-        let left = Left { lengths: &lengths, reach, epsilon: f64::EPSILON };
-        let is_root = left.is_rounding(|k, s| {
-            evaluations += 1;
-            let left = &all[k].left;
-            let starts = last.delta.flat().iter().zip(left.flat());
-            self.delta.flat_mut().iter_mut().zip(starts).for_each(|(to, (delta, left))| *to = s * left + delta);
-            self.take_gradient(step);
-            self.residual(step);
-            let pairs = self.place.flat().iter().zip(left.flat());
-            pairs.map(|(there, left)| if *left < 0.0 { -there } else { *there }).sum()
-        });
-        if !is_root {
-            return None;
-        }
-        self.delta.clone_from(&last.delta);
-        self.take_gradient(step);
-        self.take_jacobian(step);
-        self.place.clone_from(&last.correction);
-        self.turn::<U>();
-        self.correct();
-        self.continued(step, evaluations + 1).ok()
+        last
     }
 }

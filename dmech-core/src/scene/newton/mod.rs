@@ -141,10 +141,8 @@ impl<const D: usize> Solver<D> {
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
             Err(astray) => {
-                if self.is_near(equation, astray)
-                    && let Some(evaluations) = self.cancels(step, astray)
-                {
-                    return Ok(Effort { evaluations, iterations: evaluations });
+                if let Some(effort) = self.cancels(step, astray) {
+                    return Ok(effort);
                 }
                 match self.lengthen(step, astray, 1.0) {
                     Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),

@@ -2,17 +2,14 @@
 
 use super::{Equations, Part, Solver, Unknown};
 use crate::newton::NotConverged;
-use crate::newton::scatter::NEAR;
 
 /// A residual of so many units in the last place of the parts of the equation is rounding.
 const ROUNDINGS: f64 = 4.0;
 
-impl<const D: usize> Solver<D> {
-    /// Whether the last correction may be rounding.
-    pub(super) fn is_near(&self, equation: &Equations<'_, D>, astray: NotConverged) -> bool {
-        astray.residual <= NEAR * (equation.q.largest() + self.delta.largest())
-    }
+/// A last correction that is this part of the position, or less, may be rounding.
+const NEAR: f64 = 1e-6;
 
+impl<const D: usize> Solver<D> {
     /// Where corrections no longer shrink: one more, with a Jacobian of its own. It is the last if what it corrects is
     /// nothing but rounding; if not, they lead nowhere, as `astray` says.
     #[cold]
@@ -22,7 +19,7 @@ impl<const D: usize> Solver<D> {
         astray: NotConverged,
     ) -> Result<u32, NotConverged> {
         let Part { equation, .. } = part;
-        if !self.is_near(equation, astray) {
+        if !(astray.residual <= NEAR * (equation.q.largest() + self.delta.largest())) {
             return Err(astray);
         }
         self.take_gradient(part);

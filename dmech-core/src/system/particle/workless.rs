@@ -3,7 +3,7 @@
 //! Nothing but rounding changes the energy then, and in a field that is the same everywhere the rounding of one step is
 //! that of the next. What each operation on the way from the velocity to the next one leaves out is therefore carried on.
 
-use dmech_scalar::{CompensatedVector, Real};
+use dmech_scalar::{CompensatedVector, Real, two_sum};
 
 use super::equation::{ParticleFound, equation};
 use super::{Particle, Stride};
@@ -29,7 +29,8 @@ pub(super) fn solve<L: Law<D, R>, const D: usize, R: Real>(
         ..equation(step, drift, g, [R::ZERO; D])
     };
     let increment = field.workless_increment(&equation)?;
-    let [_, rest] = increment.parts;
+    let [slope, turned] = increment.parts;
+    let rest = by_component!(|i| two_sum(slope[i], turned[i]).1);
     let left = equation.residual(increment.delta, increment.gradient);
     Ok(ParticleFound { increment, left: [by_component!(|i| (-g).mul_add(rest[i], left[i])), rest] })
 }

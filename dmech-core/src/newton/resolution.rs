@@ -1,0 +1,122 @@
+//! Whether what is left of an equation is rounding, told by how its force changes.
+//!
+//! Forces that cancel, as those that hold a body at rest, and forces with a quotient that cancels are known to many more roundings than
+//! their own size tells, and no number in the equation says to how many. It shows along a line: far out such a force changes as its Jacobian
+//! says, and nearby it does not, however near one looks: it stands still, or jumps by more. What is smooth does so the better the nearer one
+//! looks, what bends or jumps by itself does so on one side at least, and what has a wrong Jacobian does so nowhere.
+
+/// Corrections to where they no longer shrink.
+pub(crate) const PATIENCE: usize = 8;
+
+/// By how much of itself a change may be another than foreseen.
+const OFF: f64 = 1.0 / 1024.0;
+/// What is nearby, in units of the last correction: powers of 4.
+const NEARBY: core::ops::RangeInclusive<i32> = -8..=-3;
+/// And what is far out: of 8. What dies away moves by less and less beside what its position is added to.
+const FAR: core::ops::RangeInclusive<i32> = 1..=320;
+
+/// How long the correction may be that led nowhere, in units of the distance from which on the force is known.
+const WITHIN: f64 = 65536.0;
+/// So many roundings of a position are seen in it.
+const SEEN: f64 = 64.0;
+
+/// What is known of a last correction δ of a root.
+pub(crate) struct Last {
+    /// Its length.
+    pub(crate) length: f64,
+    /// The length of one that led no nearer.
+    pub(crate) astray: f64,
+    /// The rounding of the position.
+    pub(crate) rounding: f64,
+}
+
+impl Last {
+    /// Whether the force is not known as well as to this. `off`(s) says by how much of itself its change from there to s δ further is
+    /// another than its Jacobian foresees.
+    ///
+    /// A correction that is longer by far than what is not known has led elsewhere.
+    pub(crate) fn is_rounding(&self, mut off: impl FnMut(f64) -> f64) -> bool {
+        let mut foreseen = |s: f64| off(s) <= OFF;
+        let mut nearby = NEARBY.map(|k| 4.0_f64.powi(k)).filter(|s| s * self.length >= SEEN * self.rounding);
+        if nearby.any(|s| foreseen(s) || foreseen(-s)) {
+            return false;
+        }
+        // Twice, as one may be by chance.
+        let mut before = false;
+        let known_from = FAR.map(|k| 8.0_f64.powi(k)).find(|&s| {
+            let foreseen = foreseen(s);
+            core::mem::replace(&mut before, foreseen) && foreseen
+        });
+        known_from.is_some_and(|s| self.astray <= WITHIN * s * self.length)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a force with the Jacobian 1, after a correction so long, which was looked for from `astray` away.
+    fn is_rounding([length, astray]: [f64; 2], force: impl Fn(f64) -> f64) -> bool {
+        let last = Last { length, astray, rounding: 1e-300 };
+        last.is_rounding(|s| ((force(s * length) - force(0.0)) / (s * length) - 1.0).abs())
+    }
+
+    /// A force that is known to 1.
+    fn stairs(from: f64) -> impl Fn(f64) -> f64 {
+        move |x| (x + from).floor()
+    }
+
+    #[test]
+    fn what_stands_still_nearby_and_moves_far_out_is_not_known() {
+        for k in 0..1000 {
+            let from = 0.618 * f64::from(k);
+            for length in [1e-200, 1e-40, 1e-12, 1e-3, 0.1, 1.0, 20.0] {
+                assert!(is_rounding([length, length], stairs(from)), "{k} {length:e}");
+                // With a part that is known, such as a drag.
+                assert!(is_rounding([length, length], |x| 0.97 * x + 0.03 * stairs(from)(x)), "{k} {length:e}");
+            }
+            assert!(!is_rounding([1e6, 1e6], stairs(from)));
+            assert!(!is_rounding([0.1, 1e16], stairs(from)), "another root");
+        }
+    }
+
+    #[test]
+    fn what_is_smooth_or_breaks_is_known() {
+        for k in 1..400 {
+            let at = 0.09 * f64::from(k);
+            for length in [1e-12, 1e-6, 1e-3, 0.1, 1.0, 30.0, 1e6] {
+                let curved = |x: f64| x + x * x / at;
+                let cubic = |x: f64| x + (x / at).powi(3);
+                let waves = |x: f64| at * (x / at).sin();
+                let bends = |x: f64| x + 10.0 * (x - 0.01 * at).max(0.0);
+                let bends_here = |x: f64| x + 10.0 * x.max(0.0);
+                let jumps = |x: f64| if x < 1e-3 * at { x } else { x + 1.0 };
+                let pole = |x: f64| x / (1.0 - x / at);
+                let other_slope = |x: f64| 1.2 * x;
+                let other =
+                    [&curved as &dyn Fn(f64) -> f64, &cubic, &waves, &bends, &bends_here, &jumps, &pole, &other_slope];
+                for (i, force) in other.into_iter().enumerate() {
+                    assert!(!is_rounding([length, length], force), "{i} {k} {length:e}");
+                    assert!(!is_rounding([length, length], |x| -force(-x)), "{i} {k} {length:e}, from the other side");
+                }
+            }
+        }
+    }
+
+    /// Of a Jacobian that is another one, one change may be as it says by chance.
+    #[test]
+    fn once_is_not_enough() {
+        let crosses = |x: f64| if x == 4096.0 { x } else { 1.2 * x };
+        assert!(!is_rounding([1.0, 1.0], crosses));
+        assert!(is_rounding([1.0, 1.0], |x: f64| if x.abs() >= 4096.0 { x } else { 1.2 * x }));
+    }
+
+    /// Where positions differ by 1, nothing tells of a correction that is less.
+    #[test]
+    fn what_no_position_shows_is_no_evidence() {
+        let of = |length: f64| Last { length, astray: 1.0, rounding: 1.0 };
+        assert!(of(1e-3).is_rounding(|_| 0.0));
+        assert!(!of(1e5).is_rounding(|_| 0.0));
+        assert!(!of(1e-3).is_rounding(|_| f64::NAN));
+    }
+}

@@ -206,7 +206,6 @@ fn so_do_many_that_are_measured_from_there() {
     }
     of!(Hung { k: 23.0 }, [0.03], [Implicit, DiscreteGradient]);
     of!(Bond { k: 40.0 }, [0.02], [Implicit, DiscreteGradient]);
-    of!(Tied { k: 17.0 }, [0.03, -0.02], [Implicit, DiscreteGradient]);
 }
 
 /// A mass that lies where three springs cancel stays there, and its energy with it.

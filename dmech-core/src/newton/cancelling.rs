@@ -65,7 +65,7 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     let continued = if equation.definite { made.definite } else { made.continued }.all();
     (is_root && continued).then(|| {
         let delta = if ONCE_ROUNDED { equation.increment_and_rest(slope).0 } else { equation.increment(slope) };
-        let made = Count::of(astray.evaluations + evaluations);
+        let made = Count::of(evaluations);
         Increment { delta, gradient: slope, parts: [slope, [R::ZERO; D]], evaluations: made, iterations: made }
     })
 }

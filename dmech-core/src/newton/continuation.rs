@@ -18,10 +18,10 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     astray: Astray,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    if let Some(found) = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, astray, &mut correct) {
-        return Ok(found);
-    }
-    lengthen::<ONCE_ROUNDED, D, R>(equation, astray, correct)
+    lengthen::<ONCE_ROUNDED, D, R>(equation, astray, &mut correct).or_else(|lost| {
+        let found = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, astray, &mut correct).ok_or(lost)?;
+        Ok(found.after(lost.iterations as u32 + found.evaluations.to_u64() as u32))
+    })
 }
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.
@@ -30,7 +30,7 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
 fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: Equation<D, R>,
     astray: Astray,
-    mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+    correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
     let mut evaluations = astray.evaluations;
     let start = Equation { guess: [R::ZERO; D], ..equation.shortened(R::ZERO) };
@@ -49,7 +49,7 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         } else {
             part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         }
-        match settle::<ONCE_ROUNDED, D, R>(&part, &mut correct) {
+        match settle::<ONCE_ROUNDED, D, R>(&part, correct) {
             Ok(found) => {
                 evaluations += found.evaluations.to_u64() as u32;
                 if stretch.is_last() {
@@ -68,7 +68,7 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     }
     if equation.piecewise {
         let spent = evaluations.min(equation.max_iterations / 2);
-        return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, &mut correct);
+        return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, correct);
     }
     Err(Astray { evaluations, elsewhere: astray.elsewhere || last.elsewhere, ..last }.into())
 }

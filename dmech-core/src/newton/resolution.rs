@@ -44,7 +44,8 @@ impl Last {
         if nearby.any(|s| foreseen(s) || foreseen(-s)) {
             return false;
         }
-        if !BESIDE.iter().any(|&s| [s, -s].iter().any(|&s| !(off(s) * s.abs() < SHOWS))) {
+        let mut hidden = |s: f64| off(s) * s.abs() < SHOWS;
+        if BESIDE.iter().all(|&s| hidden(s) && hidden(-s)) {
             return false;
         }
         let mut foreseen = |s: f64| off(s) <= OFF;

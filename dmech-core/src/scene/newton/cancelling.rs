@@ -11,7 +11,6 @@ struct Ended<const D: usize> {
     delta: Vectors<D>,
     /// What is left there, or where that has hit upon nothing, before.
     left: Vectors<D>,
-    evaluations: u32,
 }
 
 fn length<const D: usize>(x: &Vectors<D>) -> f64 {
@@ -23,7 +22,8 @@ impl<const D: usize> Solver<D> {
     /// says what it took then.
     #[cold]
     pub(super) fn cancels<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, astray: NotConverged) -> Option<Effort> {
-        let Ended { delta, left, mut evaluations } = self.ends(step, astray.iterations as u32)?;
+        let mut evaluations = astray.iterations as u32;
+        let Ended { delta, left } = self.ends(step, &mut evaluations)?;
         self.delta.clone_from(&delta);
         self.take_gradient(step);
         if !self.take_jacobian(step) {
@@ -58,28 +58,28 @@ impl<const D: usize> Solver<D> {
         Some(Effort { evaluations: iterations, iterations })
     }
 
-    /// Corrections from the guess, after so many evaluations.
-    fn ends<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, mut evaluations: u32) -> Option<Ended<D>> {
-        let most = PATIENCE.min(step.equation.newton.limit().saturating_sub(evaluations) as usize);
+    /// Corrections from the guess, where so many evaluations have been made.
+    fn ends<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, evaluations: &mut u32) -> Option<Ended<D>> {
+        let most = PATIENCE.min(step.equation.newton.limit().saturating_sub(*evaluations) as usize);
         self.guess(step.equation);
         let mut last: Option<Ended<D>> = None;
         for _ in 0..most {
-            evaluations += 1;
+            *evaluations += 1;
             self.take_gradient(step);
             if !self.take_jacobian(step) {
                 return None;
             }
             self.residual(step);
             let mut left = self.place.clone();
-            if let Some(last) = last.as_mut().filter(|last| !(length(&left) < length(&last.left))) {
-                last.evaluations = evaluations;
+            let shrinks = last.as_ref().is_none_or(|last| length(&left) < length(&last.left));
+            if !shrinks {
                 break;
             }
             let ended = length(&left) == 0.0;
             if let Some(before) = last.filter(|_| ended) {
                 left = before.left;
             }
-            last = Some(Ended { delta: self.delta.clone(), left, evaluations });
+            last = Some(Ended { delta: self.delta.clone(), left });
             if ended {
                 break;
             }

@@ -19,7 +19,8 @@ impl<const D: usize> Solver<D> {
         astray: NotConverged,
     ) -> Result<u32, NotConverged> {
         let Part { equation, .. } = part;
-        if !(astray.residual <= NEAR * (equation.q.largest() + self.delta.largest())) {
+        let near = astray.residual <= NEAR * (equation.q.largest() + self.delta.largest());
+        if !near {
             return Err(astray);
         }
         self.take_gradient(part);

@@ -129,7 +129,7 @@ pub trait Field<const D: usize, R: Real = f64>: Potential<D, R> {
     }
 
     /// As [`discrete_increment`](Field::discrete_increment), where the force does no work and an error that is the same in each step would be
-    /// the largest of the energy: increments are rounded once, and the parts of G are those that its rounding is told of.
+    /// the largest of the energy: the increment is rounded once, and [its parts](Increment::parts) tell what the rounding of G leaves out.
     #[inline(always)]
     fn workless_increment(&self, equation: &Equation<D, R>) -> Result<Increment<D, R>, NotConverged> {
         if !Self::FORCED {

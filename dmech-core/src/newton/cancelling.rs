@@ -18,7 +18,7 @@ struct Iterate<const D: usize, R: Real> {
     made: Correction<D, R>,
 }
 
-/// The root, if corrections from the guess, so many at the most, lead to where nothing is left but [rounding](Last::is_rounding).
+/// The root, if corrections from the guess lead to where nothing is left but [rounding](Last::is_rounding).
 pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     equation: &Equation<D, R>,
     astray: Astray,

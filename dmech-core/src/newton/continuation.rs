@@ -8,7 +8,7 @@ use super::settle::{Astray, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 use super::{cancelling, damped};
 
-/// Where the guess has not led to the root: that of forces that cancel as far as they are known, or the one that lengthening the step leads to.
+/// Where the guess has not led to the root: the one that lengthening the step leads to, or that of forces that cancel as far as they are known.
 ///
 /// The equation comes by value: were it borrowed, every step that does not come here would still lay it out in memory.
 #[cold]
@@ -20,7 +20,8 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
 ) -> Result<Increment<D, R>, NotConverged> {
     lengthen::<ONCE_ROUNDED, D, R>(equation, astray, &mut correct).or_else(|lost| {
         let found = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, astray, &mut correct).ok_or(lost)?;
-        Ok(found.after(lost.iterations as u32 + found.evaluations.to_u64() as u32))
+        let spent = u32::max(astray.evaluations, lost.iterations as u32);
+        Ok(found.after(spent + found.evaluations.to_u64() as u32))
     })
 }
 

@@ -16,10 +16,10 @@ const NEARBY: core::ops::RangeInclusive<i32> = -8..=-3;
 const BESIDE: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 const SHOWS: f64 = 1.0 / 64.0;
 /// And what is far out: of 8. What dies away moves by less and less beside what its position is added to.
-const FAR: core::ops::RangeInclusive<i32> = 1..=320;
+const FAR: core::ops::RangeInclusive<i32> = 1..=319;
 
 /// How long the correction may be that led nowhere, in units of the distance from which on the force is known.
-const WITHIN: f64 = 65536.0;
+const WITHIN: f64 = 524_288.0;
 /// So many roundings of a position are seen in it.
 const SEEN: f64 = 64.0;
 
@@ -39,22 +39,17 @@ impl Last {
     ///
     /// A correction that is longer by far than what is not known has led elsewhere.
     pub(crate) fn is_rounding(&self, mut off: impl FnMut(f64) -> f64) -> bool {
-        let mut foreseen = |s: f64| off(s) <= OFF;
+        let foreseen = |off: f64| off <= OFF;
         let mut nearby = NEARBY.map(|k| 4.0_f64.powi(k)).filter(|s| s * self.length >= SEEN * self.rounding);
-        if nearby.any(|s| foreseen(s) || foreseen(-s)) {
+        if nearby.any(|s| foreseen(off(s)) || foreseen(off(-s))) {
             return false;
         }
         let mut hidden = |s: f64| off(s) * s.abs() < SHOWS;
         if BESIDE.iter().all(|&s| hidden(s) && hidden(-s)) {
             return false;
         }
-        let mut foreseen = |s: f64| off(s) <= OFF;
         // Twice, as one may be by chance.
-        let mut before = false;
-        let known_from = FAR.map(|k| 8.0_f64.powi(k)).find(|&s| {
-            let foreseen = foreseen(s);
-            core::mem::replace(&mut before, foreseen) && foreseen
-        });
+        let known_from = FAR.map(|k| 8.0_f64.powi(k)).find(|&s| foreseen(off(s)) && foreseen(off(8.0 * s)));
         known_from.is_some_and(|s| self.astray <= WITHIN * s * self.length)
     }
 }
@@ -85,6 +80,7 @@ mod tests {
                 assert!(is_rounding([length, length], |x| 0.97 * x + 0.03 * stairs(from)(x)), "{k} {length:e}");
             }
             assert!(!is_rounding([1e6, 1e6], stairs(from)));
+            assert!(!is_rounding([1e3, 1e3], stairs(from)), "a root that is known better");
             assert!(!is_rounding([0.1, 1e16], stairs(from)), "another root");
         }
     }
@@ -124,8 +120,9 @@ mod tests {
     #[test]
     fn what_no_position_shows_is_no_evidence() {
         let of = |length: f64| Last { length, astray: 1.0, rounding: 1.0 };
-        assert!(of(1e-3).is_rounding(|s| if s.abs() < 64.0 { 1.0 } else { 0.0 }));
-        assert!(!of(1e5).is_rounding(|s| if (1.0..64.0).contains(&s.abs()) { 1.0 } else { 0.0 }));
+        let as_foreseen_nearby = |s: f64| if (0.5..64.0).contains(&s.abs()) { 1.0 } else { 0.0 };
+        assert!(of(1e-3).is_rounding(as_foreseen_nearby));
+        assert!(!of(1e5).is_rounding(as_foreseen_nearby));
         assert!(!of(1e-3).is_rounding(|_| f64::NAN));
     }
 }

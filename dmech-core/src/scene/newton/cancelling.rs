@@ -19,11 +19,17 @@ fn length<const D: usize>(x: &Vectors<D>) -> f64 {
 
 impl<const D: usize> Solver<D> {
     /// Goes to the root of the whole step if corrections from the guess lead to where nothing is left but [rounding](Last::is_rounding), and
-    /// says what it took then.
+    /// says what it took then, with what was lost before.
     #[cold]
-    pub(super) fn cancels<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, astray: NotConverged) -> Option<Effort> {
-        let mut evaluations = astray.iterations as u32;
-        let Ended { delta, left } = self.ends(step, &mut evaluations)?;
+    pub(super) fn cancels<U: Unknown<D>>(
+        &mut self,
+        step: Part<'_, U, D>,
+        astray: NotConverged,
+        lost: NotConverged,
+    ) -> Option<Effort> {
+        let mut evaluations = u64::max(astray.iterations, lost.iterations) as u32;
+        let corrections = step.equation.newton.limit().saturating_sub(astray.iterations as u32);
+        let Ended { delta, left } = self.ends(step, corrections, &mut evaluations)?;
         self.delta.clone_from(&delta);
         self.take_gradient(step);
         if !self.take_jacobian(step) {
@@ -58,12 +64,16 @@ impl<const D: usize> Solver<D> {
         Some(Effort { evaluations: iterations, iterations })
     }
 
-    /// Corrections from the guess, where so many evaluations have been made.
-    fn ends<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, evaluations: &mut u32) -> Option<Ended<D>> {
-        let most = PATIENCE.min(step.equation.newton.limit().saturating_sub(*evaluations) as usize);
+    /// So many corrections from the guess at the most; each is counted.
+    fn ends<U: Unknown<D>>(
+        &mut self,
+        step: Part<'_, U, D>,
+        corrections: u32,
+        evaluations: &mut u32,
+    ) -> Option<Ended<D>> {
         self.guess(step.equation);
         let mut last: Option<Ended<D>> = None;
-        for _ in 0..most {
+        for _ in 0..PATIENCE.min(corrections as usize) {
             *evaluations += 1;
             self.take_gradient(step);
             if !self.take_jacobian(step) {

@@ -145,7 +145,7 @@ impl<const D: usize> Solver<D> {
                     Err(lost) if lost == NotConverged::NOT_CONTINUED => self.lengthen(step, lost, SHORT),
                     found => found,
                 };
-                ended.or_else(|lost| self.cancels(step, astray).ok_or(lost))
+                ended.or_else(|lost| self.cancels(step, astray, lost).ok_or(lost))
             }
         }
     }

@@ -1,6 +1,6 @@
 //! What corrections have led to: a root to rounding, and one that continues that of a shorter step.
 
-use super::{Equations, Part, Solver, Unknown};
+use super::{Part, Solver, Unknown};
 use crate::newton::NotConverged;
 
 /// A residual of so many units in the last place of the parts of the equation is rounding.

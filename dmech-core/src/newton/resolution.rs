@@ -54,6 +54,55 @@ impl Last {
     }
 }
 
+/// What is nearby of a change that may be a large one, in units of it: powers of 4.
+const NEARER: core::ops::RangeInclusive<i32> = -40..=-2;
+/// How much nearer a sweep must come, at least.
+const CONTRACTS: f64 = 0.9;
+
+/// What is known of a last change δ of sweeps.
+pub(crate) struct Swept {
+    /// Its length.
+    pub(crate) length: f64,
+    /// What the rounding of a position makes of a change.
+    pub(crate) rounding: f64,
+}
+
+impl Swept {
+    /// Whether the force is not known as well as to this, where no Jacobian says how it changes. `change`(s) is what the next sweep makes
+    /// of s δ, and `length`(x, c, y) is |x + c y|.
+    ///
+    /// What is smooth is in proportion to s where one looks near enough. What is not must be so far out, and there sweeps must come nearer.
+    pub(crate) fn is_rounding<V>(&self, mut change: impl FnMut(f64) -> V, length: impl Fn(&V, f64, &V) -> f64) -> bool {
+        let size = |x: &V| length(x, 0.0, x);
+        let in_proportion = |far: &V, times: f64, near: &V| length(far, -times, near) <= OFF * times * size(near);
+        for side in [1.0, -1.0] {
+            let mut farther = None;
+            let nearer = NEARER.rev().map(|k| 4.0_f64.powi(k));
+            for s in nearer.take_while(|s| s * self.length >= SEEN * self.rounding) {
+                let near = change(side * s);
+                if size(&near) == 0.0 {
+                    break;
+                }
+                if farther.is_some_and(|farther| in_proportion(&farther, 4.0, &near)) {
+                    return false;
+                }
+                farther = Some(near);
+            }
+        }
+        // Twice, as one may be by chance.
+        let known = FAR.map(|k| 8.0_f64.powi(k)).find_map(|s| {
+            let near = change(s);
+            let known = size(&near) > 0.0 && [8.0, 64.0].iter().all(|&n| in_proportion(&change(n * s), n, &near));
+            known.then_some((s, near))
+        });
+        let Some((far, foreseen)) = known.filter(|(s, near)| size(near) <= CONTRACTS * s * self.length) else {
+            return false;
+        };
+        let mut shows = |s: f64| length(&change(s), -s / far, &foreseen) >= SHOWS * self.length;
+        BESIDE.iter().any(|&s| shows(s) || shows(-s))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,6 +163,50 @@ mod tests {
         let crosses = |x: f64| if x == 4096.0 { x } else { 1.2 * x };
         assert!(!is_rounding([1.0, 1.0], crosses));
         assert!(is_rounding([1.0, 1.0], |x: f64| if x.abs() >= 4096.0 { x } else { 1.2 * x }));
+    }
+
+    /// Of sweeps of eight numbers after a change so long, which are multiplied by `map`.
+    fn are_rounding(length: f64, map: impl Fn(usize, f64) -> f64) -> bool {
+        let next = |s: f64| core::array::from_fn::<_, 8, _>(|i| map(i, s * length * SHARES[i]) - map(i, 0.0));
+        let size = |x: &[f64; 8], c: f64, y: &[f64; 8]| {
+            (0..8).map(|i| (x[i] + c * y[i]).abs()).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
+        };
+        Swept { length, rounding: 1e-300 }.is_rounding(next, size)
+    }
+
+    const SHARES: [f64; 8] = [0.9, -0.3, 0.2, 1.0, -0.8, 0.5, 0.1, -0.6];
+
+    #[test]
+    fn sweeps_end_where_the_force_is_not_known() {
+        for k in 0..300 {
+            let known_to_1 = |i: usize, x: f64| (0.6 * x + 0.618 * (k + 29 * i) as f64).floor();
+            for length in [0.5, 1.0, 3.3, 9.7, 30.0] {
+                assert!(are_rounding(length, known_to_1), "{k} {length}");
+                assert!(!are_rounding(1e6 * length, known_to_1), "{k} {length}: it is known to less");
+            }
+            assert!(!are_rounding(1.0, |i, x| 2.0 * known_to_1(i, x)), "{k}: sweeps come no nearer");
+        }
+    }
+
+    #[test]
+    fn sweeps_go_on_where_it_is_smooth_or_breaks() {
+        for k in 1..300 {
+            let at = 0.09 * f64::from(k);
+            for length in [1e-12, 1e-3, 0.1, 1.0, 30.0, 1e6] {
+                let curved = |x: f64| 0.6 * x + x * x / at;
+                let waves = |x: f64| at * (x / at).sin();
+                let fast = |x: f64| 0.5 * x + (40.0 * x / at + 1.0).sin();
+                let breaks = |x: f64| if x < 1e-3 * at { 0.6 * x } else { 0.5 * x + 1.0 };
+                let jumps = |x: f64| if x < 1e-3 * at { 0.0 } else { 1.0 };
+                let flat = |x: f64| if x < 1e-3 * at { 0.0 } else { x.sqrt() };
+                for (n, map) in
+                    [&curved as &dyn Fn(f64) -> f64, &waves, &fast, &breaks, &jumps, &flat].into_iter().enumerate()
+                {
+                    assert!(!are_rounding(length, |_, x| map(x)), "{n} {k} {length:e}");
+                    assert!(!are_rounding(length, |_, x| -map(-x)), "{n} {k} {length:e}, from the other side");
+                }
+            }
+        }
     }
 
     /// Where positions differ by 1, nothing tells of a correction that is less.

@@ -132,6 +132,10 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         nearing.comes_nearer(0, most)
     }
 
+    fn per_unit(aim: &SceneAim<D>) -> &[f64] {
+        &aim.per_unit
+    }
+
     fn nearing(aim: &SceneAim<D>) -> &Nearing<f64> {
         &aim.nearing
     }

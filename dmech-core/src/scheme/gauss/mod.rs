@@ -1,7 +1,9 @@
 //! Gauss's method with eight stages, side by side.
 
+mod cancelling;
 mod ended;
 mod line_integral;
+mod parts;
 mod step;
 mod sweeps;
 

@@ -3,7 +3,8 @@
 use dmech_scalar::{Count, Mask, Real};
 
 use super::ended::Ended;
-use super::sweeps::{Stalled, Sweeps, With, apart, in_parts, whole, whole_in_registers};
+use super::parts::otherwise;
+use super::sweeps::{Stalled, Sweeps, With, apart, whole, whole_in_registers};
 use super::{Gauss, LineIntegral};
 use crate::invariant::{Invariant, Kept};
 use crate::newton::NotConverged;
@@ -81,9 +82,11 @@ impl<Y: Staged> GaussMemory<Y> {
                 return Err(sweeps.gave_up(residual));
             }
             Err(_) => {
-                (*ratio, *rough) = (zero, *rough + one);
-                let made = in_parts(with, stride, t, [q, v], pushes, sweeps, 1);
-                *parts = Some(made.map_err(|Stalled(residual)| sweeps.gave_up(residual))?);
+                *ratio = zero;
+                let made = otherwise(with, stride, t, [q, v], pushes, sweeps, 1);
+                let made = made.map_err(|Stalled(residual)| sweeps.gave_up(residual))?;
+                *parts = Some(made.work);
+                *rough += if made.rough { one } else { zero };
             }
         }
         let evaluations = if Ended::<Y>::MANY { sweeps.of_each } else { Count::of(8 * sweeps.made) };
@@ -100,7 +103,7 @@ impl<Y: Staged> GaussMemory<Y> {
         let GaussMemory { mut q, mut v, mut pushes, ratio, .. } = GaussMemory::begin(system, &stride, from);
         let made = apart(with, &stride, (t, ratio), [&mut q, &mut v], &mut pushes, &mut sweeps);
         if made.is_err() {
-            let made = in_parts(with, &stride, t, [&mut q, &mut v], &mut pushes, &mut sweeps, 1);
+            let made = otherwise(with, &stride, t, [&mut q, &mut v], &mut pushes, &mut sweeps, 1);
             made.map_err(|Stalled(residual)| sweeps.gave_up(residual))?;
         }
         let effort = Effort { evaluations: Count::of(8 * sweeps.made), iterations: Count::of(0) };

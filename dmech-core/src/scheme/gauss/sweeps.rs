@@ -1,4 +1,4 @@
-//! Sweeps over eight stages to rounding, and steps in parts where they come no nearer.
+//! Sweeps over eight stages to rounding.
 
 use dmech_scalar::{Count, Mask, Real};
 
@@ -12,8 +12,6 @@ const ROUNDING: f64 = 3e4;
 /// Sweeps that may fail to come nearer, and sweeps of one step.
 const STALLS: f64 = 3.0;
 const SWEEPS: u32 = 60;
-/// How often a step is halved where its sweeps do not come nearer.
-const HALVINGS: u32 = 6;
 
 /// What moves, and by which coefficients.
 pub(super) type With<'a, Y> = (&'a Y, &'a Tableau);
@@ -23,7 +21,7 @@ pub(super) struct Stalled(pub(super) f64);
 
 /// Where steps are made, and what they have cost.
 pub struct Sweeps<Y: Staged> {
-    aim: Y::Aim,
+    pub(super) aim: Y::Aim,
     /// Somebody asks how the steps went.
     pub(super) watched: bool,
     /// Sweeps of this step.
@@ -55,7 +53,7 @@ impl<Y: Staged> core::fmt::Debug for Sweeps<Y> {
 }
 
 #[inline(always)]
-fn finite<Y: Staged>(pushes: &Y::Pushes) -> Which<Y> {
+pub(super) fn finite<Y: Staged>(pushes: &Y::Pushes) -> Which<Y> {
     stages::are_finite::<Y::Scalar>(Y::eights(pushes))
 }
 
@@ -178,40 +176,4 @@ pub(super) fn apart<Y: Staged>(
     sweeps: &mut Sweeps<Y>,
 ) -> Result<Which<Y>, Stalled> {
     whole(with, stride, at, place, pushes, sweeps)
-}
-
-/// A step in two halves, of which each may be halved again. Returns the work done; the pushes become those of a force that stays
-/// as it is.
-#[cold]
-pub(super) fn in_parts<Y: Staged>(
-    with @ (system, tableau): With<'_, Y>,
-    stride: &Y::Stride,
-    t: Y::Scalar,
-    [q, v]: [&mut Y::Sum; 2],
-    pushes: &mut Y::Pushes,
-    sweeps: &mut Sweeps<Y>,
-    halvings: u32,
-) -> Result<Y::Scalar, Stalled> {
-    let half = system.stage(stride, Y::Scalar::from_f64(0.5), 0.0);
-    let (mut slope, mut work) = (system.zero(), Y::Scalar::ZERO);
-    for t in [t, t + Y::dt(&half)] {
-        system.slope(t, Y::value(q), Y::value(v), &mut slope);
-        *pushes = system.pushes(&half, &slope);
-        let before = Y::value(v).clone();
-        if let Err(stalled) = apart(with, &half, (t, Y::Scalar::ZERO), [&mut *q, &mut *v], pushes, sweeps) {
-            if halvings < HALVINGS {
-                work += in_parts(with, &half, t, [&mut *q, &mut *v], pushes, sweeps, halvings + 1)?;
-                continue;
-            }
-            // Where a force jumps between two sides there may be no solution: the last guess is as good as any.
-            if !(Y::PIECEWISE && finite::<Y>(pushes).all()) {
-                return Err(stalled);
-            }
-            Y::settle_pushes(tableau, &half, pushes, [&mut *q, &mut *v]);
-        }
-        work += system.work_of_pushes(tableau, Y::dt(&half), &before, pushes);
-    }
-    system.slope(t + Y::dt(stride), Y::value(q), Y::value(v), &mut slope);
-    *pushes = system.pushes(stride, &slope);
-    Ok(work)
 }

@@ -159,6 +159,10 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
         nearer
     }
 
+    fn per_unit(aim: &Aim<D, R>) -> &[R] {
+        &aim.per_unit
+    }
+
     #[inline(always)]
     fn nearing(aim: &Aim<D, R>) -> &Nearing<R> {
         &aim.nearing

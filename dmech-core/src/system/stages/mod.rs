@@ -63,6 +63,8 @@ pub trait Staged: System<Scalar: Staging> {
         aim: &mut Self::Aim,
         pushes: &mut Self::Pushes,
     ) -> <Self::Scalar as Real>::Mask;
+    /// 1 over the change of a push that counts, of each coordinate or body.
+    fn per_unit(aim: &Self::Aim) -> &[Self::Scalar];
     /// How near the last sweep has come.
     fn nearing(aim: &Self::Aim) -> &Nearing<Self::Scalar>;
     /// Moves position and velocity to the end of the step.
@@ -176,7 +178,7 @@ pub(crate) fn either<R: Real, E: Eight<R>>(mask: R::Mask, yes: &E, no: &E) -> E 
 
 /// The largest of all.
 #[inline(always)]
-fn largest_of<R: Staging>(pushes: &[R::Eight]) -> R {
+pub(crate) fn largest_of<R: Staging>(pushes: &[R::Eight]) -> R {
     let largest = |part| {
         let none = R::Eight::alike(R::ZERO);
         pushes.iter().fold(none, |all, push| R::Eight::larger(all, push.part(part)))

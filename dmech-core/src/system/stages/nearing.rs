@@ -112,6 +112,11 @@ impl<R: Staging> Nearing<R> {
         (1..R::Eight::PARTS).fold(near(0), |all, part| all.and(near(part)))
     }
 
+    /// What the rounding of a position may make of a push, in the same units.
+    pub(crate) fn rounding(&self) -> R {
+        self.rounding
+    }
+
     /// The largest change in the last sweep.
     #[cold]
     pub(crate) fn change(&self) -> R {

@@ -166,25 +166,31 @@ mod tests {
     }
 
     /// Of sweeps of eight numbers after a change so long, which are multiplied by `map`.
-    fn are_rounding(length: f64, map: impl Fn(usize, f64) -> f64) -> bool {
+    fn are_rounding([length, rounding]: [f64; 2], map: impl Fn(usize, f64) -> f64) -> bool {
         let next = |s: f64| core::array::from_fn::<_, 8, _>(|i| map(i, s * length * SHARES[i]) - map(i, 0.0));
         let size = |x: &[f64; 8], c: f64, y: &[f64; 8]| {
             (0..8).map(|i| (x[i] + c * y[i]).abs()).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
         };
-        Swept { length, rounding: 1e-300 }.is_rounding(next, size)
+        Swept { length, rounding }.is_rounding(next, size)
     }
 
     const SHARES: [f64; 8] = [0.9, -0.3, 0.2, 1.0, -0.8, 0.5, 0.1, -0.6];
+
+    const LEAST: f64 = 1e-300;
 
     #[test]
     fn sweeps_end_where_the_force_is_not_known() {
         for k in 0..300 {
             let known_to_1 = |i: usize, x: f64| (0.6 * x + 0.618 * (k + 29 * i) as f64).floor();
             for length in [0.5, 1.0, 3.3, 9.7, 30.0] {
-                assert!(are_rounding(length, known_to_1), "{k} {length}");
-                assert!(!are_rounding(1e6 * length, known_to_1), "{k} {length}: it is known to less");
+                assert!(are_rounding([length, LEAST], known_to_1), "{k} {length}");
+                assert!(
+                    !are_rounding([100.0 + 30.0 * length, LEAST], known_to_1),
+                    "{k} {length}: it is known to a part"
+                );
+                assert!(!are_rounding([1e6 * length, LEAST], known_to_1), "{k} {length}: it is known to less");
             }
-            assert!(!are_rounding(1.0, |i, x| 2.0 * known_to_1(i, x)), "{k}: sweeps come no nearer");
+            assert!(!are_rounding([1.0, LEAST], |i, x| 2.0 * known_to_1(i, x)), "{k}: sweeps come no nearer");
         }
     }
 
@@ -202,11 +208,56 @@ mod tests {
                 for (n, map) in
                     [&curved as &dyn Fn(f64) -> f64, &waves, &fast, &breaks, &jumps, &flat].into_iter().enumerate()
                 {
-                    assert!(!are_rounding(length, |_, x| map(x)), "{n} {k} {length:e}");
-                    assert!(!are_rounding(length, |_, x| -map(-x)), "{n} {k} {length:e}, from the other side");
+                    assert!(!are_rounding([length, LEAST], |_, x| map(x)), "{n} {k} {length:e}");
+                    assert!(!are_rounding([length, LEAST], |_, x| -map(-x)), "{n} {k} {length:e}, from the other side");
                 }
             }
         }
+    }
+
+    #[test]
+    fn one_side_is_enough_to_go_on() {
+        let stairs = |x: f64| (0.6 * x + 0.3).floor();
+        for side in [1.0, -1.0] {
+            assert!(!are_rounding([1.0, LEAST], |i, x| if side * SHARES[i] * x > 0.0 {
+                0.6 * x + x.sin()
+            } else {
+                stairs(x)
+            }));
+            assert!(are_rounding([1.0, LEAST], |_, x| stairs(side * x)));
+        }
+    }
+
+    #[test]
+    fn one_side_shows_it() {
+        for side in [1.0, -1.0] {
+            let by_change = |i: usize, x: f64| SHARES[i] * (x / SHARES[i]).round();
+            let map = |i: usize, x: f64| {
+                if side * x / SHARES[i] > 0.0 { 0.6 * by_change(i, x) } else { 0.6 * by_change(i, x + 0.3) }
+            };
+            assert!(are_rounding([1.0, LEAST], map));
+        }
+        assert!(!are_rounding([1.0, LEAST], |i, x| 0.6 * SHARES[i] * (x / SHARES[i]).round()));
+    }
+
+    /// Far out as nearby, and on as far again.
+    #[test]
+    fn sweeps_end_only_where_the_force_is_known_far_out() {
+        let known = |x: f64| (0.6 * x + 0.3).floor();
+        let bends_from = |far: f64| move |_: usize, x: f64| if x.abs() < far { known(x) } else { x * x.abs().ln() };
+        assert!(are_rounding([1.0, LEAST], bends_from(1e7)));
+        assert!(!are_rounding([1.0, LEAST], bends_from(1e5)));
+        assert!(!are_rounding([1.0, LEAST], |_, x| (x.abs() > 0.01).into()));
+        // What stands still for long is foreseen from farther out.
+        let wide = |slope: f64| move |i: usize, x: f64| 1e3 * (1e-3 * (slope * SHARES[i].signum() * x + 3.0)).floor();
+        assert!(are_rounding([1.0, LEAST], wide(0.6)) && !are_rounding([1.0, LEAST], wide(2.0)));
+    }
+
+    #[test]
+    fn sweeps_do_not_look_where_no_position_shows() {
+        let smooth_nearby = |_: usize, x: f64| if x.abs() < 0.6 { 0.6 * x } else { (0.6 * x + 0.3).floor() };
+        assert!(!are_rounding([10.0, LEAST], smooth_nearby));
+        assert!(are_rounding([10.0, 1.0], smooth_nearby));
     }
 
     /// Where positions differ by 1, nothing tells of a correction that is less.

@@ -2,7 +2,7 @@
 
 use dmech_scalar::{Count, Mask, Real};
 
-use super::resolution::{Last, PATIENCE};
+use super::resolution::{Last, PATIENCE, shorter};
 use super::settle::{Astray, length};
 use super::{Correction, Equation, Increment};
 use crate::vector::{by_component, difference};
@@ -45,12 +45,15 @@ pub(super) fn root<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     }
     // Of two forms of what is left one may have hit upon nothing: with much more of it, and (1 + g J) δ is what there is more.
     let Iterate { delta, left, made } = last;
-    let left = if length(&left).equal(R::ZERO).all() { before } else { left };
+    let nothing = length(&left).equal(R::ZERO).all();
+    let left = if nothing { before } else { left };
     let times = R::from_f64(MORE).max(length(&left).recip());
     let more = left.map(|x| times * x);
     let asked = Equation { frozen: difference(equation.frozen, more), ..*equation };
     let solved = ask(&asked, delta).made.delta;
     let change = by_component!(|i| (solved[i] - made.delta[i]) / times);
+    let shorter = if nothing { R::from_f64(shorter(length(&change).to_f64(), astray.residual)) } else { R::ONE };
+    let [left, change] = [left, change].map(|x| x.map(|x| shorter * x));
     let (slope, foreseen) = (made.parts[0], difference(left, change));
     let reach = length(&equation.q) + length(&delta);
     let last =

@@ -33,6 +33,12 @@ pub(crate) struct Last {
     pub(crate) rounding: f64,
 }
 
+/// The part of a correction to take for the last, where nothing is left by one form of the equation: what was left before tells no length, and
+/// the correction that by the other form led nowhere does.
+pub(crate) fn shorter(length: f64, astray: f64) -> f64 {
+    if 0.0 < astray && astray < length { astray / length } else { 1.0 }
+}
+
 impl Last {
     /// Whether the force is not known as well as to this. `off`(s) says by how much of itself its change from there to s δ further is
     /// another than its Jacobian foresees.

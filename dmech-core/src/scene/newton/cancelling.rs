@@ -2,15 +2,16 @@
 
 use super::{Part, Solver, Unknown};
 use crate::newton::NotConverged;
-use crate::newton::resolution::{Last, PATIENCE};
+use crate::newton::resolution::{Last, PATIENCE, shorter};
 use crate::scene::vectors::Vectors;
 use crate::system::Effort;
 
 /// Where corrections no longer shrink.
 struct Ended<const D: usize> {
     delta: Vectors<D>,
-    /// What is left there, or where that has hit upon nothing, before.
+    /// What is left there, or where that is nothing, before.
     left: Vectors<D>,
+    nothing: bool,
 }
 
 fn length<const D: usize>(x: &Vectors<D>) -> f64 {
@@ -29,7 +30,7 @@ impl<const D: usize> Solver<D> {
     ) -> Option<Effort> {
         let mut evaluations = u64::max(astray.iterations, lost.iterations) as u32;
         let corrections = step.equation.newton.limit().saturating_sub(astray.iterations as u32);
-        let Ended { delta, left } = self.ends(step, corrections, &mut evaluations)?;
+        let Ended { delta, mut left, nothing } = self.ends(step, corrections, &mut evaluations)?;
         self.delta.clone_from(&delta);
         self.take_gradient(step);
         if !self.take_jacobian(step) {
@@ -39,7 +40,11 @@ impl<const D: usize> Solver<D> {
         // (1 + g J) δ is what is left.
         self.place.clone_from(&left);
         self.solve_linear(step);
-        let change = self.place.clone();
+        let mut change = self.place.clone();
+        if nothing {
+            let shorter = shorter(length(&change), astray.residual);
+            left.flat_mut().iter_mut().chain(change.flat_mut()).for_each(|x| *x *= shorter);
+        }
         let foreseen: Vec<f64> = left.flat().iter().zip(change.flat()).map(|(left, change)| left - change).collect();
         let reach = length(step.equation.q) + length(&delta);
         let last = Last { length: length(&change), astray: astray.residual, rounding: f64::EPSILON * reach };
@@ -85,12 +90,12 @@ impl<const D: usize> Solver<D> {
             if !shrinks {
                 break;
             }
-            let ended = length(&left) == 0.0;
-            if let Some(before) = last.filter(|_| ended) {
+            let nothing = length(&left) == 0.0;
+            if let Some(before) = last.filter(|_| nothing) {
                 left = before.left;
             }
-            last = Some(Ended { delta: self.delta.clone(), left });
-            if ended {
+            last = Some(Ended { delta: self.delta.clone(), left, nothing });
+            if nothing {
                 break;
             }
             self.solve_linear(step);

@@ -129,7 +129,7 @@ pub enum Error {
         /// The memory that they take.
         bytes: u64,
     },
-    /// Two quantities of a run have one name: both are [watched](crate::Simulation::watch), or one is an invariant that the law declares.
+    /// Two quantities of a run have one name: both are [watched](crate::Simulation::watch), or one is an invariant of the law.
     #[error("the run already has a quantity of the name {name:?}: what is watched needs a name of its own")]
     WatchedTwice {
         /// The name.

@@ -23,7 +23,7 @@ impl<L, X: Setup<L>, S, O> Simulation<L, X, S, O> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// At most eight, each with a name of its own, which no invariant of the law has.
+    /// At most eight, each with a name of its own, which no invariant of the motion has: "energy" is free where the energy is not watched.
     ///
     /// # Errors
     /// When run: [`Error::WatchedTwice`](crate::Error::WatchedTwice).

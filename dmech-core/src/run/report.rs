@@ -173,7 +173,7 @@ impl fmt::Display for Report {
             Some((invariant.to_string(), self.drift(invariant)?, self.kept(invariant).to_string()))
         });
         // What a scheme does with a quantity that it does not know is for the run to show.
-        let own = self.own.iter().map(|(name, drift)| (name.replace('_', " "), drift, "–".to_owned()));
+        let own = self.own.iter().map(|(name, drift)| (shown(name), drift, "–".to_owned()));
         for (name, drift, kept) in known.chain(own) {
             let [start, largest, relative, slope] = drift.figures();
             writeln!(f, "  {name:<22} {start:>22} {largest:>12} {relative:>12} {slope:>12}  {kept}")?;
@@ -189,6 +189,11 @@ impl fmt::Display for Report {
         let nanoseconds = per_step(elapsed.as_secs_f64() * 1e9);
         write!(f, "  {:<22} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
     }
+}
+
+/// The name of a quantity as a report shows it.
+pub(super) fn shown(name: &str) -> String {
+    name.replace('_', " ")
 }
 
 /// A number that may be missing, and is NaN then: that is nothing in a file, as formats may have no NaN.

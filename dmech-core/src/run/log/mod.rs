@@ -10,11 +10,12 @@ use super::attend::{Attend, Happened};
 use super::due::Due;
 use super::motion::Motion;
 use super::progress::Follow;
-use super::report::Cost;
+use super::report::{Cost, shown};
 use super::simulation::{Extent, Settings};
 use super::{Interrupted, Run, Watch};
 use crate::drift::MAX_OWN;
 use crate::error::Error;
+use crate::invariant::Invariant;
 use crate::stepper::in_parts;
 
 /// Makes the steps, and records the states that are due.
@@ -172,11 +173,14 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
         if matches!(self.due, Due::Every(_)) { self.keep(state) } else { self.record_due(state) }
     }
 
-    /// Refuses a name that two quantities have: the second could not be asked for.
+    /// Refuses a name that two quantities have: the second could not be asked for, or told from an invariant in a report.
     fn check_names(&self) -> Result<(), Error> {
         let (mut named, mut twice) = (self.watch.own_drifts(), None);
+        let known =
+            Invariant::ALL.map(|invariant| self.watch.drifts()[invariant as usize].map(|_| invariant.to_string()));
         self.attend.drifts(&mut |name, drift| {
-            twice = twice.or(named.of(name).map(|_| name));
+            let taken = named.of(name).is_some() || known.iter().flatten().any(|known| *known == shown(name));
+            twice = twice.or(taken.then_some(name));
             named.add(name, drift);
         });
         twice.map_or(Ok(()), |name| Err(Error::WatchedTwice { name }))

@@ -191,6 +191,17 @@ fn quantities_are_watched() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+/// The columns are as wide as the longest name.
+#[test]
+fn columns_hold_long_names() {
+    let name = "the distance of the planet from its pericentre";
+    let planet = Simulation::new(Planet { gm: 1.0, c: 0.0 }, START).scheme(Leapfrog).dt(0.01);
+    let table = planet.watch(name, |state| state.q[0] - 0.5).run(10).unwrap().to_string();
+    let ends: Vec<_> = table.lines().skip(1).take(8).map(|line| line.split_at(2 + name.len() + 1 + 22).0).collect();
+    assert!(ends[0].ends_with("at the start") && ends[7].ends_with(" 10"), "{table}");
+    assert!(ends[1..7].iter().all(|line| line.ends_with(|digit: char| digit.is_ascii_digit())), "{table}");
+}
+
 /// A name says which quantity it is: given twice, or to one of the law's own, it is refused before the first step.
 #[test]
 fn a_name_is_given_once() {

@@ -164,9 +164,10 @@ impl fmt::Display for Report {
             }
         }
         writeln!(f, ", {steps} steps")?;
+        let wide = self.own.iter().map(|(name, _)| name.chars().count()).fold(22, usize::max);
         writeln!(
             f,
-            "  {:<22} {:>22} {:>12} {:>12} {:>12}  must be",
+            "  {:<wide$} {:>22} {:>12} {:>12} {:>12}  must be",
             "invariant", "at the start", "largest", "relative", "per time"
         )?;
         let known = Invariant::ALL.iter().filter_map(|&invariant| {
@@ -176,18 +177,28 @@ impl fmt::Display for Report {
         let own = self.own.iter().map(|(name, drift)| (shown(name), drift, "–".to_owned()));
         for (name, drift, kept) in known.chain(own) {
             let [start, largest, relative, slope] = drift.figures();
-            writeln!(f, "  {name:<22} {start:>22} {largest:>12} {relative:>12} {slope:>12}  {kept}")?;
+            writeln!(f, "  {name:<wide$} {start:>22} {largest:>12} {relative:>12} {slope:>12}  {kept}")?;
         }
-        writeln!(f, "  {:<22} {evaluations:>22} {:>12.2} per step", "force evaluations", per_step(evaluations as f64))?;
-        writeln!(f, "  {:<22} {iterations:>22} {:>12.2} per step", "Newton iterations", per_step(iterations as f64))?;
+        writeln!(
+            f,
+            "  {:<wide$} {evaluations:>22} {:>12.2} per step",
+            "force evaluations",
+            per_step(evaluations as f64)
+        )?;
+        writeln!(
+            f,
+            "  {:<wide$} {iterations:>22} {:>12.2} per step",
+            "Newton iterations",
+            per_step(iterations as f64)
+        )?;
         if self.work.rough > 0 {
-            writeln!(f, "  {:<22} {:>22} {:>12} of lower order", "rough steps", self.work.rough, "")?;
+            writeln!(f, "  {:<wide$} {:>22} {:>12} of lower order", "rough steps", self.work.rough, "")?;
         }
         if elapsed.is_zero() {
-            return write!(f, "  {:<22} {:>22}", "time", "not measured");
+            return write!(f, "  {:<wide$} {:>22}", "time", "not measured");
         }
         let nanoseconds = per_step(elapsed.as_secs_f64() * 1e9);
-        write!(f, "  {:<22} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
+        write!(f, "  {:<wide$} {:>22} {nanoseconds:>12.1} ns per step", "time", format!("{elapsed:.2?}"))
     }
 }
 

@@ -110,6 +110,9 @@ pub(crate) fn moves_on(time: f64, dt: f64, resolution: f64) -> Result<(), Error>
     if time.abs() * resolution < dt {
         return Ok(());
     }
+    if time.is_infinite() {
+        return Err(Error::EndTime { end: time, dt });
+    }
     // The power of two below the time, and the last bit of a number that begins with it.
     let begins = f64::from_bits(time.to_bits() & f64::INFINITY.to_bits());
     Err(Error::TimeStandsStill { time, dt, next: begins * resolution })
@@ -153,5 +156,8 @@ mod tests {
         assert_eq!(steps_until(1e17, 1e17 + 3200.0, 32.0), Ok(100));
         let possible = |steps| possible(steps, 0.0, 0.1, Some(f64::EPSILON));
         assert!(possible(u64::MAX).is_err() && possible(1 << 51).is_ok());
+        // Of steps so long that the end is no number.
+        let endless = Err(Error::EndTime { end: f64::INFINITY, dt: 1e308 });
+        assert_eq!(super::possible(2, 0.0, 1e308, Some(f64::EPSILON)), endless);
     }
 }

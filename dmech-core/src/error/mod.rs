@@ -146,7 +146,7 @@ pub enum Error {
         /// The end of the next step.
         to: f64,
     },
-    /// The end of `run_until` is infinite or NaN, or too many steps away.
+    /// The end of the run is infinite or NaN, or too many steps away.
     #[error("cannot run until t = {}{}: the end must be finite, and 2^53 steps away at most", Number(*end), in_steps(*dt))]
     EndTime {
         /// The refused end.

@@ -108,8 +108,8 @@ pub struct Sphere {
 /// The radii belong to the bodies, which carry a [`Sphere`].
 ///
 /// # Domain
-/// r > 0 and overlaps that are small beside the radii. Without friction: spheres do not feel how they turn. Seams as those of
-/// [`Hertz`].
+/// r > 0, radii > 0 (two of radius 0 have no law, which is told as one that is not finite) and overlaps that are small beside the
+/// radii. Without friction: spheres do not feel how they turn. Seams as those of [`Hertz`].
 /// # Invariants
 /// Energy, linear and angular momentum.
 /// # Source

@@ -285,6 +285,17 @@ fn a_law_that_is_not_finite_in_a_step_is_named() {
     check(Kanatani, &["discrete gradient"]);
 }
 
+/// A law that is changed on the way is told where it has no value, which is not the start.
+#[test]
+fn a_law_that_was_changed_is_told_where_it_stands() {
+    let motion = Simulation::new(Bowl { broken: &[] }, State::new([0.0], [1.0])).scheme(DiscreteGradient).dt(0.1);
+    let mut stepper = motion.stepper().unwrap();
+    stepper.advance(8).unwrap();
+    stepper.law_mut().broken = &["force"];
+    let told = stepper.step().unwrap_err().to_string();
+    assert_eq!(told, "the force of the law is NaN where the motion begins or goes on, at t = 0.8");
+}
+
 /// Where the equation of a step is singular, its corrections are no numbers: then they are beyond all bounds.
 #[test]
 fn a_law_that_is_finite_is_not_blamed() {

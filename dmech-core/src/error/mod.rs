@@ -171,8 +171,8 @@ pub enum Error {
         /// How much later the next number is.
         next: f64,
     },
-    /// The law has no finite value where the motion starts.
-    #[error("the {quantity} of the law is {} at the start, t = {}", Number(*value), Number(*time))]
+    /// The law has no finite value where the motion starts, or where it is to go on under a law that was changed, or from another state.
+    #[error("the {quantity} of the law is {} where the motion begins or goes on, at t = {}", Number(*value), Number(*time))]
     Law {
         /// `potential` or `force`.
         #[cfg_attr(feature = "serde", serde(with = "crate::words"))]
@@ -196,8 +196,8 @@ pub enum Error {
     /// The force is zero where the potential has a slope: in these units it is lost below the smallest number of the
     /// scalar, as 1/r³ is for r = 10¹⁵⁰ where 1/r is not.
     #[error(
-        "the force along coordinate {coordinate} is 0 at the start, t = {}, where the potential rises by {} per length: \
-         what it is computed from is too small or too large for the scalar, take another unit of length",
+        "the force along coordinate {coordinate} is 0 where the motion begins or goes on, at t = {}, and the potential rises by {} per \
+         length: what it is computed from is too small or too large for the scalar, take another unit of length",
         Number(*time),
         Number(*slope)
     )]

@@ -32,7 +32,7 @@ impl fmt::Display for StudyReport {
                     false => ("", "halving its step"),
                 };
                 writeln!(f, "q*: {}, {mean}dt = {:.3e}", reference.scheme(), reference.dt())?;
-                writeln!(f, "    {change} has last moved it by {:.1e}", reference.error())?;
+                writeln!(f, "    {change} has last moved it by {}", size(reference.error()))?;
             }
         }
         let shown = self.invariants();
@@ -66,6 +66,11 @@ impl fmt::Display for StudyReport {
     }
 }
 
+/// The size of an error, of which there is none at rest where all numbers are 0.
+fn size(error: f64) -> String {
+    if error < f64::MIN_POSITIVE { "0".to_owned() } else { format!("{error:.1e}") }
+}
+
 impl StudyReport {
     /// The invariants that some run has.
     fn invariants(&self) -> Vec<Invariant> {
@@ -75,7 +80,8 @@ impl StudyReport {
 
     fn write_figures(&self, f: &mut fmt::Formatter<'_>, figures: &Figures, order: Option<f64>) -> fmt::Result {
         let known = figures.error() >= self.resolution();
-        let error = if known { format!("{:.1e}", figures.error()) } else { format!("<{:.1e}", self.resolution()) };
+        let least = size(figures.error().max(self.resolution()));
+        let error = if known || least == "0" { least } else { format!("<{least}") };
         let order = order.filter(|order| known && order.is_finite());
         let order = order.map_or("–".to_owned(), |order| format!("{order:.2}"));
         write!(f, " {:>10} {:>9} {error:>8} {order:>5}", figures.evaluations(), duration(figures.time()))

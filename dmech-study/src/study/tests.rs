@@ -97,3 +97,14 @@ fn a_change_that_is_small_by_chance_is_no_error() {
     // Where the order has shown before, too.
     assert_eq!(said(&[1e-1, 1e-3, 1e-5, 3e-7, 1e-6, 4e-7]), Some(1e-6));
 }
+
+/// At rest where all numbers are 0 there is no error, and none is told as less than the smallest number.
+#[test]
+fn no_error_is_told_as_none() {
+    let figures =
+        Figures { time: Duration::ZERO, evaluations: 1, iterations: 0, error: 0.0, drifts: Default::default() };
+    let row = || vec![StudyRow::new((0, "still", 2), (0.1, 10), Ok(figures.clone()))];
+    let table = |resolution| StudyReport::new(vec![("still", 2)], row(), [0.0, 1.0], resolution, None).to_string();
+    assert!(table(5e-324).contains("        0     –"), "{}", table(5e-324));
+    assert!(table(1e-16).contains(" <1.0e-16     –"), "{}", table(1e-16));
+}

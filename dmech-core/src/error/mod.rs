@@ -438,8 +438,9 @@ fn not_converged(iterations: u32, residual: f64) -> String {
         );
     }
     format!(
-        "did not converge: after {iterations} iterations the last correction was {}, as where bodies collide, the potential jumps \
-            (`verify` looks for jumps) or most digits of a force cancel; take shorter steps",
+        "did not converge: after {iterations} iterations the last correction was {} (in sweeps of `Gauss` and `LineIntegral` in units of \
+            rounding), as where bodies collide, the potential jumps (`verify` looks for jumps) or most digits of a force cancel; take \
+            shorter steps",
         Number(residual)
     )
 }

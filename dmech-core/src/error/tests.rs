@@ -190,7 +190,7 @@ fn a_step_without_a_root_tells_no_correction_of_nothing() {
         failed(0.0)
     );
     assert!(
-        failed(1e-20).contains("after 295 iterations the last correction was 1e-20, as where"),
+        failed(1e-20).contains("after 295 iterations the last correction was 1e-20 (in sweeps of `Gauss` and"),
         "{}",
         failed(1e-20)
     );

@@ -39,6 +39,7 @@ mod jumps {
         Off |q: 2| 0.5 * (q[0] * q[0] + q[1] * q[1]) + if q[0] > 0.5 { 0.1 } else { 0.0 };
         Root |q: 1| if q[0] > 0.1 { (q[0] - 0.1).sqrt() } else { 0.1 - q[0] };
         Pole |q: 1| q[0] * q[0] + if q[0] > -0.7 { 1e-3 / (q[0] + 0.5).abs() } else { 5e-3 };
+        Stop |q: 1| 0.5 * q[0] * q[0] + (q[0] - 0.4).max(0.0);
         Far |q: 1| 1e9 + 0.5 * (q[0] - 0.2).max(0.0).powi(2);
     }
 }
@@ -119,4 +120,15 @@ fn a_start_on_a_seam_is_compared_beside_it() {
         assert!(with(&report, Outcome::Failed).contains(&"Hessian"), "{report}");
     }
     verify(Floor::new(), State::new([0.0], [-1.0])).with_half_step_schemes().assert();
+}
+
+/// A power of the step that is too low is told with what a seam may have to do with it, of laws with choices alone.
+#[test]
+fn seams_are_named_where_they_lower_the_order() {
+    let report = verify(jumps::Stop, State::new([0.3], [0.5])).with_half_step_schemes();
+    let powers: Vec<_> = report.checks().iter().filter(|check| check.outcome() == Outcome::Failed).collect();
+    assert!(powers.iter().any(|check| check.name() == "Leapfrog: order"), "{report}");
+    assert!(powers.iter().all(|check| check.note().ends_with("a seam on the way lowers the power")), "{report}");
+    let smooth = verify(Kepler { gm: 1.3 }, State::new([0.9, 0.2], [-0.1, 1.1])).to_string();
+    assert!(!smooth.contains("seam"), "{smooth}");
 }

@@ -56,6 +56,13 @@ impl Check {
         Check { name: name.into(), measured: None, bound: None, outcome: Outcome::NotApplicable, note: note.into() }
     }
 
+    /// Says of a power of the step that is too low what a law with choices may have to do with it.
+    pub(super) fn hint_at_seams(&mut self) {
+        if self.outcome == Outcome::Failed && self.measured < self.bound {
+            self.note += "; the law has choices: a seam on the way lowers the power";
+        }
+    }
+
     /// What was checked.
     pub fn name(&self) -> &str {
         &self.name

@@ -1,6 +1,6 @@
 //! A scheme on trial in a motion, and errors that shrink with its step.
 
-use dmech_core::extend::Scheme;
+use dmech_core::extend::{Scheme, System};
 use dmech_core::{Error, Run, Simulation, Stepper};
 
 use super::report::Check;
@@ -18,9 +18,13 @@ pub(super) struct Trial<L, X, S> {
 impl<L: Clone, X: Repeatable<L>, S: Scheme<X::System>> Trial<L, X, S> {
     /// Every check of a scheme.
     pub(super) fn check(&self, name: &str, checks: &mut Vec<Check>) {
+        let so_far = checks.len();
         checks.push(self.order(name));
         self.invariants(name, checks);
         checks.push(self.reversibility(name));
+        if X::System::PIECEWISE {
+            checks[so_far..].iter_mut().for_each(Check::hint_at_seams);
+        }
     }
 
     fn by_scheme(&self, dt: f64) -> Simulation<L, X, S> {

@@ -19,7 +19,9 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
     lengthen::<ONCE_ROUNDED, D, R>(equation, astray, &mut correct).or_else(|lost| {
-        let found = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, astray, &mut correct).ok_or(lost)?;
+        // From a guess far off the first correction is long whatever the force.
+        let ended = Astray { residual: astray.residual.min(lost.residual), ..astray };
+        let found = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, ended, &mut correct).ok_or(lost)?;
         let spent = u32::max(astray.evaluations, lost.iterations as u32);
         Ok(found.after(spent + found.evaluations.to_u64() as u32))
     })

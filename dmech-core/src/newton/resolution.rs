@@ -27,7 +27,7 @@ const SEEN: f64 = 64.0;
 pub(crate) struct Last {
     /// Its length.
     pub(crate) length: f64,
-    /// The length of one that led no nearer.
+    /// The length of one that led no nearer, from the guess or on the way from a shorter step.
     pub(crate) astray: f64,
     /// The rounding of the position.
     pub(crate) rounding: f64,

@@ -31,6 +31,8 @@ impl<const D: usize> Solver<D> {
         let mut evaluations = u64::max(astray.iterations, lost.iterations) as u32;
         let corrections = step.equation.newton.limit().saturating_sub(astray.iterations as u32);
         let Ended { delta, mut left, nothing } = self.ends(step, corrections, &mut evaluations)?;
+        // From a guess far off the first correction is long whatever the force.
+        let astray = astray.residual.min(lost.residual);
         self.delta.clone_from(&delta);
         self.take_gradient(step);
         if !self.take_jacobian(step) {
@@ -42,12 +44,12 @@ impl<const D: usize> Solver<D> {
         self.solve_linear(step);
         let mut change = self.place.clone();
         if nothing {
-            let shorter = shorter(length(&change), astray.residual);
+            let shorter = shorter(length(&change), astray);
             left.flat_mut().iter_mut().chain(change.flat_mut()).for_each(|x| *x *= shorter);
         }
         let foreseen: Vec<f64> = left.flat().iter().zip(change.flat()).map(|(left, change)| left - change).collect();
         let reach = length(step.equation.q) + length(&delta);
-        let last = Last { length: length(&change), astray: astray.residual, rounding: f64::EPSILON * reach };
+        let last = Last { length: length(&change), astray, rounding: f64::EPSILON * reach };
         let is_root = length(&left) == 0.0
             || last.is_rounding(|s| {
                 evaluations += 1;

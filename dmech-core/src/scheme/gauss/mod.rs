@@ -37,7 +37,8 @@ use crate::invariant::{Invariant, Kept};
 /// It takes forces that depend on the velocity and the time as they are, and steps that differ. A step may be long: of a
 /// period a tenth to a twentieth where twelve digits are wanted. Where its sweeps do not come nearer, a step is made in two halves, and
 /// these again in halves; such steps, and those in which the force of a law with choices bends or jumps (which costs
-/// order), are counted in [`Report::rough`](crate::Report::rough).
+/// order), are counted in [`Report::rough`](crate::Report::rough). What is held at rest by forces that cancel is known as well as these are,
+/// and no better.
 ///
 /// **As it is computed.** The unknowns are the pushes Lᵢ = −(h²/m) bᵢ S(Qᵢ, Vᵢ, t + cᵢ h), with the slope S = ∇Φ − F. They are lengths,
 /// and positions and velocities follow from them as [`Staged`](crate::extend::Staged) says. The work of a step is Σ m Ṽᵢ·Lᵢ/h with the

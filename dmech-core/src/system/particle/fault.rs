@@ -61,8 +61,8 @@ impl<const D: usize, R: Real> Attempt<D, R> {
         let told = |quantity, value: Option<f64>| value.map(|value| (quantity, value, b));
         told("force", odd(&field.slope(b, v)))
             .or_else(|| told("potential", odd(&[field.potential(b)])))
-            .or_else(|| told("discrete gradient", odd(&field.discrete_gradient(a, b))))
             .or_else(|| told("second derivative", odd(field.hessian(b).as_flattened())))
+            .or_else(|| told("discrete gradient", odd(&field.discrete_gradient(a, b))))
             .or_else(|| {
                 told("Jacobian of the discrete gradient", odd(field.discrete_gradient_jacobian(a, b).as_flattened()))
             })

@@ -103,7 +103,7 @@ fn a_change_that_is_small_by_chance_is_no_error() {
 fn no_error_is_told_as_none() {
     let figures =
         Figures { time: Duration::ZERO, evaluations: 1, iterations: 0, error: 0.0, drifts: Default::default() };
-    let row = || vec![StudyRow::new((0, "still", 2), (0.1, 10), Ok(figures.clone()))];
+    let row = || vec![StudyRow::new((0, "still", 2), (0.1, 10), Ok(figures))];
     let table = |resolution| StudyReport::new(vec![("still", 2)], row(), [0.0, 1.0], resolution, None).to_string();
     assert!(table(5e-324).contains("        0     –"), "{}", table(5e-324));
     assert!(table(1e-16).contains(" <1.0e-16     –"), "{}", table(1e-16));

@@ -119,6 +119,7 @@ macro_rules! rests {
             let start = State::of($q.map($R::from_f64), $q.map(|_| $R::ZERO));
             let run = Simulation::new(law, start).scheme($scheme).dt(dt).record_every(10_000).run_until(22.0);
             let run = run.unwrap_or_else(|e| panic!("{place}: {e}"));
+            assert_eq!(run.report().rough(), 0, "{place}: rounding is no bend of the force");
             let State { q, v, .. } = *run.last();
             let left = law.field($R::ONE, $R::ZERO).slope(q, v).map(|x| x.to_f64().abs() / $large);
             let rounding = 1e3 * $R::EPSILON.to_f64().max(f64::EPSILON);

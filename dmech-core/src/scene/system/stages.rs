@@ -69,6 +69,10 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
         pushes.flat()
     }
 
+    fn coordinates(q: &Vectors<D>) -> &[f64] {
+        q.flat()
+    }
+
     fn eights_mut(pushes: &mut Eights<D>) -> &mut [Lanes] {
         pushes.flat_mut()
     }

@@ -78,7 +78,11 @@ pub(super) fn whole<Y: Staged>(
     until_rounding(system, tableau, stride, pushes, sweeps)?;
     Y::settle_pushes(tableau, stride, pushes, [q, v]);
     let looks = Y::PIECEWISE || sweeps.watched;
-    Ok(if looks { stages::bends::<Y::Scalar>(tableau, Y::eights(pushes)) } else { Mask::of(false) })
+    Ok(if looks {
+        stages::bends::<Y::Scalar>(tableau, Y::eights(pushes), Y::coordinates(Y::value(q)))
+    } else {
+        Mask::of(false)
+    })
 }
 
 /// The same with copies of which nobody else knows, so that they stay in registers.

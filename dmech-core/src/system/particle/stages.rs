@@ -96,6 +96,11 @@ impl<L: AtStages<D, R>, const D: usize, R: Staging> Staged for Particle<L, D, R>
     }
 
     #[inline(always)]
+    fn coordinates(q: &[R; D]) -> &[R] {
+        q
+    }
+
+    #[inline(always)]
     fn eights_mut(pushes: &mut [R::Eight; D]) -> &mut [R::Eight] {
         pushes
     }

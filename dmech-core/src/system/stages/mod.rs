@@ -40,7 +40,9 @@ pub trait Staged: System<Scalar: Staging> {
     fn aims(&self) -> Self::Aim;
     /// Those of each coordinate.
     fn eights(pushes: &Self::Pushes) -> &[<Self::Scalar as Staging>::Eight];
-    /// The same, to be written to.
+    /// The coordinates of a position, in the same order.
+    fn coordinates(q: &Self::Vector) -> &[Self::Scalar];
+    /// Pushes, to be written to.
     fn eights_mut(pushes: &mut Self::Pushes) -> &mut [<Self::Scalar as Staging>::Eight];
     /// Prepares the sweeps of a step.
     #[expect(clippy::too_many_arguments, reason = "all that a step begins with")]
@@ -142,19 +144,22 @@ const LARGE: f64 = 0.15;
 /// Beyond so many ulp of the largest push, and this part of its own, it is no rounding: a force that is a small difference of large numbers
 /// has many.
 const NO_ROUNDING: [f64; 2] = [1e4, 1e-6];
+/// And beyond so many ulp of the position: of a body at rest nothing is left but rounding of forces that cancel.
+const BY_PLACE: f64 = 64.0;
 
 /// Whether the polynomials of the force on some coordinate do not fall off, or are large at the last: what eight stages cannot see is then
 /// about as large as that.
 #[cold]
-pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight]) -> R::Mask {
+pub(crate) fn bends<R: Staging>(tableau: &Tableau, pushes: &[R::Eight], q: &[R]) -> R::Mask {
     let [ulps, part] = NO_ROUNDING.map(R::from_f64);
+    let of_place = R::from_f64(BY_PLACE) * R::EPSILON;
     let (of_all, mut bent) = (ulps * R::EPSILON * largest_of::<R>(pushes), R::Mask::of(false));
-    for push in pushes {
+    for (push, place) in pushes.iter().zip(q) {
         let share = |row: &Row| times(row, push).sum().abs();
         let [fourth, fifth, sixth, seventh] = &tableau.highest;
         let (own, seventh) = (largest_of::<R>(core::slice::from_ref(push)), share(seventh));
         let last = share(sixth).max(seventh);
-        let told = of_all.max(part * own).less(last);
+        let told = of_all.max(part * own).max(of_place * place.abs()).less(last);
         // On most motions there is nothing to be told.
         if told.any() {
             let stays = (R::from_f64(FALLS) * share(fourth).max(share(fifth))).less(last);

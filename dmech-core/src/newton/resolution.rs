@@ -13,7 +13,6 @@ const OFF: f64 = 1.0 / 1024.0;
 /// What is nearby, in units of the last correction: powers of 4.
 const NEARBY: core::ops::RangeInclusive<i32> = -8..=-3;
 /// Where the force is off by this part, at least, of what the last correction changes in it: a root is known nearly as well as the force.
-const BESIDE: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 const SHOWS: f64 = 1.0 / 64.0;
 /// And what is far out: of 8. What dies away moves by less and less beside what its position is added to.
 const FAR: core::ops::RangeInclusive<i32> = 1..=319;
@@ -39,6 +38,12 @@ pub(crate) fn shorter(length: f64, astray: f64) -> f64 {
     if 0.0 < astray && astray < length { astray / length } else { 1.0 }
 }
 
+/// Where the force is not known: what stands still does so for long where other forces move the body.
+fn beside(known_from: f64) -> impl Iterator<Item = f64> {
+    let near = [1.0, 2.0, 4.0].into_iter();
+    near.chain(FAR.map(|k| 8.0_f64.powi(k)).take_while(move |&s| s <= known_from))
+}
+
 impl Last {
     /// Whether the force is not known as well as to this. `off`(s) says by how much of itself its change from there to s δ further is
     /// another than its Jacobian foresees.
@@ -50,13 +55,13 @@ impl Last {
         if nearby.any(|s| foreseen(off(s)) || foreseen(off(-s))) {
             return false;
         }
-        let mut hidden = |s: f64| off(s) * s.abs() < SHOWS;
-        if BESIDE.iter().all(|&s| hidden(s) && hidden(-s)) {
-            return false;
-        }
         // Twice, as one may be by chance.
         let known_from = FAR.map(|k| 8.0_f64.powi(k)).find(|&s| foreseen(off(s)) && foreseen(off(8.0 * s)));
-        known_from.is_some_and(|s| self.astray <= WITHIN * s * self.length)
+        let Some(known_from) = known_from.filter(|s| self.astray <= WITHIN * s * self.length) else {
+            return false;
+        };
+        let mut shows = |s: f64| off(s) * s.abs() >= SHOWS;
+        beside(known_from).any(|s| shows(s) || shows(-s))
     }
 }
 
@@ -105,7 +110,7 @@ impl Swept {
             return false;
         };
         let mut shows = |s: f64| length(&change(s), -s / far, &foreseen) >= SHOWS * self.length;
-        BESIDE.iter().any(|&s| shows(s) || shows(-s))
+        beside(far).any(|s| shows(s) || shows(-s))
     }
 }
 

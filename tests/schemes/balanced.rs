@@ -226,6 +226,23 @@ fn so_does_what_is_measured_from_there() {
     assert_eq!(tried, 5 * 5 * 4);
 }
 
+/// By steps that are no longer small beside a period, from where the first correction is long.
+#[test]
+fn so_does_it_by_long_steps() {
+    macro_rules! by {
+        ($($scheme:expr),*) => {$(
+            let start = State::new([0.03], [0.0]);
+            let hung = Simulation::new(Hung { k: 23.0 }, start).scheme($scheme).dt(0.2).run(300);
+            let held = Simulation::new(Posture { k: 31.0 }, start).scheme($scheme).dt(0.2).run(300);
+            for run in [hung, held] {
+                let State { q, v, .. } = *run.unwrap_or_else(|e| panic!("{}: {e}", stringify!($scheme))).last();
+                assert!(q.iter().chain(&v).all(|x| x.abs() < 1e-13), "{}: {q:?} {v:?}", stringify!($scheme));
+            }
+        )*};
+    }
+    by!(Implicit, DiscreteGradient, Composed::order4(DiscreteGradient), Gauss::order16(), LineIntegral::order6());
+}
+
 /// In a scene, many at once.
 #[test]
 fn so_do_many_that_are_measured_from_there() {

@@ -145,6 +145,14 @@ mod tests {
         }
     }
 
+    /// Beside a drag, a force that stands still for long is hardly seen, and not known all the same.
+    #[test]
+    fn what_stands_still_for_long_is_not_known() {
+        let wide = |x: f64| 0.998 * x + 0.002 * 1e5 * (1e-5 * x).round();
+        assert!(is_rounding([1.0, 1e-3], wide));
+        assert!(!is_rounding([1.0, 1e-3], |x| 0.998 * x), "another Jacobian");
+    }
+
     #[test]
     fn what_is_smooth_or_breaks_is_known() {
         for k in 1..400 {

@@ -176,10 +176,13 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
     /// Refuses a name that two quantities have: the second could not be asked for, or told from an invariant in a report.
     fn check_names(&self) -> Result<(), Error> {
         let (mut named, mut twice) = (self.watch.own_drifts(), None);
-        let known =
-            Invariant::ALL.map(|invariant| self.watch.drifts()[invariant as usize].map(|_| invariant.to_string()));
+        let watched = self.watch.drifts();
+        let is_of_report = |name: &str| {
+            let mut known = Invariant::ALL.iter().filter(|&&invariant| watched[invariant as usize].is_some());
+            known.any(|known| known.to_string() == shown(name))
+        };
         self.attend.drifts(&mut |name, drift| {
-            let taken = named.of(name).is_some() || known.iter().flatten().any(|known| *known == shown(name));
+            let taken = named.of(name).is_some() || is_of_report(name);
             twice = twice.or(taken.then_some(name));
             named.add(name, drift);
         });

@@ -62,6 +62,7 @@ fn largest<Y: Staged>(per_unit: &[Y::Scalar], pushes: &Y::Pushes) -> f64 {
         return f64::NAN;
     }
     let pushes = Y::eights(pushes).iter().zip(per_unit.iter().cycle());
-    let in_units = pushes.map(|(push, per_unit)| (stages::largest_of::<Y::Scalar>(&[*push]) * *per_unit).to_f64());
+    let in_units = pushes
+        .map(|(push, per_unit)| (stages::largest_of::<Y::Scalar>(core::slice::from_ref(push)) * *per_unit).to_f64());
     in_units.fold(0.0, f64::max)
 }

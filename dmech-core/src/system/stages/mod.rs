@@ -40,10 +40,10 @@ pub trait Staged: System<Scalar: Staging> {
     fn aims(&self) -> Self::Aim;
     /// Those of each coordinate.
     fn eights(pushes: &Self::Pushes) -> &[<Self::Scalar as Staging>::Eight];
-    /// The coordinates of a position, in the same order.
-    fn coordinates(q: &Self::Vector) -> &[Self::Scalar];
-    /// Pushes, to be written to.
+    /// The same, to be written to.
     fn eights_mut(pushes: &mut Self::Pushes) -> &mut [<Self::Scalar as Staging>::Eight];
+    /// The coordinates of a position, in the order of their pushes.
+    fn coordinates(q: &Self::Vector) -> &[Self::Scalar];
     /// Prepares the sweeps of a step.
     #[expect(clippy::too_many_arguments, reason = "all that a step begins with")]
     fn aim(

@@ -1,12 +1,13 @@
 //! Where the guess is not good enough: lengthen the step gradually.
 
 use crate::vector::{by_component, largest};
-use dmech_scalar::{Count, Real};
+use dmech_scalar::{Count, Mask, Real};
 
+use super::cancelling::{self, LostBody};
+use super::damped;
 use super::path::{Path, SWIFT};
 use super::settle::{Astray, settle};
 use super::{Correction, Equation, Increment, NotConverged};
-use super::{cancelling, damped};
 
 /// Where the guess has not led to the root: the one that lengthening the step leads to, or that of forces that cancel as far as they are known.
 ///
@@ -18,13 +19,25 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     astray: Astray,
     mut correct: impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
 ) -> Result<Increment<D, R>, NotConverged> {
-    lengthen::<ONCE_ROUNDED, D, R>(equation, astray, &mut correct).or_else(|lost| {
-        // From a guess far off the first correction is long whatever the force.
-        let ended = Astray { residual: astray.residual.min(lost.residual), ..astray };
-        let found = cancelling::root::<ONCE_ROUNDED, D, R>(&equation, ended, &mut correct).ok_or(lost)?;
-        let spent = u32::max(astray.evaluations, lost.iterations as u32);
-        Ok(found.after(spent + found.evaluations.to_u64() as u32))
-    })
+    let lost = match lengthen::<ONCE_ROUNDED, D, R>(equation, astray, &mut correct) {
+        Ok(found) => return Ok(found),
+        Err(lost) => lost,
+    };
+    // From a guess far off the first correction is long whatever the force.
+    let shortest = astray.residual.min(lost.residual);
+    let corrections = equation.max_iterations.saturating_sub(astray.evaluations);
+    let mut ended = LostBody::new(&equation, correct);
+    cancelling::root(&mut ended, equation.guess, corrections, shortest).ok_or(lost)?;
+    let LostBody { made, evaluations, .. } = ended;
+    let continued = if equation.definite { made.definite } else { made.continued };
+    if !continued.all() {
+        return Err(lost);
+    }
+    let (slope, rest) = (made.parts[0], [R::ZERO; D]);
+    let delta = if ONCE_ROUNDED { equation.increment_and_rest(slope).0 } else { equation.increment(slope) };
+    let none = Count::of(0);
+    let found = Increment { delta, gradient: slope, parts: [slope, rest], evaluations: none, iterations: none };
+    Ok(found.after(u32::max(astray.evaluations, lost.iterations as u32) + evaluations))
 }
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.

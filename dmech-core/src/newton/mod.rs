@@ -6,7 +6,7 @@
 //! [`twice`] and [`twice_middle`] where the Hessian is constant; a law that depends on |q| alone has one scalar
 //! unknown and uses [`central`].
 
-mod cancelling;
+pub(crate) mod cancelling;
 mod continuation;
 mod damped;
 mod dense;

@@ -42,76 +42,35 @@ impl<S: Adaptable + AdaptiveTwice> Adaptable for Adaptive<S> {
     }
 }
 
-impl Adaptable for DiscreteGradient {
-    fn angle(&self, tolerance: f64) -> f64 {
-        angle::<Self>(tolerance, 1.0)
-    }
+/// `Scheme<N> { const N: usize } => |tolerance| ε, …`
+macro_rules! adaptable {
+    ($($scheme:ty { $($generics:tt)* } => |$tolerance:ident| $angle:expr,)*) => {$(
+        impl<$($generics)*> Adaptable for $scheme {
+            fn angle(&self, $tolerance: f64) -> f64 {
+                $angle
+            }
+        }
+    )*};
 }
 
-impl Adaptable for Boris {
-    fn angle(&self, tolerance: f64) -> f64 {
-        angle::<Self>(tolerance, 1.0)
-    }
-}
-
-impl Adaptable for Implicit {
-    fn angle(&self, tolerance: f64) -> f64 {
-        TRAPEZOID * angle::<Self>(tolerance, 1.0)
-    }
-}
-
-impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<DiscreteGradient, C, N> {
-    fn angle(&self, tolerance: f64) -> f64 {
-        angle::<Self>(tolerance, longest(C::GAMMA))
-    }
-}
-
-impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Implicit, C, N> {
-    fn angle(&self, tolerance: f64) -> f64 {
-        TRAPEZOID * angle::<Self>(tolerance, longest(C::GAMMA))
-    }
-}
-
-impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Leapfrog, C, N> {
-    fn angle(&self, tolerance: f64) -> f64 {
-        angle::<Self>(tolerance, longest(C::GAMMA))
-    }
-}
-
-impl<C: Coefficients<N>, const N: usize> Adaptable for Composed<Boris, C, N> {
-    fn angle(&self, tolerance: f64) -> f64 {
-        angle::<Self>(tolerance, longest(C::GAMMA))
-    }
-}
-
-impl<C: NystromCoefficients<N>, const N: usize> Adaptable for Nystrom<C, N> {
-    fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>(C::TURN, tolerance, MOST[0])
-    }
-}
-
-impl<C: ForceGradientCoefficients<N>, const N: usize> Adaptable for ForceGradient<C, N> {
-    fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>(C::TURN, tolerance, MOST[0])
-    }
-}
-
-impl Adaptable for Gauss {
-    fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>(1.59, tolerance, LONG)
-    }
-}
-
-impl Adaptable for RungeKuttaNystrom {
-    fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>(1.0, tolerance, LONG)
-    }
-}
-
-impl<const S: usize> Adaptable for LineIntegral<S> {
-    fn angle(&self, tolerance: f64) -> f64 {
-        turn::<Self>([0.086, 0.35, 0.70, 1.06][S - 2], tolerance, LONG)
-    }
+adaptable! {
+    DiscreteGradient {} => |tolerance| angle::<Self>(tolerance, 1.0),
+    Boris {} => |tolerance| angle::<Self>(tolerance, 1.0),
+    Implicit {} => |tolerance| TRAPEZOID * angle::<Self>(tolerance, 1.0),
+    Composed<DiscreteGradient, C, N> { C: Coefficients<N>, const N: usize }
+        => |tolerance| angle::<Self>(tolerance, longest(C::GAMMA)),
+    Composed<Implicit, C, N> { C: Coefficients<N>, const N: usize }
+        => |tolerance| TRAPEZOID * angle::<Self>(tolerance, longest(C::GAMMA)),
+    Composed<Leapfrog, C, N> { C: Coefficients<N>, const N: usize }
+        => |tolerance| angle::<Self>(tolerance, longest(C::GAMMA)),
+    Composed<Boris, C, N> { C: Coefficients<N>, const N: usize }
+        => |tolerance| angle::<Self>(tolerance, longest(C::GAMMA)),
+    Nystrom<C, N> { C: NystromCoefficients<N>, const N: usize } => |tolerance| turn::<Self>(C::TURN, tolerance, MOST[0]),
+    ForceGradient<C, N> { C: ForceGradientCoefficients<N>, const N: usize }
+        => |tolerance| turn::<Self>(C::TURN, tolerance, MOST[0]),
+    Gauss {} => |tolerance| turn::<Self>(1.59, tolerance, LONG),
+    RungeKuttaNystrom {} => |tolerance| turn::<Self>(1.0, tolerance, LONG),
+    LineIntegral<S> { const S: usize } => |tolerance| turn::<Self>([0.086, 0.35, 0.70, 1.06][S - 2], tolerance, LONG),
 }
 
 /// What the steps of the trapezoidal rule are to those of the energy-exact step at the same error.

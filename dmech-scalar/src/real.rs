@@ -157,6 +157,16 @@ pub trait Real:
     fn min(self, other: Self) -> Self;
     /// The larger.
     fn max(self, other: Self) -> Self;
+    /// The smaller; NaN where this is NaN.
+    #[inline(always)]
+    fn at_most(self, most: Self) -> Self {
+        Self::either(most.less(self), most, self)
+    }
+    /// The larger; NaN where this is NaN.
+    #[inline(always)]
+    fn at_least(self, least: Self) -> Self {
+        Self::either(self.less(least), least, self)
+    }
     /// selfⁿ.
     fn powi(self, n: i32) -> Self;
     /// selfᵖ.

@@ -1,6 +1,6 @@
 //! Bounds on the work of one law, so that no input makes the compiler hang.
 
-use dmech_symbolic::expression::{Binary, Expr, Graph, Node, Unary};
+use dmech_symbolic::expression::{Expr, Graph, Node, Unary};
 
 use crate::diagnostics::body::Excess;
 
@@ -53,7 +53,8 @@ pub(super) fn excess_of(graph: &Graph, potential: Expr) -> Option<Excess> {
         height[1] += usize::from(matches!(graph.node(e), Node::Unary(..) | Node::Binary(..) | Node::Select(..)));
         height[2] += match graph.node(e) {
             Node::Select(..) => 2,
-            Node::Unary(Unary::Abs, _) | Node::Binary(Binary::Min | Binary::Max, ..) => 1,
+            Node::Unary(Unary::Abs, _) => 1,
+            Node::Binary(f, ..) if f.is_extremum() => 1,
             _ => 0,
         };
         heights[e.index()] = height;

@@ -236,6 +236,6 @@ fn of_binary(
     match f {
         Binary::Powf => of_powf(graph, (u, ua, ub), (w, wa, wb), moves(w)),
         Binary::Atan2 => of_angle(graph, (u, ua, ub), (w, wa, wb)),
-        Binary::Min | Binary::Max => unreachable!("choices are taken as a whole"),
+        Binary::Min | Binary::Max | Binary::AtMost | Binary::AtLeast => unreachable!("choices are taken as a whole"),
     }
 }

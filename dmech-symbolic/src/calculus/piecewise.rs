@@ -5,7 +5,7 @@
 //! of a branch as an end comes to the seam, or the equation of a step has no root there:
 //!
 //! - in one variable it is the plain quotient, which cannot cancel there;
-//! - for `min` and `max` of u and w, with the gaps g = u − w at the ends, it is ω ∇̄u + (1 − ω) ∇̄w with
+//! - for `min`, `max` and `clamp` of u and w, with the gaps g = u − w at the ends, it is ω ∇̄u + (1 − ω) ∇̄w with
 //!   ω = (gₐ⁺ + g_b⁺)/(|gₐ| + |g_b|) for the larger: max = (u + w)/2 + |u − w|/2;
 //! - for `if` the step is cut where the seam is crossed, at p = a + λ (b − a) with λ = cₐ/(cₐ − c_b), where c is 0 on
 //!   the seam: λ ∇̄yes(a, p) + (1 − λ) ∇̄no(p, b) if the condition holds at a. Where the seam is curved, the rest of the
@@ -111,7 +111,7 @@ impl Inside {
         let choice =
             Choice { condition: choice.condition.map(&mut inside), yes: inside(choice.yes), no: inside(choice.no) };
         let whole = inside(e);
-        let extremum = matches!(graph.node(e), Node::Binary(Binary::Min | Binary::Max, ..));
+        let extremum = matches!(graph.node(e), Node::Binary(f, ..) if f.is_extremum());
         let [a, b] = ["ua", "ub"].map(|end| gateways.at_end(graph, end));
         let ends = TwoPoints::new(graph, &gateways.symbols, &a, &b);
         Self { choice, whole, extremum, ends }

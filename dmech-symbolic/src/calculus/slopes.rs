@@ -217,7 +217,7 @@ pub(super) fn binary_slopes(g: &mut Graph, f: Binary, u: Expr, w: Expr) -> (Expr
             let toward_w = g.div(u, r2);
             (g.div(w, r2), g.neg(toward_w))
         }
-        Binary::Min | Binary::Max => unreachable!("choices are taken as a whole"),
+        Binary::Min | Binary::Max | Binary::AtMost | Binary::AtLeast => unreachable!("choices are taken as a whole"),
     }
 }
 

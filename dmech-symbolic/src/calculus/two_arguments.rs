@@ -4,6 +4,9 @@ use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Unary};
 
 use super::divided_difference::{of_exponential, of_logarithm, or_zero};
 
+/// Two points are opposite to each other where the sine of what is between them is no more than this part of the cosine.
+const STRAIGHT: f64 = 1.0 / (1_u64 << 40) as f64;
+
 /// The angle of the point (w, u), with its values at the ends.
 pub(super) fn of_angle(
     graph: &mut Graph,
@@ -26,11 +29,12 @@ pub(super) fn of_angle(
     let half_turn = graph.number(std::f64::consts::PI);
     let near = Condition::less_or_equal(width, dot).and(Condition::less_or_equal(swing, half_turn));
     let k = graph.select(near, acute, other);
-    // From or to the origin, where no angle is, along the way.
+    // From or to the origin, where no angle is, and through it, along the way.
     let gaps = [graph.sub(ub, ua), graph.sub(wb, wa)];
     let squares = gaps.map(|gap| graph.square(gap));
     let (zero, length2) = (graph.zero(), graph.add(&squares));
-    let origin = Condition::equal(width, zero).and(Condition::equal(dot, zero));
+    let opposite = graph.scale(-STRAIGHT, dot);
+    let origin = Condition::less_or_equal(width, opposite);
     let k = graph.select(origin.clone(), zero, k);
     let along = gaps.map(|gap| {
         let rise = graph.mul(&[turn, gap]);

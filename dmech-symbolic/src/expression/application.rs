@@ -46,7 +46,7 @@ impl Graph {
     pub fn binary(&mut self, f: Binary, u: Expr, w: Expr) -> Expr {
         match f {
             Binary::Powf => return self.powf(u, w),
-            Binary::Min | Binary::Max if u == w => return u,
+            _ if f.is_extremum() && u == w => return u,
             Binary::Atan2 if self.leads_with_minus(u) => {
                 let turned = self.neg(u);
                 let angle = self.binary(f, turned, w);
@@ -54,7 +54,7 @@ impl Graph {
             }
             _ => {}
         }
-        if let (Binary::Min | Binary::Max, Some(x), Some(y)) = (f, self.as_number(u), self.as_number(w)) {
+        if let (true, Some(x), Some(y)) = (f.is_extremum(), self.as_number(u), self.as_number(w)) {
             return self.number(f.apply(x, y));
         }
         self.intern(Node::Binary(f, u, w))
@@ -67,10 +67,10 @@ impl Graph {
         self.unary(Unary::Sqrt, sum)
     }
 
-    /// u between low and high.
+    /// u between low and high; no number where u is none.
     pub fn clamp(&mut self, u: Expr, low: Expr, high: Expr) -> Expr {
-        let raised = self.binary(Binary::Max, u, low);
-        self.binary(Binary::Min, raised, high)
+        let raised = self.binary(Binary::AtLeast, u, low);
+        self.binary(Binary::AtMost, raised, high)
     }
 
     /// u^p.

@@ -2,7 +2,7 @@
 
 use super::{Binary, Condition, Expr, Graph, Node, Number, Relation, Symbol, Unary};
 
-/// `yes` where the condition holds, `no` elsewhere: `if`, `min` or `max`.
+/// `yes` where the condition holds, `no` elsewhere: `if`, `min`, `max` or `clamp`.
 #[derive(Clone, Debug)]
 pub struct Choice {
     /// Which of the two.
@@ -80,6 +80,8 @@ impl Graph {
             Node::Binary(Binary::Max, u, w) => {
                 Some(Choice { condition: Condition::less_or_equal(*w, *u), yes: *u, no: *w })
             }
+            Node::Binary(Binary::AtMost, u, w) => Some(Choice { condition: Condition::less(*w, *u), yes: *w, no: *u }),
+            Node::Binary(Binary::AtLeast, u, w) => Some(Choice { condition: Condition::less(*u, *w), yes: *w, no: *u }),
             _ => None,
         }
     }
@@ -87,7 +89,7 @@ impl Graph {
     /// For every expression that has been stored since, whether it is made with a choice.
     pub(crate) fn extend_choosing(&self, chosen: &mut Vec<bool>) {
         self.extend_marks(chosen, |node| {
-            matches!(node, Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..))
+            matches!(node, Node::Select(..)) || matches!(node, Node::Binary(f, ..) if f.is_extremum())
         });
     }
 

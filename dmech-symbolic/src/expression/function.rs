@@ -94,6 +94,10 @@ pub enum Binary {
     Min,
     /// the larger
     Max,
+    /// the first, or the second where that is less; no number where the first is none
+    AtMost,
+    /// the first, or the second where that is larger; no number where the first is none
+    AtLeast,
 }
 
 pub(super) enum Parity {
@@ -145,7 +149,19 @@ impl Binary {
             Self::Atan2 => "atan2",
             Self::Min => "min",
             Self::Max => "max",
+            Self::AtMost => "at_most",
+            Self::AtLeast => "at_least",
         }
+    }
+
+    /// The smaller or the larger of the two.
+    pub fn is_extremum(self) -> bool {
+        matches!(self, Self::Min | Self::Max | Self::AtMost | Self::AtLeast)
+    }
+
+    /// The smaller of the two.
+    pub fn is_least(self) -> bool {
+        matches!(self, Self::Min | Self::AtMost)
     }
 
     /// Its value.
@@ -155,6 +171,8 @@ impl Binary {
             Self::Atan2 => x.atan2(y),
             Self::Min => x.min(y),
             Self::Max => x.max(y),
+            Self::AtMost => x.at_most(y),
+            Self::AtLeast => x.at_least(y),
         }
     }
 }

@@ -35,7 +35,7 @@ impl Graph {
             Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => 0.0,
             Node::Binary(Binary::Powf, u, w) => self.as_number(*w).map_or(0.0, |w| w * self.order(*u)),
             // max(x, 0) vanishes as x does: a branch that is 0 is so to every order.
-            Node::Binary(Binary::Min | Binary::Max, one, two) | Node::Select(_, one, two) => {
+            Node::Binary(_, one, two) | Node::Select(_, one, two) => {
                 let of = |branch: Expr| if self.is_zero(branch) { f64::INFINITY } else { self.order(branch) };
                 of(*one).min(of(*two))
             }

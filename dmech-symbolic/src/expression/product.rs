@@ -13,7 +13,7 @@
 //! | 0·a = 0 | a finite |
 
 use super::number::combined;
-use super::{Binary, Choice, Expr, Graph, Node, Number, Unary};
+use super::{Choice, Expr, Graph, Node, Number, Unary};
 
 impl Graph {
     /// The product of expressions; 1 if there are none.
@@ -104,17 +104,18 @@ impl Gathering {
                 }
                 self.raise(turned, n);
             }
-            Node::Binary(extremum @ (Binary::Min | Binary::Max), u, w)
-                if n > 0 && n % 2 != 0 && graph.undoes_root(f, n) =>
+            Node::Binary(extremum, u, w)
+                if extremum.is_extremum() && n > 0 && n % 2 != 0 && graph.undoes_root(f, n) =>
             {
                 let (u, w) = (graph.powi(u, n), graph.powi(w, n));
                 let power = graph.binary(extremum, u, w);
                 self.take(graph, power, 1);
             }
-            Node::Select(..) | Node::Binary(Binary::Min | Binary::Max, ..)
-                if n != 1 && (matches!(graph.node(f), Node::Select(..)) || graph.undoes_root(f, n)) =>
+            Node::Select(..) | Node::Binary(..)
+                if n != 1
+                    && (matches!(graph.node(f), Node::Select(..)) || graph.undoes_root(f, n))
+                    && let Some(Choice { condition, yes, no }) = graph.choice(f) =>
             {
-                let Choice { condition, yes, no } = graph.choice(f).expect("the factor is a choice");
                 let (yes, no) = (graph.powi(yes, n), graph.powi(no, n));
                 let power = graph.select(condition, yes, no);
                 self.take(graph, power, 1);

@@ -1,6 +1,6 @@
 //! What is 0 once it is multiplied out.
 
-use crate::expression::{Binary, Condition, Expr, Graph, Node, Number, Substitution};
+use crate::expression::{Condition, Expr, Graph, Node, Number, Substitution};
 
 /// Whether an expression is seen to be 0, on either side of every choice in it.
 pub(super) fn vanishes(graph: &mut Graph, e: Expr) -> bool {
@@ -36,7 +36,7 @@ impl Question {
     fn of(graph: &Graph, e: Expr) -> Option<Self> {
         match graph.node(e) {
             Node::Select(condition, ..) => Some(Self::Holds(condition.clone())),
-            &Node::Binary(Binary::Min | Binary::Max, u, w) => Some(Self::Smaller([u.min(w), u.max(w)])),
+            &Node::Binary(f, u, w) if f.is_extremum() => Some(Self::Smaller([u.min(w), u.max(w)])),
             _ => None,
         }
     }
@@ -47,10 +47,8 @@ impl Question {
             (Self::Holds(condition), Node::Select(asked, yes, no)) if asked == condition => {
                 Some(if answer { *yes } else { *no })
             }
-            (Self::Smaller(two), &Node::Binary(f @ (Binary::Min | Binary::Max), u, w))
-                if [u.min(w), u.max(w)] == *two =>
-            {
-                Some(two[usize::from(answer == (f == Binary::Min))])
+            (Self::Smaller(two), &Node::Binary(f, u, w)) if f.is_extremum() && [u.min(w), u.max(w)] == *two => {
+                Some(two[usize::from(answer == f.is_least())])
             }
             _ => None,
         }

@@ -1,6 +1,6 @@
 //! The products of a program, each once, with the atoms that it is multiplied from.
 
-use crate::expression::{Binary, Expr, Graph, Node, Number};
+use crate::expression::{Expr, Graph, Node, Number};
 use crate::hash::Map;
 
 use super::atom::{Atom, AtomKind, Atoms, Denominators, Factors};
@@ -116,7 +116,7 @@ impl Products {
         for &e in order {
             let sides = match graph.node(e) {
                 Node::Select(condition, ..) => condition.operands(),
-                Node::Binary(Binary::Min | Binary::Max, u, w) => vec![*u, *w],
+                Node::Binary(f, u, w) if f.is_extremum() => vec![*u, *w],
                 _ => continue,
             };
             for side in sides {

@@ -169,9 +169,6 @@ fn angles_turn_over_the_cut() {
             };
             let (a, b) = (point(i, 0.9), point(j, 1.3));
             let turn = (a[0] * b[1] - a[1] * b[0]).abs().atan2(a[0] * b[0] + a[1] * b[1]);
-            if turn > 3.1 {
-                continue; // Through the origin, where there is no angle.
-            }
             wide.set(wide.get() + usize::from(turn > 1.0));
             let at = law.at(&a, &b);
             let g = kernels.pointwise.discrete_gradient.run(&at);

@@ -2,6 +2,7 @@
 
 use dmech_symbolic::calculus;
 use dmech_symbolic::expression::Unary;
+use dmech_symbolic::kernel::Pointwise;
 use dmech_symbolic::program::{Operation, Program};
 
 use crate::common::laws::Law;
@@ -70,6 +71,29 @@ fn what_is_capped_may_be_infinite() {
         let slope = gradient(&mut law, &[2.0, 0.0]);
         assert_eq!(slope, [-f64::from(power) * 0.5_f64.powi(power + 1), -0.0], "1/r^{power}");
     }
+}
+
+/// What is no number stays none where it is clamped, as in Rust, and in each derivative; `max` and `min` give the other of the two.
+#[test]
+fn what_is_no_number_is_not_clamped() {
+    let root = |q: &[E]| (1.0 - q[0].powi(2)).sqrt();
+    let mut clamped = Law::build(1, |q, _| root(q).clamp(0.0, 0.9));
+    let mut beside = Law::build(2, |q, _| (root(q) + q[1]).clamp(0.0, 0.9));
+    for law in [&mut clamped, &mut beside] {
+        let (inside, outside) = ([0.6, 0.05], [1.5, 0.05]);
+        let n = law.variables.q.len();
+        let kernels = law.kernels();
+        let Pointwise { potential, gradient, discrete_gradient, .. } = &kernels.pointwise;
+        for kernel in [potential, gradient] {
+            assert!(kernel.run(law.at(&inside[..n], &inside[..n]))[0].is_finite());
+            assert!(kernel.run(law.at(&outside[..n], &outside[..n]))[0].is_nan());
+        }
+        for [a, b] in [[inside, outside], [outside, inside]] {
+            assert!(discrete_gradient.run(law.at(&a[..n], &b[..n]))[0].is_nan());
+        }
+    }
+    let mut larger = Law::build(1, |q, _| root(q).max(0.25));
+    assert_eq!(larger.kernels().pointwise.potential.run(larger.at(&[1.5], &[1.5])), [0.25]);
 }
 
 /// A power that went into a choice loses no digits: an odd one compares the powers themselves, and an even one stays outside
@@ -475,15 +499,17 @@ fn drags_of_hardly_any_velocity_are_finite() {
     assert_eq!(Program::schedule(&mut cube_root.graph, &slope).run(cube_root.at(&[-1.0], &[0.0])), [1.0 / 3.0]);
 }
 
-/// The angle from the origin, where none is: the discrete gradient goes along the way and makes the work.
+/// The angle from the origin, where none is, and through it: the discrete gradient goes along the way and makes the work.
 #[test]
 fn angles_reach_the_origin() {
     let laws: [fn(&[E]) -> E; 2] = [|q| q[1].atan2(q[0]), |q| squared(q) * (1.0 + q[1].atan2(q[0]))];
     for (i, phi) in laws.into_iter().enumerate() {
         let mut law = Law::build(2, |q, _| phi(q));
         let kernels = law.kernels();
-        let places =
-            [[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [-1.1, 0.4], [0.6, -0.4], [0.2, 0.3], [0.0, 0.2], [0.5, 0.0]];
+        let mut places =
+            vec![[0.0, 0.0], [0.3, -0.2], [0.0, 0.7], [-1.1, 0.4], [0.6, -0.4], [0.2, 0.3], [0.0, 0.2], [0.5, 0.0]];
+        places.extend([[-0.15, 0.1], [0.0, -0.35], [1.65, -0.6], [-0.5, 0.0]]);
+        let mut through = 0;
         for (a, b) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
             let slope = kernels.pointwise.discrete_gradient.run(law.at(a, b));
             let work: f64 = (0..2).map(|i| slope[i] * (b[i] - a[i])).sum();
@@ -494,12 +520,16 @@ fn angles_reach_the_origin() {
                 assert!((0..2).all(|i| (slope[i] - tangent[i]).abs() < 1e-14), "at {a:?}: {slope:?}, {tangent:?}");
             }
             // Elsewhere it goes around.
-            let around = i == 1 || [a, b].contains(&&places[0]);
+            let dot = a[0] * b[0] + a[1] * b[1];
+            let opposite = (a[0] * b[1] - a[1] * b[0]).abs() < -1e-15 * dot;
+            through += usize::from(opposite);
+            let around = i == 1 || opposite || [a, b].contains(&&places[0]);
             let out: f64 = (0..2).map(|i| slope[i] * (a[i] + b[i])).sum();
             assert!(around || out.abs() < 1e-14, "from {a:?} to {b:?}: {slope:?}");
             let matrix = kernels.pointwise.discrete_gradient_jacobian.run(law.at(a, b));
             assert!(matrix.iter().all(|x| x.is_finite()), "{i} from {a:?} to {b:?}: {matrix:?}");
         }
+        assert!(through >= 8, "{through} ways lead through the origin");
         let hessian = kernels.pointwise.hessian.run(law.at(&[0.0; 2], &[0.0; 2]));
         assert!(i == 0 || hessian.iter().all(|x| x.is_finite()), "{i}: {hessian:?}");
     }

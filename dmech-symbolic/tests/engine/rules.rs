@@ -173,7 +173,7 @@ fn functions() {
         rule("−atan2(x, y)", |[x, y, _]| (-x).atan2(y), vec![|[x, y, _]| (-x).atan2(y)])
             .on(|[x, y, _]| x != 0.0 || y > 0.0),
         rule("x", |[x, ..]| x.min(x), vec![|[x, ..]| x.min(x), |[x, ..]| x.max(x)]),
-        rule("min(max(x, −0.5), 0.75)", |[x, ..]| x.clamp(-0.5, 0.75), vec![|[x, ..]| x.clamp(-0.5, 0.75)]),
+        rule("at_most(at_least(x, −0.5), 0.75)", |[x, ..]| x.clamp(-0.5, 0.75), vec![|[x, ..]| x.clamp(-0.5, 0.75)]),
         // Choices: decided between numbers, dropped between equal branches, turned by a negation.
         rule(
             "x",

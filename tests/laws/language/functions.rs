@@ -1,5 +1,7 @@
 //! The functions of `f64`, one law each. The body comes through a macro, as an expression in an invisible group.
 
+use dmech::prelude::*;
+
 use super::oracle::agrees;
 
 macro_rules! functions {
@@ -63,4 +65,66 @@ functions! {
     signum: Signum(|x| x.signum() * x * x) near -1.5, within 0.9;
     by_path: ByPath(|x| f64::sin(x) + f64::powi(x, 3) + f64::from(2)) near 0.5, within 0.9;
     constants: Constants(|x| std::f64::consts::PI * x + core::f64::consts::TAU.sqrt() * x * x + f64::EPSILON) near 0.5, within 0.9;
+}
+
+/// A dome of which nothing is known beyond its edge.
+#[derive(Clone, Copy, Debug)]
+struct Dome {
+    k: f64,
+}
+
+#[dmech::law]
+impl Dome {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        self.k * (1.0 - q * q).sqrt().clamp(0.0, 0.9)
+    }
+}
+
+/// What is no number is not clamped to one: a motion that leaves the domain of its law is told.
+#[test]
+fn a_clamp_does_not_hide_where_a_law_ends() {
+    let law = Dome { k: 0.7 };
+    let outside = [1.5_f64];
+    assert!(law.energy(outside[0]).is_nan() && law.potential(outside).is_nan() && law.gradient(outside)[0].is_nan());
+    let slide = |x: f64| Simulation::new(law, State::new([x], [0.9])).dt(0.1);
+    macro_rules! ends {
+        ($($scheme:expr),*) => {$(
+            let run = slide(0.2).scheme($scheme).run(100);
+            assert!(run.is_err(), "{}: {run:?}", stringify!($scheme));
+            assert!(slide(1.5).scheme($scheme).run(1).is_err(), "{}: from outside", stringify!($scheme));
+        )*};
+    }
+    ends!(Leapfrog, Nystrom::order6(), Implicit, DiscreteGradient, Gauss::order16());
+}
+
+/// Six hollows about a centre, through which motions go.
+#[derive(Clone, Copy, Debug)]
+struct Rose {
+    k: f64,
+    depth: f64,
+}
+
+#[dmech::law]
+impl Rose {
+    #[potential]
+    fn energy(&self, q: [f64; 2]) -> f64 {
+        let [x, y] = q;
+        0.5 * self.k * (x * x + y * y) * (1.0 + self.depth * (6.0 * y.atan2(x)).cos())
+    }
+}
+
+/// Steps from one side of the centre of an angle to the opposite one, along axes and between them.
+#[test]
+fn angles_are_passed_through_at_their_centre() {
+    let law = Rose { k: 1.3, depth: 0.02 };
+    let mut passed = 0;
+    for start in [[1.0, 0.0], [0.0, 0.7], [-0.3, -0.3], [0.3, -0.4], [0.5, 0.5 * 3_f64.sqrt()]] {
+        let run = Simulation::new(law, State::new(start, [0.0; 2])).scheme(DiscreteGradient).dt(0.1).run(500).unwrap();
+        let energy = run.drift(Invariant::Energy).unwrap();
+        assert!(energy.max_relative() < 1e-13, "from {start:?}: {energy}");
+        let ends = run.states().windows(2);
+        passed += ends.filter(|ends| ends[0].q[0] * ends[1].q[0] + ends[0].q[1] * ends[1].q[1] < 0.0).count();
+    }
+    assert!(passed > 50, "{passed} steps through the centre");
 }

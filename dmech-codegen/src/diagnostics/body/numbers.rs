@@ -183,11 +183,11 @@ const FUNCTIONS: &str = "sqrt cbrt powi powf exp exp2 exp_m1 ln ln_1p log2 log10
 pub(crate) fn unknown_function(name: &Ident, field: Option<&Expr>) -> Error {
     let text = name.to_string();
     let message = match text.as_str() {
-        "round_ties_even" => "a law is continuous where a half is rounded: write `round`".into(),
+        "round_ties_even" => "write `round`: the two differ at halves alone, where a law must be continuous".into(),
         "div_euclid" => "write `(x / l).floor()` instead of `div_euclid`".into(),
         "pow" => "numbers have `powi` for integer exponents and `powf` for others: `x.powi(2)`, `x.powf(1.5)`".into(),
         "square" | "squared" | "sq" => format!("`{text}` is not a function of `f64`; write `powi(2)` or `x * x`"),
-        "copysign" => "write `x.abs() * y.signum()` instead of `copysign`".into(),
+        "copysign" => "a law has no `copysign`: for `x.copysign(y)` write `x.abs() * y.signum()`".into(),
         "to_bits" | "from_bits" | "is_nan" | "is_finite" | "is_infinite" | "is_sign_negative" | "is_sign_positive"
         | "total_cmp" | "partial_cmp" => {
             format!("`{text}` looks at how a number is stored; a law compares numbers: `x < 0.0`")

@@ -95,7 +95,7 @@ fn functions_without_a_derivative() {
     refused(
         "q[0].«round_ties_even»() + q[1].«div_euclid»(1.0) + q[1].rem_euclid(«0.0»)",
         &[
-            "a law is continuous where a half is rounded: write `round`",
+            "write `round`: the two differ at halves alone, where a law must be continuous",
             "write `(x / l).floor()` instead of `div_euclid`",
             "this divides by zero",
         ],
@@ -111,7 +111,7 @@ fn functions_without_a_derivative() {
         &["numbers have `powi` for integer exponents and `powf` for others: `x.powi(2)`, `x.powf(1.5)`"],
     );
     refused("q[0].«squared»()", &["`squared` is not a function of `f64`; write `powi(2)` or `x * x`"]);
-    refused("q[0].«copysign»(q[1])", &["write `x.abs() * y.signum()` instead of `copysign`"]);
+    refused("q[0].«copysign»(q[1])", &["a law has no `copysign`: for `x.copysign(y)` write `x.abs() * y.signum()`"]);
     refused("q[0].«is_nan»()", &["`is_nan` looks at how a number is stored; a law compares numbers: `x < 0.0`"]);
     refused(
         "q[0].«erf»()",

@@ -41,14 +41,14 @@ pub(crate) trait Algebra: Clone {
         match f {
             Binary::Powf => self.powf(other),
             Binary::Atan2 => self.atan2(other),
-            Binary::Min => {
+            Binary::Min | Binary::AtMost => {
                 if other.less(self) {
                     other.clone()
                 } else {
                     self.clone()
                 }
             }
-            Binary::Max => {
+            Binary::Max | Binary::AtLeast => {
                 if self.less(other) {
                     other.clone()
                 } else {

@@ -12,4 +12,5 @@ mod plots;
 mod progress;
 mod resumed;
 mod streams;
+mod studies;
 mod walls;

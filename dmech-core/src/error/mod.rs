@@ -74,9 +74,11 @@ pub enum Error {
     /// The step that the motion asks for is lost in the rounding of the time, as in a collision, or the end is beyond the reach of any
     /// number of such steps.
     #[error(
-        "step {step} from t = {} would have to be as short as {}, as where bodies collide",
+        "step {step} from t = {} would have to be as short as {}, where times are {} apart: as where bodies collide, or far from the origin \
+         of time",
         Number(*time),
-        Number(*dt)
+        Number(*dt),
+        Number(time.abs().next_up() - time.abs())
     )]
     StepVanished {
         /// The number of the step, counted from 1.

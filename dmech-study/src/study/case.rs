@@ -8,6 +8,9 @@ use dmech_core::{Error, Explicit, Stepper};
 use crate::error::StudyError;
 use crate::motion::{Coordinates, Motion, PositionOf, Repeatable, Scales, StateOf, norm};
 
+/// Steps of a reference, at least.
+const FEWEST: f64 = 64.0;
+
 /// A motion from a state until a time.
 #[derive(Clone, Debug)]
 pub(super) struct Case<L, X: Repeatable<L>> {
@@ -24,9 +27,19 @@ impl<L: Clone, X: Repeatable<L>> Case<L, X> {
         self.start.time()
     }
 
+    /// From the start to the end.
+    pub(super) fn span(&self) -> f64 {
+        self.end - self.t()
+    }
+
+    /// The longest step of a reference. In fewer a motion that is simple at both ends may pass what acts between, and seem to have settled.
+    pub(super) fn longest_of_reference(&self) -> f64 {
+        self.longest.min(self.span() / FEWEST)
+    }
+
     /// Refuses what every scheme would refuse.
     pub(super) fn check(&self) -> Result<(), Error> {
-        let span = self.end - self.t();
+        let span = self.span();
         // A start at NaN is named by the stepper.
         if self.t().is_finite() && !(span > 0.0 && span.is_finite()) {
             return Err(Error::Span { start: self.t(), end: self.end });

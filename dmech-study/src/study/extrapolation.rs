@@ -28,6 +28,10 @@ pub(super) struct Extrapolation<'a, L, const D: usize, R> {
     pub(super) end: f64,
     /// The local error of a step, in parts of the largest |q| and |v| so far.
     pub(super) tolerance: f64,
+    /// What |q| and |v| count for at least.
+    pub(super) least: [f64; 2],
+    /// The longest step.
+    pub(super) longest: f64,
     /// Evaluations of the force that are allowed.
     pub(super) budget: u64,
 }
@@ -39,6 +43,8 @@ type Phase<const D: usize, R> = [[R; D]; 2];
 pub(super) struct End<const D: usize, R> {
     pub(super) q: [R; D],
     pub(super) v: [R; D],
+    /// The largest |q| and |v|.
+    pub(super) sizes: [f64; 2],
     pub(super) steps: u64,
     pub(super) evaluations: u64,
 }
@@ -54,9 +60,10 @@ impl<L: Law<D, R>, const D: usize, R: Real> Extrapolation<'_, L, D, R> {
         let State { t: t0, q, v } = self.start;
         let (start, end) = (R::from_f64(t0), R::from_f64(self.end));
         let span = self.end - t0;
-        let (mut t, mut y, mut step) = (start, [q, v], first.min(span));
+        let (mut t, mut y, mut step) = (start, [q, v], first.min(self.longest));
         let (mut steps, mut evaluations) = (0, 0);
-        let mut sizes = y.map(|x| largest(&x));
+        let mut sizes = self.least;
+        y.iter().zip(&mut sizes).for_each(|(x, size)| *size = size.max(largest(x)));
         loop {
             let left = (end - t).to_f64();
             let whole = step >= left;
@@ -69,13 +76,13 @@ impl<L: Law<D, R>, const D: usize, R: Real> Extrapolation<'_, L, D, R> {
                     *size = size.max(largest(x));
                 }
                 if whole {
-                    return Ok(End { q: y[0], v: y[1], steps, evaluations });
+                    return Ok(End { q: y[0], v: y[1], sizes, steps, evaluations });
                 }
             }
             // The defect is of order 2K − 1. Where the motion has a corner it is not, and steps shrink by tens until they are
             // so short that the corner does not matter.
             let factor = 0.8 * (self.tolerance / defect).powf(1.0 / f64::from(ORDER - 1));
-            step = length.to_f64() * if factor.is_nan() { 0.1 } else { factor.clamp(0.1, 4.0) };
+            step = self.longest.min(length.to_f64() * if factor.is_nan() { 0.1 } else { factor.clamp(0.1, 4.0) });
             if step < SHORTEST * span {
                 return Err(Error::StepVanished { step: steps + 1, time: t.to_f64(), dt: step });
             }
@@ -210,7 +217,8 @@ mod tests {
 
     fn follow(law: &Trampoline, q: f64, v: f64, end: f64, tolerance: f64) -> Result<End<1, Wide>, Error> {
         let start = State::of([q.into()], [v.into()]).at_time(0.5);
-        let motion = Extrapolation { law, mass: 2.0, start, end, tolerance, budget: 1 << 20 };
+        let motion =
+            Extrapolation { law, mass: 2.0, start, end, tolerance, least: [0.0; 2], longest: end, budget: 1 << 20 };
         motion.run(0.3)
     }
 

@@ -42,16 +42,16 @@ pub(super) fn halvings(first: f64) -> impl Iterator<Item = f64> {
     (0..MOST_HALVINGS).map(move |k| first * f64::from(-k).exp2())
 }
 
-/// The rows of a scheme without a ladder: from a step that is too large to one that is small enough.
-pub(super) fn default(scales: &Scales, resolution: f64, measure: impl Fn(f64) -> StudyRow) -> Vec<StudyRow> {
-    let mut rows = Vec::new();
-    for dt in halvings(scales.time) {
+/// The rows of a scheme without a ladder: from a step that is too large, or the whole span, to one that is small enough.
+pub(super) fn default(scales: &Scales, span: f64, resolution: f64, measure: impl Fn(f64) -> StudyRow) -> Vec<StudyRow> {
+    let (first, mut rows) = (scales.time.min(span), Vec::new());
+    for dt in halvings(first) {
         rows.push(measure(dt));
         if is_long_enough(&rows, scales.length, resolution) {
             break;
         }
     }
-    let mut doubled = scales.time;
+    let mut doubled = first;
     while rows[0].steps() > 1 && rows[0].result().is_ok_and(|figures| figures.error() < 1e-2 * scales.length) {
         doubled *= 2.0;
         rows.insert(0, measure(doubled));

@@ -173,8 +173,9 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
         self
     }
 
-    /// The longest step of the schemes that follow the motion, as [`Simulation::dt`] is with a tolerance (default: none). Laws that name
-    /// the time do not tell how long a step may be, and need one.
+    /// The longest step of the schemes that follow the motion, as [`Simulation::dt`] is with a tolerance (default: none), and of the
+    /// [`Reference`], which makes 64 steps at least. Laws that name the time do not tell how long a step may be, and need one; so does a
+    /// reference of a motion that is simple but for what acts for a short time, which longer steps pass by.
     pub fn dt(self, longest: f64) -> Self {
         Study { longest, ..self }
     }
@@ -236,7 +237,7 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
             match (tolerances, &ladder) {
                 (Some(tolerances), _) => rows.extend(tolerances.iter().copied().map(measure)),
                 (None, Some(steps)) => rows.extend(steps.iter().copied().map(measure)),
-                (None, None) => rows.extend(ladder::default(&scales, resolution, measure)),
+                (None, None) => rows.extend(ladder::default(&scales, case.span(), resolution, measure)),
             }
         }
         for _ in 0..repetitions {

@@ -8,13 +8,16 @@ use super::case::{Case, rounding};
 use super::extrapolation::{End, Extrapolation, ORDER};
 use super::reference::Reference;
 use super::truth::Truth;
-use crate::motion::norm;
+use crate::motion::{Scales, norm};
 
 /// Local errors in parts of |q| and |v|. The last is near what rounding allows.
 const TOLERANCES: [f64; 3] = [1e-22, 1e-25, 1e-28];
 
 /// Where rounding does not allow these, as that of a time far from 0 does not in a law that names it.
 const LARGER: [f64; 3] = [1e-19, 1e-16, 1e-13];
+
+/// This part of the size of a motion is nothing: what begins at rest where next to nothing acts is not followed to all digits of that.
+const NOTHING: f64 = 1e-20;
 
 /// Evaluations of the force in the first run; the others take at most twice as many each.
 const MOST_FORCES: u64 = 1 << 24;
@@ -32,10 +35,14 @@ where
     let start = State { t, q: q.map(DoubleDouble::from), v: v.map(DoubleDouble::from) };
     let scheme = if Extrapolation::<L, D, DoubleDouble>::leapfrog() { LEAPFROG } else { MIDPOINT };
     let span = case.end - t;
-    let first = case.scales()?.time;
+    let Scales { length, time: first } = case.scales()?;
+    let mut least = [NOTHING * length, NOTHING * length / first];
     let stepper = case.stepper(Explicit, span)?;
     let (law, mass) = (stepper.law(), stepper.system().mass());
-    let follow = |tolerance, budget| Extrapolation { law, mass, start, end: case.end, tolerance, budget }.run(first);
+    let longest = case.longest_of_reference();
+    let follow = |tolerance, least, budget| {
+        Extrapolation { law, mass, start, end: case.end, tolerance, least, longest, budget }.run(first)
+    };
     let apart = |a: &End<D, DoubleDouble>, b: &End<D, DoubleDouble>| norm((0..D).map(|i| (a.q[i] - b.q[i]).to_f64()));
     let referred = |end: &End<D, DoubleDouble>, error| {
         let reference = Reference { scheme, dt: span / end.steps as f64, error, precise: true };
@@ -46,7 +53,7 @@ where
     let mut best: Option<(Truth, Reference)> = None;
     let mut failure = None;
     for tolerance in TOLERANCES {
-        let end = match follow(tolerance, budget) {
+        let end = match follow(tolerance, least, budget) {
             Ok(end) => end,
             Err(error) => {
                 failure = Some(error);
@@ -54,6 +61,7 @@ where
             }
         };
         budget = 2 * end.evaluations;
+        least.iter_mut().zip(end.sizes).for_each(|(least, size)| *least = least.min(NOTHING * size));
         let error = before.as_ref().map(|before| apart(&end, before));
         if let Some(error) = error
             && best.as_ref().is_none_or(|best| error < best.1.error())
@@ -69,7 +77,7 @@ where
         if best.is_some() {
             break;
         }
-        let Ok(end) = follow(tolerance, MOST_FORCES / 4) else { continue };
+        let Ok(end) = follow(tolerance, least, MOST_FORCES / 4) else { continue };
         match &before {
             Some(smaller) => best = Some(referred(smaller, apart(smaller, &end))),
             None => before = Some(end),

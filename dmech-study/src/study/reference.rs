@@ -63,7 +63,7 @@ pub(super) fn compute<L: Clone, X: Repeatable<L>>(case: &Case<L, X>) -> Result<(
     let (mut settling, mut best) = (Settling::default(), None);
     let mut before: Option<Vec<f64>> = None;
     let mut failure = None;
-    for dt in halvings(scales.time.min(case.end - case.t())) {
+    for dt in halvings(scales.time.min(case.longest_of_reference())) {
         // Steps so short that the time no longer tells them apart end the search, not the study.
         let (steps, dt) = match case.whole_steps(dt) {
             Ok(whole) => whole,

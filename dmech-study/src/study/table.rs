@@ -50,7 +50,7 @@ impl fmt::Display for StudyReport {
                 match row.result() {
                     Ok(figures) => {
                         let here = (row.dt(), figures.error());
-                        let order = before.replace(here).map(|before| order_between(before, here));
+                        let order = before.replace(here).and_then(|before| order_between(before, here));
                         self.write_figures(f, figures, order)?;
                         write_drifts(f, figures, &shown)?;
                     }
@@ -136,9 +136,9 @@ fn write_cause(f: &mut fmt::Formatter<'_>, cause: &str) -> fmt::Result {
     writeln!(f, "    {line}")
 }
 
-/// The power of the step that two errors show.
-fn order_between((h0, e0): (f64, f64), (h1, e1): (f64, f64)) -> f64 {
-    (e0 / e1).ln() / (h0 / h1).ln()
+/// The power of the step that two errors show; none where the steps, means of those that follow the motion, hardly differ.
+fn order_between((h0, e0): (f64, f64), (h1, e1): (f64, f64)) -> Option<f64> {
+    (h0 > 1.1 * h1).then(|| (e0 / e1).ln() / (h0 / h1).ln())
 }
 
 /// A bound where the largest step of the ladder already reaches the error.

@@ -248,6 +248,10 @@ fn studies_are_drawn() {
     assert!(
         ["Time for an error", "Leapfrog", "DiscreteGradient", "t = 0 … 30"].iter().all(|words| svg.contains(words))
     );
+    let lost = study().scheme(Explicit).scheme(DiscreteGradient).ladder([1.5, 0.2]).run().unwrap();
+    lost.plot(place("study_lost.svg")).unwrap();
+    let svg = sound(&place("study_lost.svg"), 100_000);
+    assert!(svg.contains("Explicit: all errors are larger than the motion"), "what has no line is named");
     let many = study()
         .scheme(Leapfrog)
         .scheme(Implicit)

@@ -25,40 +25,36 @@ fn study<'a>(law: Brief, start: [f64; 2]) -> Study<'a, Brief, State<1>> {
     Study::new(law, State::new([q], [v]), 10.0).repetitions(1).scheme(Leapfrog).scheme(Gauss::order16())
 }
 
-/// The end by steps that cannot miss it.
-fn end(law: Brief, [q, v]: [f64; 2]) -> f64 {
-    let run = Simulation::new(law, State::new([q], [v])).scheme(Gauss::order16()).dt(law.width / 8.0);
-    run.record_every(1_000_000).run_until(10.0).unwrap().last().q[0]
-}
-
 /// The steps and errors of the first scheme.
 fn rows(report: &StudyReport) -> Vec<(u64, f64)> {
     report.rows_of(0).map(|row| (row.steps(), row.result().unwrap().error())).collect()
 }
 
-/// Before and behind it the motion is free, and so exact for every scheme and every step.
+/// Before and behind it the motion is free, and so exact for every scheme and every step. A bump is left by as much later as it is wide,
+/// times ∫ (1/√(1 − 0.6 exp(−x²)) − 1) dx; a kick adds 0.6 √π to the speed for the 4.7 that are left.
 #[test]
 fn a_reference_sees_what_acts_in_between() {
-    let bump = |width| Brief { bump: 0.3, kick: 0.0, width };
-    let kick = |width| Brief { bump: 0.0, kick: 0.6 / width, width };
-    for (law, longest, start) in [
-        (bump(0.05), f64::INFINITY, [1.0, 1.0]),
-        (bump(0.02), 0.04, [1.0, 1.0]),
-        (kick(0.05), f64::INFINITY, [1.0, 0.5]),
-        (kick(0.02), 0.04, [1.0, 0.5]),
-    ] {
-        let truth = end(law, start);
-        let free = start[0] + 10.0 * start[1];
-        assert!((truth - free).abs() > 5e-4, "{law:?} does something: {truth}");
-        let bounded = || {
-            let study = study(law, start).ladder([2.0, 1.0, 0.5]);
-            if longest.is_finite() { study.dt(longest) } else { study }
-        };
-        for report in [bounded().run().unwrap(), bounded().precise().run().unwrap()] {
-            let (told, rows) = ((free - truth).abs(), rows(&report));
-            let passes_by = |(_, error): &(u64, f64)| (error / told - 1.0).abs() < 1e-3;
+    let bump = |width| (Brief { bump: 0.3, kick: 0.0, width }, [1.0, 1.0], 0.833 * width);
+    let kick = |width| (Brief { bump: 0.0, kick: 0.6 / width, width }, [1.0, 0.5], 5.0);
+    for (law, start, told) in [bump(0.05), kick(0.05), kick(0.005)] {
+        let study = || study(law, start).ladder([2.0, 1.0, 0.5]);
+        for report in [study().run().unwrap(), study().precise().run().unwrap()] {
+            let rows = rows(&report);
+            let passes_by = |(_, error): &(u64, f64)| (error / told - 1.0).abs() < 0.01;
             assert!(rows.iter().any(passes_by), "{law:?}: a free motion is off by {told:e}: {rows:?}");
             assert!(report.reference().unwrap().error() < 1e-3 * told, "{law:?}");
+        }
+    }
+}
+
+/// What acts for so short a time that these miss it is said by the longest step.
+#[test]
+fn the_longest_step_is_that_of_the_reference_too() {
+    let free = || study(Brief { bump: 0.0, kick: 0.0, width: 1.0 }, [1.0, 1.0]).ladder([1.0]);
+    for longest in [0.07, 0.02] {
+        let reports = [free().dt(longest).run().unwrap(), free().dt(longest).precise().run().unwrap()];
+        for reference in reports.iter().map(|report| report.reference().unwrap()) {
+            assert!(reference.dt() <= longest && reference.dt() > 0.2 * longest, "{longest}: {reference:?}");
         }
     }
 }
@@ -94,7 +90,7 @@ fn a_kick_at_rest_is_followed_precisely() {
 fn orders_are_told_where_steps_differ() {
     let law = Brief { bump: 0.3, kick: 0.0, width: 1.0 };
     let motion = Study::new(law, State::new([1.0], [1.0]), 10.0).repetitions(1);
-    let report = motion.adaptive(Nystrom::order6(), [1e-6, 0.99e-6, 1e-9]).dt(0.5).run().unwrap();
+    let report = motion.adaptive(Nystrom::order6(), [1e-6, 0.9e-6, 1e-9]).dt(0.5).run().unwrap();
     let text = report.to_string();
     let orders: Vec<_> =
         text.lines().filter(|line| line.contains("tol")).map(|line| line.split_whitespace().nth(6).unwrap()).collect();

@@ -94,11 +94,20 @@ impl StudyReport {
             labels.extend(points.last().map(|&end| (end, name.clone(), colour)));
             obstacles.push(points.clone());
         }
-        if labels.is_empty() {
-            let middle = (0.5 * times[0] + 0.5 * times[1], 0.5 * errors[0] + 0.5 * errors[1]);
-            let ended = family.lines.iter().any(|(scheme, _)| self.rows_of(*scheme).any(|row| row.result().is_ok()));
-            let why = if ended { "all errors are larger than the motion" } else { "no run reached the end" };
-            labels.push((middle, why.to_owned(), INK));
+        // What has no line is named above the others.
+        let missing: Vec<_> = family.lines.iter().filter(|(scheme, _)| lines[*scheme].is_empty()).collect();
+        let alone = missing.len() == family.lines.len();
+        let middle = |[from, to]: [f64; 2], part: f64| part.mul_add(to - from, from);
+        for (k, (scheme, name)) in missing.into_iter().enumerate().take(if alone { 1 } else { FEW }) {
+            let ended = self.rows_of(*scheme).any(|row| row.result().is_ok());
+            let why = match (ended, family.title.is_empty() || alone) {
+                (true, true) => "all errors are larger than the motion",
+                (true, false) => "off the scale",
+                (false, _) => "no run reached the end",
+            };
+            let words = if alone { why.to_owned() } else { format!("{name}: {why}") };
+            let height = if alone { 0.5 } else { 0.96 - 0.05 * k as f64 };
+            labels.push(((middle(*times, 0.5), middle(*errors, height)), words, INK));
         }
         label_beside(&chart, &obstacles, &labels)
     }

@@ -243,6 +243,39 @@ fn so_does_it_by_long_steps() {
     by!(Implicit, DiscreteGradient, Composed::order4(DiscreteGradient), Gauss::order16(), LineIntegral::order6());
 }
 
+// The mass on a stiffening spring, with numbers by which one form of what is left of an equation is 0 to the bit and the other is not.
+#[derive(Clone, Copy, Debug)]
+struct Sagging {
+    sag: f64,
+    k: f64,
+    drag: f64,
+}
+
+#[dmech::law]
+impl Sagging {
+    #[potential]
+    fn energy(&self, q: f64) -> f64 {
+        let x = q + self.sag;
+        let weight = self.k * self.sag + 0.4 * self.k * self.sag.powi(3);
+        0.5 * self.k * x * x + 0.1 * self.k * x.powi(4) - weight * q
+    }
+
+    #[force]
+    fn drag(&self, v: f64) -> f64 {
+        -self.drag * v
+    }
+}
+
+/// Where nothing is left, the correction before tells no length: it is as long as the step.
+#[test]
+fn so_does_it_where_nothing_is_left() {
+    let law = Sagging { sag: 0.6259961298245916, k: 12.329592367144208, drag: 10.297753125071909 };
+    let motion = Simulation::new(law, State::new([0.017325367325768785], [0.0]));
+    let run = motion.scheme(Implicit).dt(0.004166666666666667).record_every(10_000).run_until(40.0);
+    let State { q: [q], v: [v], .. } = *run.unwrap_or_else(|e| panic!("{e}")).last();
+    assert!(q.abs() < 1e-13 && v.abs() < 1e-13, "{q:e} {v:e}");
+}
+
 /// In a scene, many at once.
 #[test]
 fn so_do_many_that_are_measured_from_there() {
@@ -320,4 +353,36 @@ fn an_edge_is_no_rounding() {
         }
     }
     assert_eq!(refused, 10);
+}
+
+// An arm upright, measured from where a weak spring holds it, which does not hold it there.
+law!(Upright, 1, |self, q| {
+    let lean = 0.37_f64;
+    self.k * ((q[0] + lean).cos() + lean.sin() * q[0]) + 0.7 * q[0] * q[0]
+});
+
+/// On a hilltop forces cancel too. A step so long that its root there does not continue that of a shorter one is refused, however well
+/// it is known.
+#[test]
+fn a_hilltop_is_not_where_long_steps_lead() {
+    let mut tried = 0;
+    for [q, v] in [[0.0, 0.0], [1e-17, 0.0], [0.0, 1e-17]] {
+        let law = Upright { k: 9.81 };
+        let alone = Simulation::new(law, State::new([q], [v]));
+        let among = Simulation::scene(Scene::new().body(1.0, [q], [v]).field(law));
+        macro_rules! refuse {
+            ($($motion:ident by $scheme:expr;)*) => {$(
+                let moves = |dt: f64| $motion.clone().scheme($scheme).dt(dt).run(1).map(|_| ());
+                assert!(moves(0.3).is_ok(), "{} from {q:e}, {v:e}: {:?}", stringify!($motion by $scheme), moves(0.3));
+                for dt in [1.0, 2.0] {
+                    let refused = moves(dt).unwrap_err();
+                    let cause = refused.cause();
+                    assert!(matches!(cause, dmech::Error::NotConverged { .. }), "{cause}");
+                    tried += 1;
+                }
+            )*};
+        }
+        refuse! { alone by Implicit; alone by DiscreteGradient; among by Implicit; among by DiscreteGradient; }
+    }
+    assert_eq!(tried, 24);
 }

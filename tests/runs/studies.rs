@@ -1,6 +1,7 @@
 //! What a study measures against, and where its steps begin, on motions that tell little of themselves at the start.
 
 use dmech::StudyReport;
+use dmech::models::Pendulum;
 use dmech::prelude::*;
 
 /// A field of space that acts in one place, and one that acts at one time.
@@ -88,9 +89,8 @@ fn a_kick_at_rest_is_followed_precisely() {
 /// Mean steps that hardly differ tell no order.
 #[test]
 fn orders_are_told_where_steps_differ() {
-    let law = Brief { bump: 0.3, kick: 0.0, width: 1.0 };
-    let motion = Study::new(law, State::new([1.0], [1.0]), 10.0).repetitions(1);
-    let report = motion.adaptive(Nystrom::order6(), [1e-6, 0.9e-6, 1e-9]).dt(0.5).run().unwrap();
+    let motion = Study::new(Pendulum { k: 1.7 }, State::new([1.2], [0.3]), 10.0).repetitions(1);
+    let report = motion.adaptive(Nystrom::order6(), [1e-6, 0.9e-6, 1e-9]).run().unwrap();
     let text = report.to_string();
     let orders: Vec<_> =
         text.lines().filter(|line| line.contains("tol")).map(|line| line.split_whitespace().nth(6).unwrap()).collect();

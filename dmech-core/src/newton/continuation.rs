@@ -35,9 +35,8 @@ pub(super) fn follow<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     }
     let (slope, rest) = (made.parts[0], [R::ZERO; D]);
     let delta = if ONCE_ROUNDED { equation.increment_and_rest(slope).0 } else { equation.increment(slope) };
-    let none = Count::of(0);
-    let found = Increment { delta, gradient: slope, parts: [slope, rest], evaluations: none, iterations: none };
-    Ok(found.after(u32::max(astray.evaluations, lost.iterations as u32) + evaluations))
+    let made = Count::of(u32::max(astray.evaluations, lost.iterations as u32) + evaluations);
+    Ok(Increment { delta, gradient: slope, parts: [slope, rest], evaluations: made, iterations: made })
 }
 
 /// Follows the root of the equation from a step of length 0, where Δ = 0, to the whole step.

@@ -55,7 +55,7 @@ impl<L: Clone, X: Repeatable<L>> Case<L, X> {
     /// The number of steps of at most this length, and the length with which they end at the end.
     pub(super) fn whole_steps(&self, dt: f64) -> Result<(u64, f64), Error> {
         let steps = dmech_core::extend::steps_until(self.t(), self.end, dt)?.max(1);
-        Ok((steps, (self.end - self.t()) / steps as f64))
+        Ok((steps, self.span() / steps as f64))
     }
 
     /// How much later than the end so many steps end: t₀ + n h − t_end in exact arithmetic.
@@ -66,7 +66,7 @@ impl<L: Clone, X: Repeatable<L>> Case<L, X> {
 
     /// Lengths and times typical of the start.
     pub(super) fn scales(&self) -> Result<Scales, Error> {
-        let stepper = self.stepper(Explicit, self.end - self.t())?;
+        let stepper = self.stepper(Explicit, self.span())?;
         Ok(Scales::of(stepper.system(), &self.start))
     }
 

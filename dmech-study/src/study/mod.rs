@@ -220,7 +220,7 @@ impl<'a, L: Clone + 'a, X: Repeatable<L> + 'a> Study<'a, L, X> {
         }
         // Steps that are no longer have to reach the end.
         dmech_core::extend::steps_until(case.t(), end, longest)?;
-        let ladder = ladder.map(|steps| ladder::steps(steps, case.end - case.t())).transpose()?;
+        let ladder = ladder.map(|steps| ladder::steps(steps, case.span())).transpose()?;
         let tolerances = runners.iter().map(|runner| runner.tolerances().map(ladder::tolerances).transpose());
         let tolerances = tolerances.collect::<Result<Vec<_>, _>>()?;
         let (truth, reference) = match against {

@@ -34,7 +34,7 @@ where
     let State { t, q, v } = case.start;
     let start = State { t, q: q.map(DoubleDouble::from), v: v.map(DoubleDouble::from) };
     let scheme = if Extrapolation::<L, D, DoubleDouble>::leapfrog() { LEAPFROG } else { MIDPOINT };
-    let span = case.end - t;
+    let span = case.span();
     let Scales { length, time: first } = case.scales()?;
     let mut least = [NOTHING * length, NOTHING * length / first];
     let stepper = case.stepper(Explicit, span)?;

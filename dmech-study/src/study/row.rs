@@ -164,7 +164,7 @@ fn measure_adaptive<L: Clone, X: Repeatable<L>>(
 ) -> StudyRow {
     let run = runner.watch(case, tolerance, 0);
     let steps = run.as_ref().map_or(0, |run| run.steps);
-    let dt = if steps == 0 { f64::NAN } else { (case.end - case.t()) / steps as f64 };
+    let dt = if steps == 0 { f64::NAN } else { case.span() / steps as f64 };
     let row = StudyRow::new(id, (dt, steps), run.and_then(|run| figures(run, (case.end, dt), (truth, 0.0))));
     StudyRow { tolerance: Some(tolerance), ..row }
 }

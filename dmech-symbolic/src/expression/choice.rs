@@ -22,6 +22,17 @@ impl Choice {
     }
 }
 
+impl Node {
+    /// Whether it is one of two expressions, as a condition says: [`Graph::choice`] has them.
+    pub(crate) fn is_choice(&self) -> bool {
+        match self {
+            Self::Select(..) => true,
+            Self::Binary(f, ..) => f.is_extremum(),
+            _ => false,
+        }
+    }
+}
+
 impl Condition {
     /// What is not negative is so small that its inverse is lost.
     pub(crate) fn lost(graph: &mut Graph, power: Expr) -> Self {
@@ -88,9 +99,7 @@ impl Graph {
 
     /// For every expression that has been stored since, whether it is made with a choice.
     pub(crate) fn extend_choosing(&self, chosen: &mut Vec<bool>) {
-        self.extend_marks(chosen, |node| {
-            matches!(node, Node::Select(..)) || matches!(node, Node::Binary(f, ..) if f.is_extremum())
-        });
+        self.extend_marks(chosen, Node::is_choice);
     }
 
     /// The terms that both branches of an `if` have, if there are any, and the choice between what is left of the branches.

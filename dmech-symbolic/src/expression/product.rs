@@ -111,11 +111,8 @@ impl Gathering {
                 let power = graph.binary(extremum, u, w);
                 self.take(graph, power, 1);
             }
-            Node::Select(..) | Node::Binary(..)
-                if n != 1
-                    && (matches!(graph.node(f), Node::Select(..)) || graph.undoes_root(f, n))
-                    && let Some(Choice { condition, yes, no }) = graph.choice(f) =>
-            {
+            node if n != 1 && node.is_choice() && (matches!(node, Node::Select(..)) || graph.undoes_root(f, n)) => {
+                let Choice { condition, yes, no } = graph.choice(f).expect("the factor is a choice");
                 let (yes, no) = (graph.powi(yes, n), graph.powi(no, n));
                 let power = graph.select(condition, yes, no);
                 self.take(graph, power, 1);

@@ -54,6 +54,11 @@ pub trait Eight<R: Real>: Copy + Debug + Send + Sync {
     fn each(&self, j: usize) -> Self::Part;
     /// max(x, |y|) of numbers.
     fn larger(x: Self::Part, y: Self::Part) -> Self::Part;
+    /// min(x, y) of numbers.
+    #[inline(always)]
+    fn smaller(x: Self::Part, y: Self::Part) -> Self::Part {
+        Self::Part::either(x.less(y), x, y)
+    }
     /// Whether a comparison holds for all of a part.
     fn all(mask: <Self::Part as Real>::Mask) -> R::Mask;
     /// Whether it holds for some.
@@ -139,6 +144,10 @@ impl Eight<f64> for Lanes {
     #[inline(always)]
     fn larger(x: Self, y: Self) -> Self {
         x.larger_number(y.abs())
+    }
+    #[inline(always)]
+    fn smaller(x: Self, y: Self) -> Self {
+        x.smaller_number(y)
     }
     #[inline(always)]
     fn all(mask: LanesMask) -> bool {

@@ -93,7 +93,7 @@ impl<R: Staging> Nearing<R> {
         // is the number that is there: to choose that is a store by mask, which with AVX2 took a sixteenth of a step of two coordinates.
         let no_rounding = R::Eight::alike(self.rounding).less(change);
         let most = Part::<R>::either(no_rounding, R::Eight::alike(R::from_f64(f64::INFINITY)), before);
-        self.before.set(part, Part::<R>::either(change.less(most), change, most));
+        self.before.set(part, R::Eight::smaller(change, most));
         self.change.set(part, change);
         R::Eight::any(nearer)
     }

@@ -119,3 +119,98 @@ fn a_kick_at_the_mean_velocity_has_no_pivots() {
         }
     }
 }
+
+/// Two bodies on a stiff spring that are let go: of the first step nothing is known but what the force drives, which is (ωh)²/2 times as far
+/// as they get. Alone and in a scene, stretched by so little or so much.
+#[test]
+fn a_stiff_spring_may_be_let_go() {
+    law!(Bond, 2, |self, q| 0.5 * self.k * (q[0] - q[1]).powi(2) + 0.25 * q[1].powi(4));
+    law!(Floor, 1, |self, q| 0.25 * self.k * q[0].powi(4));
+    let (dt, mut tried) = (0.05, 0);
+    for stretch in [0.5, 0.02, 1e-3, 1e-4, 1e-6] {
+        for angle in [1e2, 1e3, 1e4, 3e4, 1e5_f64] {
+            let k = (angle / dt).powi(2) / 2.0;
+            for creeps in [0.0, 1e-9] {
+                let law = Simulation::new(Bond { k }, State::new([0.5 + stretch, 0.5], [creeps, 0.0]));
+                let run = law.scheme(DiscreteGradient).dt(dt).run(200);
+                let run = run.unwrap_or_else(|lost| panic!("{stretch:e} at {angle:e}: {lost}"));
+                let scene = Scene::new().body(1.0, [0.5 + stretch], [creeps]).body(1.0, [0.5], [0.0]);
+                let scene = Simulation::scene(scene.chain(Rope { k }).field(Floor { k: 1.0 }));
+                let beside = scene.scheme(DiscreteGradient).dt(dt).run(200).unwrap();
+                for (off, each) in [
+                    (run.drift(Invariant::Energy).unwrap().max_relative(), run.report().iterations()),
+                    (beside.drift(Invariant::Energy).unwrap().max_relative(), beside.report().iterations()),
+                ] {
+                    // The stretch is known to the rounding of positions.
+                    let bound = 1e-11 + 1e-14 * angle + 100.0 * f64::EPSILON / stretch;
+                    assert!(off < bound, "{stretch:e} at {angle:e}: energy off by {off:e}");
+                    assert!(each <= 200 * 8, "{stretch:e} at {angle:e}: {each} corrections");
+                }
+                tried += 1;
+            }
+        }
+    }
+    assert_eq!(tried, 50);
+}
+
+/// Of a pendulum that is thrown far by the force at the start of a step, the matrix is definite there and at a root two wells on; the root
+/// of a shorter step lies before that.
+#[test]
+fn what_the_force_throws_far_stays_in_its_well() {
+    law!(Swing, 1, |self, q| -self.k * q[0].cos());
+    let start = State::new([4.933402859414629], [3.213160476444008]);
+    let swing = Simulation::new(Swing { k: 43.753666224659156 }, start);
+    let run = swing.scheme(DiscreteGradient).dt(1.4864327607027454).run(1).unwrap();
+    let [q] = run.last().q;
+    assert!((q - core::f64::consts::TAU).abs() < core::f64::consts::PI, "it is at {q}");
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Rope {
+    k: f64,
+}
+
+#[dmech::law]
+impl Rope {
+    #[pair]
+    fn energy(&self, d: [f64; 1]) -> f64 {
+        0.5 * self.k * d[0] * d[0]
+    }
+}
+
+/// One correction solves a linear force, and what it rounds is of the size of what moves, and not of the path h v of a body that turns
+/// round many times in a step: the energy of the trapezoid moves by (ωh)² roundings, for a law as for any scene with it.
+#[test]
+fn a_linear_force_is_known_at_once_however_stiff() {
+    law!(Spring, 1, |self, q| 0.5 * self.k * q[0] * q[0]);
+    let mut worst: f64 = 0.0;
+    for angle in [1e1, 1e2, 1e3, 1e4, 1e5_f64] {
+        let (dt, k) = (0.01, (angle / 0.01).powi(2));
+        let one = || Scene::new().body(1.0, [1.0], [0.0]);
+        let three = || one().body(2.0, [0.0], [0.3]).body(1.5, [0.5], [0.0]);
+        macro_rules! check {
+            ($scheme:expr; $($motion:expr),*) => {$({
+                let run = $motion.scheme($scheme).dt(dt).run(500).unwrap();
+                let off = run.drift(Invariant::Energy).unwrap().max_relative();
+                assert!(off < 1e-12 + 2e-15 * angle * angle, "{} {angle:e}: {off:e}", stringify!($motion));
+                let work = run.drift(Invariant::WorkEnergy).unwrap().max_abs() / k;
+                assert!(work < 1e-12 + 1e-13 * angle, "{} {angle:e}: work {work:e}", stringify!($motion));
+                worst = worst.max(off / (angle * angle));
+            })*};
+        }
+        macro_rules! all {
+            ($scheme:expr) => {
+                check! {
+                    $scheme;
+                    Simulation::new(Spring { k }, State::new([1.0], [0.0])),
+                    Simulation::scene(one().field(Spring { k })),
+                    Simulation::scene(three().chain(Rope { k })),
+                    Simulation::scene(three().pairs(Rope { k }))
+                }
+            };
+        }
+        all!(Implicit);
+        all!(Composed::order4(Implicit));
+    }
+    println!("the energy moved by {worst:e} (ωh)² at most");
+}

@@ -6,7 +6,7 @@ use dmech_scalar::{Count, Mask, Real};
 use super::cancelling::{self, LostBody};
 use super::damped;
 use super::path::{Path, SWIFT};
-use super::settle::{Astray, settle};
+use super::settle::{Astray, length, settle};
 use super::{Correction, Equation, Increment, NotConverged};
 
 /// Where the guess has not led to the root: the one that lengthening the step leads to, or that of forces that cancel as far as they are known.
@@ -64,7 +64,15 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         } else {
             part.guess = part.increment(by_component!(|i| ahead.mul_add(slope[i], gradient[i])));
         }
-        match settle::<ONCE_ROUNDED, D, R>(&part, correct) {
+        let mut settled = settle::<ONCE_ROUNDED, D, R>(&part, correct);
+        if let Ok(found) = &settled
+            && stretch.is_all()
+            && passes_a_root(&part, found.delta, correct)
+        {
+            let evaluations = found.evaluations.to_u64() as u32 + 1;
+            settled = Err(Astray { evaluations, residual: largest(&found.delta), elsewhere: true });
+        }
+        match settled {
             Ok(found) => {
                 evaluations += found.evaluations.to_u64() as u32;
                 if stretch.is_last() {
@@ -86,4 +94,22 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         return damped::descend::<ONCE_ROUNDED, D, R>(equation, spent, correct);
     }
     Err(Astray { evaluations, elsewhere: astray.elsewhere || last.elsewhere, ..last }.into())
+}
+
+/// Whether a root, farther than what is known of the step goes, is another than that of a shorter step: half way to it the residual
+/// drives back, so that there is one before it.
+fn passes_a_root<const D: usize, R: Real>(
+    equation: &Equation<D, R>,
+    delta: [R; D],
+    correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
+) -> bool {
+    let known = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
+    let far = known.less(length(&correct(equation, [R::ZERO; D], equation.q).delta));
+    if !far.any() {
+        return false;
+    }
+    let half: [R; D] = by_component!(|i| R::from_f64(0.5) * delta[i]);
+    let rest = equation.rest(half, correct(equation, half, equation.end(half)).parts[0]);
+    let along = (0..D).fold(R::ZERO, |sum, i| rest[i].mul_add(delta[i], sum));
+    far.and(along.less(R::ZERO)).any()
 }

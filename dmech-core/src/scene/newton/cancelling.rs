@@ -19,7 +19,7 @@ impl<const D: usize> Solver<D> {
         // From a guess far off the first correction is long whatever the force.
         let shortest = astray.residual.min(lost.residual);
         let corrections = step.equation.newton.limit().saturating_sub(astray.iterations as u32);
-        self.guess(step.equation);
+        self.guess::<U>(step.equation);
         let (guess, here) = (self.delta.clone(), self.gradient.clone());
         let mut ended = LostScene { solver: self, step, here, evaluations: 0 };
         let delta = root(&mut ended, guess, corrections, shortest)?;

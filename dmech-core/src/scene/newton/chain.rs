@@ -95,10 +95,10 @@ impl<const D: usize> Solver<D> {
         let (mut force, mut stiffness, mut place) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
         let mut least = f64::INFINITY;
         let mut before = Before { link: [0.0; D], jacobian: [[0.0; D]; D], following: [[0.0; D]; D], solved: [0.0; D] };
-        self.place_block(equation, 0, guess);
+        self.place_block::<U>(equation, 0, guess);
         for first in (0..bodies).step_by(Lanes::COUNT) {
             // A link needs the body after it.
-            self.place_block(equation, first + Lanes::COUNT, guess);
+            self.place_block::<U>(equation, first + Lanes::COUNT, guess);
             let mut stencil = Stencil::NOTHING;
             unknown.stencil(&self.place, first, &mut stencil);
             let range = block(first, bodies);
@@ -178,14 +178,14 @@ impl<const D: usize> Solver<D> {
 
     /// The guess, if it is to be made, and b = q + Δ for the bodies from `first` on.
     #[inline(always)]
-    fn place_block(&mut self, equation: &Equations<'_, D>, first: usize, guess: bool) {
+    fn place_block<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>, first: usize, guess: bool) {
         let bodies = self.delta.bodies();
         let range = block(first.min(bodies), bodies);
         for k in 0..D {
             let column = || k * bodies + range.start..k * bodies + range.end;
             let of = |x: &Vectors<D>| load(x.flat(), column());
             if guess {
-                store(equation.guess(column()), self.delta.flat_mut(), column());
+                store(equation.guess::<U>(column()), self.delta.flat_mut(), column());
             }
             let place = of(equation.q) + (of(equation.q_low) + of(&self.delta));
             store(place, self.place.flat_mut(), column());

@@ -48,9 +48,12 @@ impl<const D: usize> Equations<'_, D> {
     }
 
     /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), for some components, eight at most.
+    ///
+    /// Of a force that is [known at once](Unknown::AT_ONCE), 0: what rounds of a guess far off would be as large as the guess in steps of
+    /// many radians, where h v is many amplitudes.
     #[inline(always)]
-    pub(super) fn guess(&self, range: Range<usize>) -> Lanes {
-        if self.newton.start() == Guess::Previous {
+    pub(super) fn guess<U: Unknown<D>>(&self, range: Range<usize>) -> Lanes {
+        if U::AT_ONCE || self.newton.start() == Guess::Previous {
             return Lanes::ZERO;
         }
         let of = |x: &Vectors<D>| load(x.flat(), range.clone());
@@ -77,6 +80,8 @@ pub(in crate::scene) trait Unknown<const D: usize> {
     const MIDDLE: bool = false;
     /// The step conserves the energy: what rounding keeps from G, always of one sign where corrections are, is asked for.
     const EXACT: bool;
+    /// The first correction, from Δ = 0, is the solution.
+    const AT_ONCE: bool = Self::LINEAR && !Self::EXACT;
 
     /// out ← G(b, x, v), for a part θ of the step; x and v are those of the force.
     fn gradient(&self, theta: f64, b: &Vectors<D>, force_at: [&Vectors<D>; 2], out: &mut Vectors<D>);

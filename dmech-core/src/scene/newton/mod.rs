@@ -132,7 +132,7 @@ impl<const D: usize> Solver<D> {
             }
             chain => {
                 self.chain = chain;
-                self.guess(equation);
+                self.guess::<U>(equation);
                 self.settle(step, Trial::OF_GUESS)
             }
         };
@@ -204,11 +204,11 @@ impl<const D: usize> Solver<D> {
         self.matrix.factorise(&self.scaled, kind::<U, D>())
     }
 
-    /// The first Δ: h v − g (known + 3G − 3G₋ + G₋₋), with the last three forces continued by a parabola.
-    fn guess(&mut self, equation: &Equations<'_, D>) {
+    /// The first Δ.
+    fn guess<U: Unknown<D>>(&mut self, equation: &Equations<'_, D>) {
         for first in (0..self.delta.flat().len()).step_by(Lanes::COUNT) {
             let range = block(first, self.delta.flat().len());
-            store(equation.guess(range.clone()), self.delta.flat_mut(), range);
+            store(equation.guess::<U>(range.clone()), self.delta.flat_mut(), range);
         }
     }
 

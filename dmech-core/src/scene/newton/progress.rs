@@ -57,8 +57,8 @@ impl Progress {
             return Err(NotConverged { iterations: iteration.into(), residual: size });
         }
         if U::LINEAR {
-            // The first correction is the solution, from wherever it began; its rounding would be work of one sense at every step.
-            let enough = iteration > 1 || !U::EXACT;
+            // Where the energy is to be exact, rounding of the first correction would be work of one sense at every step.
+            let enough = iteration > 1 || U::AT_ONCE;
             return Ok(if enough { Verdict::Settled } else { Verdict::GoesOn });
         }
         let rate = if iteration == 1 { size / step } else { size / self.last };

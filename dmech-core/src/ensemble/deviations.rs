@@ -48,11 +48,10 @@ impl<const D: usize, const W: usize> Deviations<D, W> {
     pub(super) fn seat(&mut self, lane: usize, start: &State<D>, watch: &Watch<State<D>>) {
         self.first.q.set(lane, &start.q);
         self.first.v.set(lane, &start.v);
-        let (energies, carried) = watch.counted_from();
-        self.energies.set(lane, &energies);
-        self.carried.set(lane, &carried);
+        self.energies.set(lane, &watch.energies);
+        self.carried.set(lane, &watch.carried);
         if let Some(work) = &mut self.work {
-            let Compensated { hi, lo } = watch.work();
+            let Compensated { hi, lo } = watch.work;
             (work.hi[lane], work.lo[lane]) = (hi, lo);
         }
         self.take(lane, watch);
@@ -60,8 +59,8 @@ impl<const D: usize, const W: usize> Deviations<D, W> {
 
     /// Takes what was seen of one by itself.
     pub(super) fn take(&mut self, lane: usize, watch: &Watch<State<D>>) {
-        for (drift, watched) in self.drifts.iter_mut().zip(watch.drifts()) {
-            if let (Some(drift), Some(watched)) = (drift, &watched) {
+        for (drift, watched) in self.drifts.iter_mut().zip(&watch.drifts) {
+            if let (Some(drift), Some(watched)) = (drift, watched) {
                 drift.set(lane, watched);
             }
         }
@@ -69,15 +68,13 @@ impl<const D: usize, const W: usize> Deviations<D, W> {
 
     /// Gives one what was seen of it.
     pub(super) fn land(&self, lane: usize, watch: &mut Watch<State<D>>) {
-        let mut drifts = watch.drifts();
-        for (watched, all) in drifts.iter_mut().zip(&self.drifts) {
+        for (watched, all) in watch.drifts.iter_mut().zip(&self.drifts) {
             if let (Some(watched), Some(all)) = (watched, all) {
                 *watched = all.lane(lane);
             }
         }
-        watch.set_drifts(drifts);
         if let Some(Compensated { hi, lo }) = self.work {
-            watch.set_work(Compensated { hi: hi[lane], lo: lo[lane] });
+            watch.work = Compensated { hi: hi[lane], lo: lo[lane] };
         }
     }
 

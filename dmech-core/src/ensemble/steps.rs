@@ -188,7 +188,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
     fn alike(&self, system: &Together<L, D, W>, alone: &Alone<L, Self, D>) -> Paced<L, S, D, W> {
         let pacing: Pacing<Rows<W>> = ByLane::alike(&alone.memory.pacing);
         let stride = system.stride(pacing.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
-        let workspace = watching::<L, S, D, W>(&self.inner(), system, &stride);
+        let workspace = watching::<L, S, D, W>(&self.scheme, system, &stride);
         let memory = ByLane::alike(&alone.memory.inner);
         Paced { stride, memory, workspace, pacing, longest: Rows::from_f64(alone.dt) }
     }
@@ -201,7 +201,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
 
     fn set_strides(&self, system: &Together<L, D, W>, all: &mut Paced<L, S, D, W>) {
         all.stride = system.stride(all.pacing.dt, <S as Scheme<Together<L, D, W>>>::SHARE);
-        self.inner().pace(system, &all.stride, &mut all.workspace);
+        self.scheme.pace(system, &all.stride, &mut all.workspace);
     }
 
     fn advance(
@@ -212,7 +212,7 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
         cost: &mut Effort<Rows<W>>,
         work: Option<&mut Compensated<Rows<W>>>,
     ) -> Option<u64> {
-        let (scheme, mut spent) = (self.inner(), *cost);
+        let (scheme, mut spent) = (self.scheme, *cost);
         let (mut memory, mut pacing) = (all.memory.clone(), all.pacing);
         let Paced { stride, workspace, longest, .. } = all;
         let mut made = 0;
@@ -266,14 +266,14 @@ impl<L: Fields<D>, S: Adaptable + BySide<L, D, W>, const D: usize, const W: usiz
     }
 
     fn state(&self, system: &Together<L, D, W>, all: &Paced<L, S, D, W>) -> (Rows<W>, [[Rows<W>; D]; 2]) {
-        let (scheme, Paced { stride, memory, pacing, .. }) = (self.inner(), all);
+        let (scheme, Paced { stride, memory, pacing, .. }) = (self.scheme, all);
         let t = pacing.time.value();
         let q = *<S as Scheme<Together<L, D, W>>>::position(&scheme, memory);
         (t, [q, scheme.velocity(system, stride, t, memory)])
     }
 
     fn own_kinetic_energy(&self, system: &Together<L, D, W>, all: &Paced<L, S, D, W>) -> Rows<W> {
-        self.inner().kinetic_energy(system, &all.memory)
+        self.scheme.kinetic_energy(system, &all.memory)
     }
 
     fn at_the_end(&self, all: &Paced<L, S, D, W>) -> Option<Rows<W>> {

@@ -33,16 +33,17 @@ pub struct Watch<X, R: Real = f64> {
     /// The first state.
     first: X,
     /// Energies at the start, by `Invariant as usize`; 0 where there is none.
-    energies: [R; Invariant::ALL.len()],
+    pub(crate) energies: [R; Invariant::ALL.len()],
     /// What changes of the motion had come to in the deviations of the momenta before them.
-    carried: [f64; 2],
-    work: Compensated<R>,
-    drifts: Drifts,
+    pub(crate) carried: [f64; 2],
+    /// Of the steps so far.
+    pub(crate) work: Compensated<R>,
+    pub(crate) drifts: Drifts,
     /// The law's own invariants at the start.
     own_start: [R; MAX_OWN],
     own: OwnDrifts,
     /// Their history, where it is kept.
-    histories: Option<Box<Histories>>,
+    pub(super) histories: Option<Box<Histories>>,
 }
 
 impl<X: Clone, R: Real> Watch<X, R> {
@@ -147,26 +148,6 @@ impl<X: Clone, R: Real> Watch<X, R> {
         here.momentum(invariant).map(|[momentum, deviation]| [momentum, carried + deviation])
     }
 
-    /// Takes them from elsewhere; those of the law itself are looked at here.
-    pub(crate) fn set_drifts(&mut self, drifts: Drifts) {
-        self.drifts = drifts;
-    }
-
-    /// From where energies are counted, and what is to be added to the deviations of momenta.
-    pub(crate) fn counted_from(&self) -> ([R; Invariant::ALL.len()], [f64; 2]) {
-        (self.energies, self.carried)
-    }
-
-    /// The work of the steps so far.
-    pub(crate) fn work(&self) -> Compensated<R> {
-        self.work
-    }
-
-    /// Takes it from elsewhere.
-    pub(crate) fn set_work(&mut self, work: Compensated<R>) {
-        self.work = work;
-    }
-
     /// Where the work of the steps is not summed.
     pub(crate) fn forget_work(&mut self) {
         self.drifts[Invariant::WorkEnergy as usize] = None;
@@ -192,10 +173,6 @@ impl<X: Clone, R: Real> Watch<X, R> {
         histories.see(t, &self.drifts.map(|drift| drift.map_or(f64::NAN, none)));
         self.own.iter().enumerate().for_each(|(k, (_, drift))| histories.see_own(k, t, none(drift)));
         self.histories = Some(Box::new(histories));
-    }
-
-    pub(super) fn take_histories(&mut self) -> Option<Box<Histories>> {
-        self.histories.take()
     }
 
     /// Takes the deviations of the quantities of a run, one after another.

@@ -11,11 +11,11 @@ use crate::stepper::Stepper;
 
 impl<X: 'static, const D: usize, A: Laws> Holds<X> for SceneSystem<D, A> {
     fn law_mut(&mut self) -> Option<&mut X> {
-        self.acts.law(TypeId::of::<X>(), None)?.downcast_mut()
+        self.acts.terms.law(TypeId::of::<X>(), None)?.downcast_mut()
     }
 
     fn law_of_mut(&mut self, body: usize) -> Option<&mut X> {
-        self.acts.law(TypeId::of::<X>(), Some(body))?.downcast_mut()
+        self.acts.terms.law(TypeId::of::<X>(), Some(body))?.downcast_mut()
     }
 }
 

@@ -11,6 +11,7 @@ mod both;
 mod builder;
 mod changes;
 mod compensated;
+mod driven;
 mod drives;
 mod eights;
 mod encounter;
@@ -36,7 +37,7 @@ pub use space::{Open, Periodic, Space};
 pub use state::SceneState;
 pub use system::{SceneRoom, SceneSolver, SceneStride, SceneSystem};
 pub use table::LongCsv;
-pub use terms::{Acts, Bonds, Chain, Driven, Each, Fault, Kicked, Laws, Linked, Moving, Near, One, Own, Pairs, Term};
+pub use terms::{Acts, Bonds, Chain, Each, Fault, Kicked, Laws, Linked, Moving, Near, One, Own, Pairs, Term};
 pub use topology::Topology;
 pub use vectors::Vectors;
 

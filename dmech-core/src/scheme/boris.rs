@@ -96,5 +96,4 @@ impl Splitting<1> for Boris {
     const BY_MEAN: bool = true;
     const DRIFTS: [f64; 1] = [0.5];
     const KICKS: [f64; 1] = [1.0];
-    const GRADIENTS: [f64; 1] = [0.0];
 }

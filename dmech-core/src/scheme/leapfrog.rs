@@ -57,5 +57,4 @@ impl Splitting<1> for Leapfrog {
     const FIRST: First = First::Kick;
     const DRIFTS: [f64; 1] = [1.0];
     const KICKS: [f64; 1] = [0.5];
-    const GRADIENTS: [f64; 1] = [0.0];
 }

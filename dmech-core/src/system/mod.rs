@@ -152,22 +152,11 @@ pub trait System: Sized {
     );
     /// A kick and, with the new velocity, a drift in the time a, in one pass over the coordinates; the work of the kick is added,
     /// if it is [watched](System::watch).
+    ///
+    /// `BY_MEAN` is with the force at the mean velocity of the kick, to ← v − b (h/m)(∇Φ − F(q, (v + to)/2)): each body has one
+    /// that is linear in its velocity. The kick has no force gradient then.
     #[expect(clippy::too_many_arguments, reason = "a whole stage in one pass")]
-    fn kick_and_drift(
-        &self,
-        room: &mut Self::Room,
-        stride: &Self::Stride,
-        kick: Kick<Self::Scalar>,
-        a: Self::Scalar,
-        q: &mut Self::Vector,
-        v: &Self::Vector,
-        to: &mut Self::Vector,
-        work: &mut Self::Work,
-    );
-    /// The same with the force at the mean velocity of the kick, to ← v − b (h/m)(∇Φ − F(q, (v + to)/2)): each body has one
-    /// that is linear in its velocity. The kick has no force gradient.
-    #[expect(clippy::too_many_arguments, reason = "a whole stage in one pass")]
-    fn kick_by_mean_and_drift(
+    fn kick_and_drift<const BY_MEAN: bool>(
         &self,
         room: &mut Self::Room,
         stride: &Self::Stride,

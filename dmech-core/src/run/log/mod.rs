@@ -144,7 +144,7 @@ impl<X: Clone, R: Real, O: Attend<X>> Log<X, R, O> {
             self.look_at(motion, &last);
         }
         let Log { mut run, mut watch, time, attend, failed_at, between: Spent([evaluations, iterations]), .. } = self;
-        run.histories = watch.take_histories();
+        run.histories = watch.histories.take();
         let work = motion.work();
         let (evaluations, iterations) = (evaluations + work.evaluations, iterations + work.iterations);
         let work = Cost { evaluations, iterations, elapsed, ..work };

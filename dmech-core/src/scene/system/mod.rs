@@ -17,13 +17,13 @@ pub use stride::SceneStride;
 
 use super::bodies::check_state;
 use super::compensated::CompensatedVectors;
+use super::driven::Driven;
 use super::drives::Seen;
 use super::state::SceneState;
-use super::terms::{Acts, Driven, Kicked, Moving};
+use super::terms::{Acts, Kicked, Moving};
 use super::vectors::Vectors;
 use crate::error::Error;
 use crate::invariant::Invariant;
-use crate::law::rotation;
 use crate::newton::NotConverged;
 use crate::system::{Beginning, Kick, LinearVelocities, Look, System, TimeScale, WithoutVelocities, not_converged};
 
@@ -168,7 +168,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     fn potential(&self, t: f64, q: &Vectors<D>) -> f64 {
-        self.acts.potential(q, t)
+        self.acts.at(t, q, |terms, q| terms.potential(q, t))
     }
 
     fn kinetic_energy(&self, v: &Vectors<D>) -> f64 {
@@ -199,7 +199,8 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     ) {
         if A::AT_ONCE && kick.e == 0.0 {
             let (columns, v, to) = (stride.kick.columns(), v.columns(), to.columns_mut());
-            return self.acts.kick(q, kick.t, Kicked { b: kick.b, kick: columns, v, to });
+            let kicked = Kicked { b: kick.b, kick: columns, v, to };
+            return self.acts.at(kick.t, q, |terms, q| terms.kick(q, kick.t, kicked));
         }
         self.slope(kick.t, q, v, &mut room.slope);
         let b = self.length(room, stride, kick, q);
@@ -207,7 +208,7 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
     }
 
     #[inline]
-    fn kick_and_drift(
+    fn kick_and_drift<const BY_MEAN: bool>(
         &self,
         room: &mut SceneRoom<D>,
         stride: &SceneStride<D>,
@@ -218,9 +219,16 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         to: &mut Vectors<D>,
         work: &mut Vectors<D>,
     ) {
-        if kick.e == 0.0 && !room.watched && self.acts.at_once() {
+        if BY_MEAN && A::FORCED {
+            self.kick_by_mean(room, stride, kick, q, v, to);
+            if room.watched {
+                self.add_work(work, v, to);
+            }
+            return Self::add_scaled(q, a, to);
+        }
+        if kick.e == 0.0 && !room.watched && self.acts.drives.is_empty() && self.acts.terms.at_once() {
             let (columns, v, to) = (stride.kick.columns(), v.columns(), to.columns_mut());
-            return self.acts.kick_and_drift(a, q, kick.t, Kicked { b: kick.b, kick: columns, v, to });
+            return self.acts.terms.kick_and_drift(a, q, kick.t, Kicked { b: kick.b, kick: columns, v, to });
         }
         self.slope(kick.t, q, v, &mut room.slope);
         let b = self.length(room, stride, kick, q);
@@ -231,39 +239,6 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         } else {
             passes::kick_and_drift([b, a], kick, slope, q, v, to);
         }
-    }
-
-    fn kick_by_mean_and_drift(
-        &self,
-        room: &mut SceneRoom<D>,
-        stride: &SceneStride<D>,
-        kick: Kick<f64>,
-        a: f64,
-        q: &mut Vectors<D>,
-        v: &Vectors<D>,
-        to: &mut Vectors<D>,
-        work: &mut Vectors<D>,
-    ) {
-        if !A::FORCED {
-            return self.kick_and_drift(room, stride, kick, a, q, v, to, work);
-        }
-        let SceneRoom { slope, still, by_velocity, watched, .. } = room;
-        if still.bodies() != q.bodies() {
-            *still = self.zero();
-        }
-        by_velocity.clear();
-        by_velocity.resize(q.bodies(), [[0.0; D]; D]);
-        self.slope(kick.t, q, still, slope);
-        self.acts.add_force_dv(q, kick.t, by_velocity);
-        // The first column of h/m: a body has one mass.
-        for (i, (&by_velocity, c)) in by_velocity.iter().zip(stride.kick.flat()).enumerate() {
-            let push = slope.get(i).map(|s| -s);
-            to.set(i, rotation::kick_by_mean(kick.b * c, push, by_velocity, v.get(i)));
-        }
-        if *watched {
-            self.add_work(work, v, to);
-        }
-        Self::add_scaled(q, a, to);
     }
 
     fn kick_both_ways(
@@ -359,12 +334,12 @@ impl<const D: usize, A: Acts<D>> System for SceneSystem<D, A> {
         if !(slope.is_finite() && self.is_placed(start.t)) {
             return self.refuse([&q, &v], start.t);
         }
-        self.acts.as_written(&|i| [q.get(i), v.get(i)], start.t)
+        self.acts.terms.as_written(&|i| [q.get(i), v.get(i)], start.t)
     }
 
     fn check_potential(&self, start: &SceneState<D>) -> Result<(), Error> {
         let [q, v] = self.vectors(start);
-        if self.acts.potential(&q, start.t).is_finite() { Ok(()) } else { self.refuse([&q, &v], start.t) }
+        if self.potential(start.t, &q).is_finite() { Ok(()) } else { self.refuse([&q, &v], start.t) }
     }
 
     #[cold]
@@ -431,6 +406,7 @@ impl<const D: usize, A: Acts<D>> TimeScale for SceneSystem<D, A> {
 
     fn look(&self, room: &mut SceneRoom<D>, t: f64, q: &Vectors<D>, v: &Vectors<D>, least: f64) -> Look {
         System::slope(self, t, q, v, &mut room.slope);
-        self.acts.look(&Moving { t, q, v, slope: &room.slope, per_mass: &self.per_mass, least })
+        let (slope, per_mass) = (&room.slope, &self.per_mass[..]);
+        self.acts.moving(t, q, v, |terms, q, v| terms.look(&Moving { t, q, v, slope, per_mass, least }))
     }
 }

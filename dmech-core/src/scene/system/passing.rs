@@ -5,7 +5,7 @@ use dmech_scalar::{Lanes, Real};
 use super::stages::{PLACED_IN_PASSING, SceneAim};
 use super::{SceneStride, SceneSystem};
 use crate::scene::eights::Eights;
-use crate::scene::terms::{ActsAtStages, BodyAtStages, Driven};
+use crate::scene::terms::{ActsAtStages, BodyAtStages};
 use crate::system::Tableau;
 use crate::system::stages::{Eight, weighed};
 
@@ -51,14 +51,14 @@ impl<const D: usize, A: ActsAtStages<D>> SceneSystem<D, A> {
 
         let bodies = per_unit.len();
         if bodies > 0 {
-            let (mut here, mut before) = (place(&pushes, 0), Driven::<D, A>::UNFELT);
+            let (mut here, mut before) = (place(&pushes, 0), A::UNFELT);
             for next in 1..bodies {
                 let there = place(&pushes, next);
-                let after = self.acts.felt(*t, next - 1, [&here, &there]);
-                push(&mut pushes, next - 1, self.acts.slope(*t, next - 1, &here, [&before, &after]));
+                let after = self.acts.terms.felt(*t, next - 1, [&here, &there]);
+                push(&mut pushes, next - 1, self.acts.terms.slope(*t, next - 1, &here, [&before, &after]));
                 (here, before) = (there, after);
             }
-            let end = self.acts.slope(*t, bodies - 1, &here, [&before, &Driven::<D, A>::UNFELT]);
+            let end = self.acts.terms.slope(*t, bodies - 1, &here, [&before, &A::UNFELT]);
             push(&mut pushes, bodies - 1, end);
         }
         nearing.comes_nearer(0, most)

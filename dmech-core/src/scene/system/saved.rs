@@ -5,6 +5,7 @@ use crate::checkpoint::{Carried, Saved};
 use crate::scene::compensated::CompensatedVectors;
 use crate::scene::terms::Acts;
 use crate::scene::vectors::Vectors;
+use crate::system::System;
 
 impl<const D: usize> Carried for Vectors<D> {
     fn carried(&mut self) -> Vec<&mut [f64]> {
@@ -28,15 +29,16 @@ impl<const D: usize, A: Acts<D>> Saved for SceneSystem<D, A> {
     }
 
     fn fields(&self, see: &mut dyn FnMut(&'static str, f64)) {
-        self.acts.fields(see);
+        self.acts.terms.fields(see);
+        self.acts.drives.bodies().for_each(|i| see("driven bodies", i as f64));
         self.tests.iter().for_each(|&i| see("test bodies", i as f64));
     }
 
     /// Φ, ∇Φ and F.
     fn sample(&self, t: f64, [q, v]: &[Vectors<D>; 2], see: &mut dyn FnMut(&[f64])) {
         let mut out = Vectors::zeros(q.bodies());
-        see(&[self.acts.potential(q, t)]);
-        self.acts.add_gradient(q, t, &mut out);
+        see(&[self.potential(t, q)]);
+        self.acts.at(t, q, |terms, q| terms.add_gradient(q, t, &mut out));
         see(out.flat());
         out.clear();
         self.acts.subtract_force(1.0, q, v, t, &mut out);

@@ -4,9 +4,10 @@ use super::SceneSystem;
 use crate::error::Error;
 use crate::scene::bodies::Bodies;
 use crate::scene::builder::Scene;
+use crate::scene::driven::Driven;
 use crate::scene::space::Space;
 use crate::scene::state::SceneState;
-use crate::scene::terms::{Driven, Term};
+use crate::scene::terms::Term;
 use crate::setup::Setup;
 use crate::span::moves_on;
 
@@ -34,11 +35,11 @@ impl<const D: usize, P, L: Term<D, P, B>, B: Space<D>> Setup<()> for Scene<D, P,
         bodies.check()?;
         space.check()?;
         moves_on(bodies.t, dt, f64::EPSILON)?;
-        let acts = laws.prepare(&bodies, space)?;
+        let terms = laws.prepare(&bodies, space)?;
         let mut per_mass: Vec<_> = bodies.masses.iter().map(|mass| mass.recip()).collect();
         bodies.pins.iter().for_each(|&i| per_mass[i] = 0.0);
         let weights = bodies.weights();
         let Bodies { masses, pins, tests, drives, .. } = bodies;
-        Ok(SceneSystem { acts: Driven { acts, drives }, masses, pins, per_mass, tests, weights })
+        Ok(SceneSystem { acts: Driven { terms, drives }, masses, pins, per_mass, tests, weights })
     }
 }

@@ -2,11 +2,12 @@
 
 use crate::newton::NotConverged;
 use crate::scene::compensated::CompensatedVectors;
+use crate::scene::driven::Driven;
 use crate::scene::matrix::Matrix;
 use crate::scene::newton::{Equations, Solver, Unknown};
 use crate::scene::system::{SceneStride, SceneSystem};
+use crate::scene::terms::Acts;
 use crate::scene::terms::stencil::Stencil;
-use crate::scene::terms::{Acts, Driven};
 use crate::scene::vectors::Vectors;
 use crate::scheme::Effort;
 use crate::system::{Ahead, ImplicitSteps, Step};
@@ -20,12 +21,12 @@ pub struct SceneSolver<const D: usize> {
 }
 
 /// ∇Φ(b) − F(b, v) at the end of the step.
-struct AtEnd<'a, A> {
-    acts: &'a A,
+struct AtEnd<'a, const D: usize, A> {
+    acts: &'a Driven<D, A>,
     t: f64,
 }
 
-impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
+impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, D, A> {
     const LINEAR: bool = A::LINEAR && !A::FORCED;
     const PIECEWISE: bool = A::PIECEWISE;
     const CHAIN: bool = A::CHAIN;
@@ -38,13 +39,13 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for AtEnd<'_, A> {
     }
 
     fn jacobian(&self, _: f64, b: &Vectors<D>, [x, v]: [&Vectors<D>; 2], rate: f64, out: &mut Matrix<D>) {
-        self.acts.add_hessian(1.0, b, self.t, out);
+        self.acts.at(self.t, b, |terms, b| terms.add_hessian(1.0, b, self.t, out));
         self.acts.subtract_force_jacobian(1.0, x, v, self.t, rate, out);
     }
 
     #[inline(always)]
     fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>) {
-        self.acts.add_stencil(b, self.t, first, out);
+        self.acts.terms.add_stencil(b, self.t, first, out);
     }
 }
 
@@ -55,7 +56,7 @@ const fn workless<const D: usize, A: Acts<D>>() -> bool {
 
 /// ∇̄Φ(a, b) − F(b, v)/2; of a force that does no work − F((a + b)/2, v̄).
 struct Exact<'a, const D: usize, A> {
-    acts: &'a A,
+    acts: &'a Driven<D, A>,
     a: &'a Vectors<D>,
     middle: f64,
     end: f64,
@@ -84,13 +85,13 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Exact<'_, D, A> {
 
     #[inline(always)]
     fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>) {
-        self.acts.add_discrete_stencil(self.a, b, self.middle, first, out);
+        self.acts.terms.add_discrete_stencil(self.a, b, self.middle, first, out);
     }
 }
 
 /// ∇̄Φ(q₋, b).
 struct Across<'a, const D: usize, A> {
-    acts: &'a A,
+    acts: &'a Driven<D, A>,
     before: &'a Vectors<D>,
     q: &'a Vectors<D>,
     t: f64,
@@ -132,7 +133,7 @@ impl<const D: usize, A: Acts<D>> Unknown<D> for Across<'_, D, A> {
 
     #[inline(always)]
     fn stencil(&self, b: &Vectors<D>, first: usize, out: &mut Stencil<D>) {
-        self.acts.add_discrete_stencil(self.before, b, self.t, first, out);
+        self.acts.terms.add_discrete_stencil(self.before, b, self.t, first, out);
     }
 }
 

@@ -122,7 +122,7 @@ impl<const D: usize, A: ActsAtStages<D>> Staged for SceneSystem<D, A> {
             apart.iter_mut().enumerate().for_each(|(stage, apart)| q.copy_to(stage, apart));
         }
         slopes.clear();
-        self.acts.add_slopes(&Moments { t: *t, q, v, apart }, slopes);
+        self.acts.terms.add_slopes(&Moments { t: *t, q, v, apart }, slopes);
         let mut most = Lanes::ZERO;
         let columns = pushes.columns_mut().into_iter().zip(slopes.columns()).zip(shares.columns());
         for ((pushes, slopes), shares) in columns {

@@ -153,7 +153,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
     #[inline]
     fn kick(&self, q: &Vectors<D>, t: f64, kick: Kicked<'_, D>) {
         if self.acting.all() {
-            self.links.kick(&self.slope(t), q, &self.numbers, kick);
+            self.links.pass(&self.slope(t), &self.numbers, sweep::Staying { q: q.columns(), kicked: kick });
         } else {
             self.kick_felt(&self.slope(t), q, kick);
         }
@@ -161,7 +161,7 @@ impl<const D: usize, P, X: LinkLaw<D, P>, T: Links, B: Space<D>> Acts<D> for Lin
 
     #[inline]
     fn kick_and_drift(&self, a: f64, q: &mut Vectors<D>, t: f64, kick: Kicked<'_, D>) {
-        self.links.kick_and_drift(&self.slope(t), a, q, &self.numbers, kick);
+        self.links.pass(&self.slope(t), &self.numbers, sweep::Drifting { a, q: q.columns_mut(), kicked: kick });
     }
 
     fn at_once(&self) -> bool {

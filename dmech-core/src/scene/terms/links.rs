@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::numbers::NumberColumns;
-use super::sweep::{self, Kernels, Kicked};
+use super::sweep::{self, Kernels, Sink};
 use crate::error::{Error, SceneError};
 use crate::law::Numbers;
 use crate::scene::acting::Acting;
@@ -96,24 +96,12 @@ pub trait Links {
     ) {
     }
 
-    /// Kicks by the gradient as it is computed, in one pass, where [`CHAIN`](Links::CHAIN) says so.
-    fn kick<const D: usize, N: Numbers>(
+    /// Puts the gradient where it goes as it is computed, in one pass, where [`CHAIN`](Links::CHAIN) says so.
+    fn pass<const D: usize, N: Numbers>(
         &self,
         _kernel: &impl Kernels<D, 1, N>,
-        _q: &Vectors<D>,
         _numbers: &NumberColumns<N>,
-        _kick: Kicked<'_, D>,
-    ) {
-    }
-
-    /// The same, and drifts by the new velocities: q += a v′.
-    fn kick_and_drift<const D: usize, N: Numbers>(
-        &self,
-        _kernel: &impl Kernels<D, 1, N>,
-        _a: f64,
-        _q: &mut Vectors<D>,
-        _numbers: &NumberColumns<N>,
-        _kick: Kicked<'_, D>,
+        _sink: impl Sink<D, 1>,
     ) {
     }
 
@@ -180,25 +168,13 @@ impl Links for Chain {
         sweep::chain(*kernel, numbers, sweep::Gradient::<D, S, SET> { q, out: out.columns_mut() });
     }
 
-    fn kick<const D: usize, N: Numbers>(
+    fn pass<const D: usize, N: Numbers>(
         &self,
         kernel: &impl Kernels<D, 1, N>,
-        q: &Vectors<D>,
         numbers: &NumberColumns<N>,
-        kicked: Kicked<'_, D>,
+        sink: impl Sink<D, 1>,
     ) {
-        sweep::chain(*kernel, numbers, sweep::Staying { q: q.columns(), kicked });
-    }
-
-    fn kick_and_drift<const D: usize, N: Numbers>(
-        &self,
-        kernel: &impl Kernels<D, 1, N>,
-        a: f64,
-        q: &mut Vectors<D>,
-        numbers: &NumberColumns<N>,
-        kicked: Kicked<'_, D>,
-    ) {
-        sweep::chain(*kernel, numbers, sweep::Drifting { a, q: q.columns_mut(), kicked });
+        sweep::chain(*kernel, numbers, sink);
     }
 
     fn topology(&self) -> Topology {

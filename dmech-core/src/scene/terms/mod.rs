@@ -1,7 +1,6 @@
 //! What acts in a scene: on each body, and along links between bodies.
 
 mod cores;
-mod driven;
 mod each;
 mod kernels;
 mod linked;
@@ -24,7 +23,6 @@ mod whose;
 #[cfg(test)]
 mod tests;
 
-pub use driven::Driven;
 pub use each::Each;
 pub(in crate::scene) use each::EachReady;
 pub use linked::Linked;
@@ -108,7 +106,7 @@ pub trait Acts<const D: usize> {
     fn kick(&self, _q: &Vectors<D>, _t: f64, _kick: Kicked<'_, D>) {}
     /// The same, and drifts by the new velocities, q += a v′, where [`at_once`](Acts::at_once) says so.
     fn kick_and_drift(&self, _a: f64, _q: &mut Vectors<D>, _t: f64, _kick: Kicked<'_, D>) {}
-    /// A kick and a drift can be made in one pass: all bodies act, and none is driven.
+    /// A kick and a drift can be made in one pass, if no body is driven: all bodies act.
     fn at_once(&self) -> bool {
         false
     }

@@ -2,11 +2,11 @@
 
 use dmech_scalar::{Lanes, Real};
 
+use super::Acts;
 use super::each::EachReady;
 use super::linked::{LinkedReady, OnLink};
 use super::links::Links;
 use super::whose::OfBodies;
-use super::{Acts, Driven};
 use crate::law::{Between, LinkLaw, PairLaw, Potential};
 use crate::scene::eights::Eights;
 use crate::scene::space::Space;
@@ -19,7 +19,7 @@ use crate::vector::{difference, sum};
 pub struct Moments<'a, const D: usize> {
     /// The times.
     pub(in crate::scene) t: Lanes,
-    /// Positions.
+    /// Positions, with driven bodies where they are.
     pub(in crate::scene) q: &'a Eights<D>,
     /// Velocities, where a force depends on them.
     pub(in crate::scene) v: &'a Eights<D>,
@@ -96,28 +96,6 @@ impl<const D: usize, A: ActsAtStages<D>, B: ActsAtStages<D>> ActsAtStages<D> for
         let last = self.1.slope(t, body, at, [&before.1, &after.1]);
         // A sum with nothing would be rounded to a zero of the other sign, and so cannot be left out by a compiler.
         if A::NOTHING { last } else { sum(self.0.slope(t, body, at, [&before.0, &after.0]), last) }
-    }
-}
-
-/// Driven bodies are where they are: [`Moments`] has them there.
-impl<const D: usize, A: ActsAtStages<D>> ActsAtStages<D> for Driven<D, A> {
-    const OF_DISTANCE: bool = A::OF_DISTANCE;
-    type Felt = A::Felt;
-    const UNFELT: Self::Felt = A::UNFELT;
-
-    #[inline]
-    fn add_slopes(&self, at: &Moments<'_, D>, out: &mut Eights<D>) {
-        self.acts.add_slopes(at, out);
-    }
-
-    #[inline(always)]
-    fn felt(&self, t: Lanes, a: usize, bodies: [&BodyAtStages<D>; 2]) -> A::Felt {
-        self.acts.felt(t, a, bodies)
-    }
-
-    #[inline(always)]
-    fn slope(&self, t: Lanes, body: usize, at: &BodyAtStages<D>, links: [&A::Felt; 2]) -> [Lanes; D] {
-        self.acts.slope(t, body, at, links)
     }
 }
 

@@ -184,7 +184,7 @@ pub(super) fn chain<const D: usize, const S: usize, N: Numbers>(
 }
 
 /// Where a chain is, and where its gradient goes.
-pub(super) trait Sink<const D: usize, const S: usize> {
+pub trait Sink<const D: usize, const S: usize> {
     /// The columns of the positions.
     fn q(&self) -> Positions<'_, D, S>;
     /// Component k of the gradient at body j, or at so many from j on. Where the bodies before those are is not asked for again.

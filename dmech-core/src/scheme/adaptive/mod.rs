@@ -58,7 +58,8 @@ use pacing::MIDDLE;
 /// G. Wanner, Geometric Numerical Integration (2nd ed., 2006), VIII.3.2. The choice of ω is this project's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<S> {
-    scheme: S,
+    /// The scheme that makes the steps.
+    pub(crate) scheme: S,
     tolerance: f64,
     /// ε.
     angle: f64,
@@ -125,22 +126,6 @@ impl<S: Adaptable> Adaptive<S> {
     {
         system.set_stride(&mut workspace.stride, dt, S::SHARE);
         self.scheme.pace(system, &workspace.stride, &mut workspace.inner);
-    }
-
-    /// The scheme that makes the steps.
-    pub(crate) fn inner(&self) -> S {
-        self.scheme
-    }
-
-    /// Whether there is a next step.
-    #[inline]
-    pub(crate) fn is_ready(&self, step: u64, pacing: &Pacing) -> Result<(), Error> {
-        if pacing.moves_on() && (self.is_in_reach(pacing) || step as f64 <= MANY * self.row) || self.has_arrived(pacing)
-        {
-            return Ok(());
-        }
-        let (time, dt) = (pacing.time.value(), pacing.dt);
-        Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
     }
 }
 
@@ -308,8 +293,13 @@ impl<Y: TimeScale, S: Adaptable + Scheme<Y>> Scheme<Y> for Adaptive<S> {
     }
 
     #[inline]
-    fn ready(&self, step: u64, memory: &Self::Memory) -> Result<(), Error> {
-        self.is_ready(step, &memory.pacing)
+    fn ready(&self, step: u64, AdaptiveMemory { pacing, .. }: &Self::Memory) -> Result<(), Error> {
+        if pacing.moves_on() && (self.is_in_reach(pacing) || step as f64 <= MANY * self.row) || self.has_arrived(pacing)
+        {
+            return Ok(());
+        }
+        let (time, dt) = (pacing.time.value(), pacing.dt);
+        Err(if dt.is_infinite() { Error::NoTimeScale { step, time } } else { Error::StepVanished { step, time, dt } })
     }
 
     fn kept(system: &Y, invariant: Invariant) -> Kept {

@@ -36,7 +36,6 @@ impl<C: Coefficients<N>, const N: usize> Splitting<N> for Composed<Leapfrog, C, 
     const FIRST: First = First::Kick;
     const DRIFTS: [f64; N] = C::GAMMA;
     const KICKS: [f64; N] = halves::<C, N>();
-    const GRADIENTS: [f64; N] = [0.0; N];
     const DRIFTS_LOW: [f64; N] = C::LOW;
     const KICKS_LOW: [f64; N] = halves_low::<C, N>();
 }
@@ -47,7 +46,6 @@ impl<C: Coefficients<N>, const N: usize> Splitting<N> for Composed<Boris, C, N> 
     const BY_MEAN: bool = true;
     const DRIFTS: [f64; N] = halves::<C, N>();
     const KICKS: [f64; N] = C::GAMMA;
-    const GRADIENTS: [f64; N] = [0.0; N];
     const DRIFTS_LOW: [f64; N] = halves_low::<C, N>();
     const KICKS_LOW: [f64; N] = C::LOW;
 }

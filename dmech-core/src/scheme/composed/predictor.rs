@@ -18,19 +18,7 @@ const POWERS: [i32; TERMS] = [0, 1, 2, 2, 3, 3, 3];
 
 impl<const N: usize> Resample<N> {
     pub(super) const fn new(gamma: [f64; N], place: SlopeAt) -> Self {
-        let stages = stages(gamma, place);
-        let mut terms = [[0.0; N]; TERMS];
-        let mut j = 0;
-        while j < N {
-            let [time, length, error] = stages[j];
-            let column = values(time - 1.0, length, error);
-            let mut i = 0;
-            while i < TERMS {
-                terms[i][j] = column[i];
-                i += 1;
-            }
-            j += 1;
-        }
+        let terms = terms(stages(gamma, place), 0.0, 0);
         let mut coefficients = [[0.0; N]; TERMS];
         let mut i = 0;
         while i < TERMS {
@@ -81,24 +69,28 @@ pub(super) const fn weights<const N: usize>(gamma: [f64; N], place: SlopeAt) -> 
     let mut weights = [[0.0; N]; N];
     let mut k = 0;
     while k < N {
-        // Times count from the stage to be predicted.
-        let mut terms = [[0.0; N]; TERMS];
-        let mut j = 0;
-        while j < N {
-            let before = if j < k { 0.0 } else { 1.0 };
-            let [time, length, error] = stages[j];
-            let column = values(time - before - stages[k][0], length, error);
-            let mut i = 0;
-            while i < TERMS {
-                terms[i][j] = column[i];
-                i += 1;
-            }
-            j += 1;
-        }
-        weights[k] = smallest(terms, values(0.0, stages[k][1], stages[k][2]));
+        weights[k] = smallest(terms(stages, stages[k][0], k), values(0.0, stages[k][1], stages[k][2]));
         k += 1;
     }
     weights
+}
+
+/// The terms at each stage, times from `origin`. Those from stage `next` on are of the step before.
+const fn terms<const N: usize>(stages: [[f64; 3]; N], origin: f64, next: usize) -> [[f64; N]; TERMS] {
+    let mut terms = [[0.0; N]; TERMS];
+    let mut j = 0;
+    while j < N {
+        let before = if j < next { 0.0 } else { 1.0 };
+        let [time, length, error] = stages[j];
+        let column = values(time - before - origin, length, error);
+        let mut i = 0;
+        while i < TERMS {
+            terms[i][j] = column[i];
+            i += 1;
+        }
+        j += 1;
+    }
+    terms
 }
 
 /// Time, length and s of each stage.

@@ -99,5 +99,4 @@ impl<C: NystromCoefficients<N>, const N: usize> Splitting<N> for Nystrom<C, N> {
     const FIRST: First = C::FIRST;
     const DRIFTS: [f64; N] = C::DRIFTS;
     const KICKS: [f64; N] = C::KICKS;
-    const GRADIENTS: [f64; N] = [0.0; N];
 }

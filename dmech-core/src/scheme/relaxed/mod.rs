@@ -8,7 +8,7 @@ pub use surface::RelaxedRoom;
 
 use super::coefficients::{Blanes8S19, BlanesMoan6S14, NystromCoefficients};
 use super::splitting::{First, Splitting};
-use super::{Leapfrog, Method, Nystrom};
+use super::{Method, Nystrom};
 use crate::invariant::{Invariant, Kept};
 use crate::name::Name;
 use crate::system::System;
@@ -75,11 +75,6 @@ impl Relaxed<Blanes8S19, 19> {
 
 impl<C: NystromCoefficients<N>, const N: usize> Relaxed<C, N> {
     const TITLE: Name = Name::of(&["Relaxed(", C::NAME, ")"]);
-
-    /// Nothing is corrected where the energy is not kept.
-    fn kept_on<Y: System>(system: &Y, invariant: Invariant) -> Kept {
-        if corrects(system) { Self::keeps(invariant) } else { Leapfrog::keeps(invariant) }
-    }
 }
 
 /// Whether there is an energy surface to return to.
@@ -105,5 +100,4 @@ impl<C: NystromCoefficients<N>, const N: usize> Splitting<N> for Relaxed<C, N> {
     const FIRST: First = <Nystrom<C, N> as Splitting<N>>::FIRST;
     const DRIFTS: [f64; N] = <Nystrom<C, N> as Splitting<N>>::DRIFTS;
     const KICKS: [f64; N] = <Nystrom<C, N> as Splitting<N>>::KICKS;
-    const GRADIENTS: [f64; N] = <Nystrom<C, N> as Splitting<N>>::GRADIENTS;
 }

@@ -10,7 +10,7 @@ use crate::newton::NotConverged;
 use crate::scheme::coefficients::NystromCoefficients;
 use crate::scheme::memory::{memory, q_and_v};
 use crate::scheme::splitting::{First, Splitting, digits, drift, kick};
-use crate::scheme::{Effort, Scheme, WithoutVelocities};
+use crate::scheme::{Effort, Leapfrog, Method, Scheme, WithoutVelocities};
 use crate::system::{Beginning, System};
 
 memory! {
@@ -91,7 +91,7 @@ impl<C: NystromCoefficients<N>, const N: usize, Y: System + WithoutVelocities> S
                 system.kick(&mut room.kicks, stride, kick, q, before, v);
                 Y::drift(q, a, v);
             } else {
-                system.kick_and_drift(&mut room.kicks, stride, kick, a, q, before, v, work);
+                system.kick_and_drift::<false>(&mut room.kicks, stride, kick, a, q, before, v, work);
             }
         }
         let corrections =
@@ -110,7 +110,8 @@ impl<C: NystromCoefficients<N>, const N: usize, Y: System + WithoutVelocities> S
         system.potential(Y::Scalar::ZERO, &before.q) - system.potential(Y::Scalar::ZERO, &after.q)
     }
 
+    /// Nothing is corrected where the energy is not kept.
     fn kept(system: &Y, invariant: Invariant) -> Kept {
-        Self::kept_on(system, invariant)
+        if corrects(system) { Self::keeps(invariant) } else { Leapfrog::keeps(invariant) }
     }
 }

@@ -34,7 +34,7 @@ pub(crate) trait Splitting<const N: usize>: Method {
     const BY_MEAN: bool = false;
     const DRIFTS: [f64; N];
     const KICKS: [f64; N];
-    const GRADIENTS: [f64; N];
+    const GRADIENTS: [f64; N] = [0.0; N];
     /// What rounding to `f64` leaves out of drifts and kicks, where it is known.
     const DRIFTS_LOW: [f64; N] = [0.0; N];
     const KICKS_LOW: [f64; N] = [0.0; N];

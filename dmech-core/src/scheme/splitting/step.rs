@@ -132,9 +132,9 @@ impl<Y: System> SplittingMemory<Y> {
         let SplittingMemory { q, v_before, v_after, work, .. } = self;
         core::mem::swap(v_before, v_after);
         if S::BY_MEAN {
-            system.kick_by_mean_and_drift(room, stride, kick, a, q, v_before, v_after, work);
+            system.kick_and_drift::<true>(room, stride, kick, a, q, v_before, v_after, work);
         } else {
-            system.kick_and_drift(room, stride, kick, a, q, v_before, v_after, work);
+            system.kick_and_drift::<false>(room, stride, kick, a, q, v_before, v_after, work);
         }
     }
 

@@ -190,7 +190,7 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         };
     }
     #[inline(always)]
-    fn kick_and_drift(
+    fn kick_and_drift<const BY_MEAN: bool>(
         &self,
         room: &mut (),
         stride: &Stride<R>,
@@ -201,23 +201,11 @@ impl<L: Law<D, R>, const D: usize, R: Real> System for Particle<L, D, R> {
         to: &mut [R; D],
         work: &mut R,
     ) {
-        self.kick(room, stride, kick, q, v, to);
-        self.add_work(work, v, to);
-        *q = add_scaled(*q, a, *to);
-    }
-    #[inline(always)]
-    fn kick_by_mean_and_drift(
-        &self,
-        _: &mut (),
-        stride: &Stride<R>,
-        kick: Kick<R>,
-        a: R,
-        q: &mut [R; D],
-        v: &[R; D],
-        to: &mut [R; D],
-        work: &mut R,
-    ) {
-        *to = self.field(kick.t).kick_by_mean(kick.b * stride.kick, *q, *v);
+        if BY_MEAN {
+            *to = self.field(kick.t).kick_by_mean(kick.b * stride.kick, *q, *v);
+        } else {
+            self.kick(room, stride, kick, q, v, to);
+        }
         self.add_work(work, v, to);
         *q = add_scaled(*q, a, *to);
     }

@@ -158,11 +158,13 @@ fn a_stiff_spring_may_be_let_go() {
 #[test]
 fn what_the_force_throws_far_stays_in_its_well() {
     law!(Swing, 1, |self, q| -self.k * q[0].cos());
-    let start = State::new([4.933402859414629], [3.213160476444008]);
-    let swing = Simulation::new(Swing { k: 43.753666224659156 }, start);
-    let run = swing.scheme(DiscreteGradient).dt(1.4864327607027454).run(1).unwrap();
-    let [q] = run.last().q;
-    assert!((q - core::f64::consts::TAU).abs() < core::f64::consts::PI, "it is at {q}");
+    let ([q, v], law, dt) =
+        ([4.933402859414629, 3.213160476444008], Swing { k: 43.753666224659156 }, 1.4864327607027454);
+    let alone = Simulation::new(law, State::new([q], [v])).scheme(DiscreteGradient).dt(dt).run(1).unwrap();
+    let scene = Simulation::scene(Scene::new().body(1.3, [q], [v]).field(Swing { k: 1.3 * law.k }));
+    let scene = scene.scheme(DiscreteGradient).dt(dt).run(1).unwrap();
+    let ends = [alone.last().q[0], scene.last().q[0][0]];
+    assert!(ends.iter().all(|q| (q - core::f64::consts::TAU).abs() < core::f64::consts::PI), "they are at {ends:?}");
 }
 
 #[derive(Clone, Copy, Debug)]

@@ -29,7 +29,7 @@ impl<const D: usize> Solver<D> {
                 self.predict(equation, theta, stretch.ahead);
             }
             let settled = self.settle(step.of(theta), if all { Trial::AT_REST } else { Trial::FOLLOWED });
-            let doubted = all && settled.is_ok() && !self.matrix.is_positive();
+            let doubted = all && settled.is_ok() && (!self.matrix.is_positive() || self.passes_a_root(step));
             match if doubted { Err(NotConverged::NOT_CONTINUED) } else { settled } {
                 Ok(iterations) => {
                     evaluations += iterations;
@@ -53,6 +53,29 @@ impl<const D: usize> Solver<D> {
             return Err(NotConverged::NOT_CONTINUED);
         }
         Err(NotConverged { iterations: evaluations.into(), residual: ending.residual })
+    }
+
+    /// Whether the root of the whole step, farther than h v goes, is another than that of a shorter one: half way to it the residual drives
+    /// back, so that there is one before it.
+    fn passes_a_root<U: Unknown<D>>(&mut self, step: Part<'_, U, D>) -> bool {
+        let Equations { g, .. } = *step.equation;
+        let [mut far, mut known] = [0.0; 2];
+        for (i, delta) in self.delta.flat().iter().enumerate() {
+            far += delta.abs();
+            known += step.equation.drift(i).abs();
+        }
+        if far <= known {
+            return false;
+        }
+        let found = [&self.delta, &self.gradient, &self.rest].map(Clone::clone);
+        self.delta.flat_mut().iter_mut().for_each(|delta| *delta *= 0.5);
+        self.take_gradient(step);
+        self.residual(step);
+        let rests = self.place.flat().iter().zip(self.delta.flat()).zip(g.flat());
+        // A pinned body has g = 0.
+        let along: f64 = rests.filter(|(_, g)| **g > 0.0).map(|((rest, delta), g)| rest * delta / g).sum();
+        [self.delta, self.gradient, self.rest] = found;
+        along < 0.0
     }
 
     /// Δ for a part θ of the step, with the force continued over the last `ahead` of it by its slope.

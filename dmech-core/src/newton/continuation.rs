@@ -67,10 +67,13 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         let mut settled = settle::<ONCE_ROUNDED, D, R>(&part, correct);
         if let Ok(found) = &settled
             && stretch.is_all()
-            && passes_a_root(&part, found.delta, correct)
         {
-            let evaluations = found.evaluations.to_u64() as u32 + 1;
-            settled = Err(Astray { evaluations, residual: largest(&found.delta), elsewhere: true });
+            let (passes, looks) = passes_a_root(&part, found.delta, correct);
+            evaluations += looks;
+            if passes {
+                let evaluations = found.evaluations.to_u64() as u32;
+                settled = Err(Astray { evaluations, residual: largest(&found.delta), elsewhere: true });
+            }
         }
         match settled {
             Ok(found) => {
@@ -97,19 +100,19 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
 }
 
 /// Whether a root, farther than what is known of the step goes, is another than that of a shorter step: half way to it the residual
-/// drives back, so that there is one before it.
+/// drives back, so that there is one before it. And the evaluations that say so.
 fn passes_a_root<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     delta: [R; D],
     correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-) -> bool {
+) -> (bool, u32) {
     let known = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
     let far = known.less(length(&correct(equation, [R::ZERO; D], equation.q).delta));
     if !far.any() {
-        return false;
+        return (false, 1);
     }
     let half: [R; D] = by_component!(|i| R::from_f64(0.5) * delta[i]);
     let rest = equation.rest(half, correct(equation, half, equation.end(half)).parts[0]);
     let along = (0..D).fold(R::ZERO, |sum, i| rest[i].mul_add(delta[i], sum));
-    far.and(along.less(R::ZERO)).any()
+    (far.and(along.less(R::ZERO)).any(), 2)
 }

@@ -167,6 +167,28 @@ fn what_the_force_throws_far_stays_in_its_well() {
     assert!(ends.iter().all(|q| (q - core::f64::consts::TAU).abs() < core::f64::consts::PI), "they are at {ends:?}");
 }
 
+/// And where it is let go on a hill, at which the matrix is not definite, the end of a step moves on with its length.
+#[test]
+fn a_step_that_begins_on_a_hill_ends_where_shorter_ones_lead() {
+    law!(Hill, 2, |self, q| self.k * (0.5 * (q[1] * q[1] - q[0] * q[0]) + 0.177 * q[0].powi(4))
+        + 0.1 * q[0] * q[1] * q[1]);
+    let (q, v) = ([0.3593253371378011, 0.46797580648077775], [-0.18629052980405048, 0.06988547309368653]);
+    let law = Hill { k: 3.556214477472012 };
+    let (mut last, lengths) = ([q[0]; 2], 400);
+    for i in 1..=lengths {
+        let dt = 1.7814498954898563 * f64::from(i) / f64::from(lengths);
+        let alone = Simulation::new(law, State::new(q, v)).scheme(DiscreteGradient).dt(dt).run(1).unwrap();
+        let scene = Simulation::scene(Scene::new().body(1.0, q, v).field(law));
+        let scene = scene.scheme(DiscreteGradient).dt(dt).run(1).unwrap();
+        let ends = [alone.last().q[0], scene.last().q[0][0]];
+        for (end, before) in ends.iter().zip(last) {
+            assert!((end - before).abs() < 0.02, "from {before} to {end} at {dt}");
+        }
+        last = ends;
+    }
+    assert!(last.iter().all(|q| *q > 1.0), "it has been driven down: {last:?}");
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Rope {
     k: f64,

@@ -58,8 +58,8 @@ impl<const D: usize> Solver<D> {
         Err(NotConverged { iterations: evaluations.into(), residual: ending.residual })
     }
 
-    /// Whether the root of the whole step, farther than h v goes, is another than that of a shorter one: half way to it the residual drives
-    /// back, so that there is one before it. And the evaluations that say so.
+    /// Whether the root of the whole step, farther than h v goes, is another than that of a shorter one: the step begins on a hill, or half
+    /// way to the root the residual drives back, so that there is one before it. And the evaluations that say so.
     fn passes_a_root<U: Unknown<D>>(&mut self, step: Part<'_, U, D>) -> (bool, u32) {
         let Equations { g, .. } = *step.equation;
         let [mut far, mut known] = [0.0; 2];
@@ -71,14 +71,17 @@ impl<const D: usize> Solver<D> {
             return (false, 0);
         }
         let found = [&self.delta, &self.gradient, &self.rest].map(Clone::clone);
-        self.delta.flat_mut().iter_mut().for_each(|delta| *delta *= 0.5);
+        self.delta.clear();
+        self.take_gradient(step);
+        let on_a_hill = !(self.take_jacobian(step) && self.matrix.is_positive());
+        self.delta.flat_mut().iter_mut().zip(found[0].flat()).for_each(|(half, delta)| *half = 0.5 * delta);
         self.take_gradient(step);
         self.residual(step);
         let rests = self.place.flat().iter().zip(self.delta.flat()).zip(g.flat());
         // A pinned body has g = 0.
         let along: f64 = rests.filter(|(_, g)| **g > 0.0).map(|((rest, delta), g)| rest * delta / g).sum();
         [self.delta, self.gradient, self.rest] = found;
-        (along < 0.0, 1)
+        (on_a_hill || along < 0.0, 2)
     }
 
     /// Δ for a part θ of the step, with the force continued over the last `ahead` of it by its slope.

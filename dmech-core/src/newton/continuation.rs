@@ -67,13 +67,10 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         let mut settled = settle::<ONCE_ROUNDED, D, R>(&part, correct);
         if let Ok(found) = &settled
             && stretch.is_all()
+            && passes_a_root(&part, found.delta, correct, &mut evaluations)
         {
-            let (passes, looks) = passes_a_root(&part, found.delta, correct);
-            evaluations += looks;
-            if passes {
-                let evaluations = found.evaluations.to_u64() as u32;
-                settled = Err(Astray { evaluations, residual: largest(&found.delta), elsewhere: true });
-            }
+            let evaluations = found.evaluations.to_u64() as u32;
+            settled = Err(Astray { evaluations, residual: largest(&found.delta), elsewhere: true });
         }
         match settled {
             Ok(found) => {
@@ -99,20 +96,22 @@ fn lengthen<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
     Err(Astray { evaluations, elsewhere: astray.elsewhere || last.elsewhere, ..last }.into())
 }
 
-/// Whether a root, farther than what is known of the step goes, is another than that of a shorter step: half way to it the residual
-/// drives back, so that there is one before it. And the evaluations that say so.
+/// Whether a root, where the first correction is farther than the known side [reaches](Equation::reach), is another than that of a shorter
+/// step: half way to it the residual drives back, so that there is one before it.
 fn passes_a_root<const D: usize, R: Real>(
     equation: &Equation<D, R>,
     delta: [R; D],
     correct: &mut impl FnMut(&Equation<D, R>, [R; D], [R; D]) -> Correction<D, R>,
-) -> (bool, u32) {
-    let known = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
-    let far = known.less(length(&correct(equation, [R::ZERO; D], equation.q).delta));
+    evaluations: &mut u32,
+) -> bool {
+    *evaluations += 1;
+    let far = equation.reach().less(length(&correct(equation, [R::ZERO; D], equation.q).delta));
     if !far.any() {
-        return (false, 1);
+        return false;
     }
+    *evaluations += 1;
     let half: [R; D] = by_component!(|i| R::from_f64(0.5) * delta[i]);
     let rest = equation.rest(half, correct(equation, half, equation.end(half)).parts[0]);
     let along = (0..D).fold(R::ZERO, |sum, i| rest[i].mul_add(delta[i], sum));
-    (far.and(along.less(R::ZERO)).any(), 2)
+    far.and(along.less(R::ZERO)).any()
 }

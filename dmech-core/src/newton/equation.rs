@@ -2,6 +2,7 @@
 
 use dmech_scalar::{Count, Mask, Real, two_sum};
 
+use super::settle::length;
 use crate::vector::{by_component, difference, either};
 
 /// Find Δ with  Δ + g G(q + Δ) = drift − frozen,  where G(b) is ∇Φ(b) (trapezoid) or ∇̄Φ(a, b) (energy-exact steps).
@@ -69,6 +70,12 @@ impl<const D: usize, R: Real> Equation<D, R> {
     #[inline]
     pub fn known(&self) -> [R; D] {
         by_component!(|i| self.drift[i] - self.frozen[i])
+    }
+
+    /// |drift| + 2 |frozen|: how far the known side may go.
+    #[inline(always)]
+    pub(super) fn reach(&self) -> R {
+        length(&self.drift) + length(&self.frozen) + length(&self.frozen)
     }
 
     /// drift − frozen − g G: the increment that belongs to a force G.

@@ -83,8 +83,7 @@ pub(super) fn settle<const ONCE_ROUNDED: bool, const D: usize, R: Real>(
         if iteration == 1 {
             let small = if equation.piecewise { margin } else { root_of_margin };
             settled = size.less_or_equal(small * step);
-            let scale = length(&equation.drift) + length(&equation.frozen) + length(&equation.frozen);
-            let within = size.less_or_equal(scale + length(&equation.guess) + grains);
+            let within = size.less_or_equal(equation.reach() + length(&equation.guess) + grains);
             // From Δ = 0 it is the whole step, of which h v is nothing where a stiff body is let go: what the force at the start drives.
             let by_force = || definite.and(size.less_or_equal(equation.g.abs() * length(&parts[0]) + grains));
             astray = if equation.definite { within.or(by_force()).not() } else { within.not() };

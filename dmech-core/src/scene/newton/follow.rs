@@ -29,10 +29,8 @@ impl<const D: usize> Solver<D> {
                 self.predict(equation, theta, stretch.ahead);
             }
             let settled = self.settle(step.of(theta), if all { Trial::AT_REST } else { Trial::FOLLOWED });
-            let positive = self.matrix.is_positive();
-            let (passes, looks) = if all && settled.is_ok() { self.passes_a_root(step) } else { (false, 0) };
-            evaluations += looks;
-            let doubted = all && settled.is_ok() && (passes || !positive);
+            let doubted =
+                all && settled.is_ok() && (!self.matrix.is_positive() || self.passes_a_root(step, &mut evaluations));
             match if doubted { Err(NotConverged::NOT_CONTINUED) } else { settled } {
                 Ok(iterations) => {
                     evaluations += iterations;
@@ -59,8 +57,8 @@ impl<const D: usize> Solver<D> {
     }
 
     /// Whether the root of the whole step, farther than h v goes, is another than that of a shorter one: the step begins on a hill, or half
-    /// way to the root the residual drives back, so that there is one before it. And the evaluations that say so.
-    fn passes_a_root<U: Unknown<D>>(&mut self, step: Part<'_, U, D>) -> (bool, u32) {
+    /// way to the root the residual drives back, so that there is one before it.
+    fn passes_a_root<U: Unknown<D>>(&mut self, step: Part<'_, U, D>, evaluations: &mut u32) -> bool {
         let Equations { g, .. } = *step.equation;
         let [mut far, mut known] = [0.0; 2];
         for (i, delta) in self.delta.flat().iter().enumerate() {
@@ -68,8 +66,9 @@ impl<const D: usize> Solver<D> {
             known += step.equation.drift(i).abs();
         }
         if far <= known {
-            return (false, 0);
+            return false;
         }
+        *evaluations += 2;
         let found = [&self.delta, &self.gradient, &self.rest].map(Clone::clone);
         self.delta.clear();
         self.take_gradient(step);
@@ -81,7 +80,7 @@ impl<const D: usize> Solver<D> {
         // A pinned body has g = 0.
         let along: f64 = rests.filter(|(_, g)| **g > 0.0).map(|((rest, delta), g)| rest * delta / g).sum();
         [self.delta, self.gradient, self.rest] = found;
-        (on_a_hill || along < 0.0, 2)
+        on_a_hill || along < 0.0
     }
 
     /// Δ for a part θ of the step, with the force continued over the last `ahead` of it by its slope.
